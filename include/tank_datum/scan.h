@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tank_datum {
+
+/// Points relative to Scan::origin() [m].
+using Points = std::vector<Eigen::Vector3d>;
+
+/// What one pass over a scan met.
+struct ScanCounts {
+  std::uint64_t points = 0;   ///< rows in the files
+  std::uint64_t invalid = 0;  ///< rows dropped because x, y or z is not finite
+};
+
+/// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
+///
+/// Coordinates are read in double and reduced by a local origin before anybody sees them, so that float32 work on
+/// them keeps micrometres at 4e6 m. Several files are scan stations of one tank in one frame: one stream.
+class Scan {
+ public:
+  /// Receives the next block of finite points, relative to origin().
+  using Visitor = std::function<void(const Points& block)>;
+
+  /// Opens PCD files (ascii, binary, binary_compressed). Headers are read and checked here, data in forEachBlock.
+  /// @param metres_per_unit  scale of the stored coordinates (0.001 for mm)
+  /// @throws Error (File) naming the file, the value met and what was expected
+  static Scan open(const std::vector<std::string>& paths, double metres_per_unit = 1.0);
+
+  /// Points in memory, in their own frame [m]; not finite ones are dropped and counted like those of a file.
+  static Scan fromPoints(const Points& points);
+
+  /// Visits every finite point once, in file order. May be called again for another pass.
+  /// @throws Error (File) when the data are shorter or other than the header says
+  ScanCounts forEachBlock(const Visitor& visit) const;
+
+  /// Local origin in the scan's own frame [m]; add it to go back. Whole metres, so that adding it is exact.
+  const Eigen::Vector3d& origin() const { return origin_; }
+
+  /// Rows announced by the headers.
+  std::uint64_t size() const;
+
+  /// Empty for points in memory.
+  const std::vector<std::string>& paths() const { return paths_; }
+
+  class Source;  ///< one file or one array, see scan.cpp
+
+ private:
+  std::vector<std::shared_ptr<const Source>> sources_;
+  std::vector<std::string> paths_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace tank_datum

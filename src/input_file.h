@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace tank_datum {
+
+/// A regular file open for reading at any place; several threads may read at once. Reading instead of mapping it
+/// makes a file cut short meanwhile an Error, not a signal.
+class InputFile {
+ public:
+  /// @throws Error (File) when path is missing, not readable, a folder or a device
+  explicit InputFile(std::string path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+  /// Bytes when it was opened.
+  std::uint64_t size() const { return size_; }
+
+  /// Reads up to count bytes from offset on; fewer only at the end of the file.
+  /// @throws Error (File) when the device fails
+  std::size_t readSome(std::uint64_t offset, void* to, std::size_t count) const;
+
+  /// Reads exactly count bytes.
+  /// @throws Error (File) when the file is shorter
+  void read(std::uint64_t offset, void* to, std::size_t count) const;
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace tank_datum

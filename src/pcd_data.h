@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "input_file.h"
+#include "tank_datum/pcd_header.h"
+#include "tank_datum/scan.h"
+
+namespace tank_datum {
+
+/// From stored coordinates to a scan's: stored * metres_per_unit - origin.
+struct Frame {
+  double metres_per_unit = 1.0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m]
+};
+
+/// Receives the next block, which is never empty; false ends the pass.
+using BlockVisitor = std::function<bool(const Points& block)>;
+
+/// Rows of a block at most; its bytes and its points together stay in a core's L2 cache.
+constexpr std::size_t kBlockRows = 16384;
+
+/// Memory of one block, to be used again for the next.
+struct BlockBuffer {
+  std::vector<char> bytes;
+  Points points;
+};
+
+/// Blocks of a binary file. Each can be decoded by itself, in any order, in any thread with a buffer of its own.
+std::uint64_t binaryBlockCount(const PcdHeader& header);
+
+/// Fills buffer.points with the finite points of one block of a binary file.
+/// @return rows of the block, the not finite ones included
+/// @throws Error (File) when the file has become shorter
+std::size_t decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
+                              BlockBuffer& buffer);
+
+/// Visits the finite points of a PCD file of any encoding in file order. Memory is that of a block, but for
+/// binary_compressed, which is one LZF block and needs its compressed and its uncompressed size.
+/// @return the rows seen, all of them unless the visitor ended the pass
+/// @throws Error (File) when the data are not what the header says
+ScanCounts visitPcd(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit);
+
+/// The ascii part of visitPcd. Values are separated by blanks, tabs or one comma each; a row has exactly
+/// header.row_values of them. Empty lines are skipped. More rows than POINTS are refused as fewer are.
+ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit);
+
+}  // namespace tank_datum

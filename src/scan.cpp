@@ -1,0 +1,121 @@
+#include "tank_datum/scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "coordinates.h"
+#include "input_file.h"
+#include "pcd_data.h"
+#include "tank_datum/error.h"
+#include "tank_datum/pcd_header.h"
+
+namespace tank_datum {
+
+class Scan::Source {
+ public:
+  virtual ~Source() = default;
+  virtual std::uint64_t size() const = 0;
+  virtual ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const = 0;
+};
+
+namespace {
+
+class PcdSource : public Scan::Source {
+ public:
+  PcdSource(const std::string& path, double metres_per_unit)
+      : file_(path), header_(readPcdHeader(file_)), metres_per_unit_(metres_per_unit) {}
+
+  std::uint64_t size() const override { return header_.points; }
+
+  ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
+    return visitPcd(file_, header_, {metres_per_unit_, origin}, visit);
+  }
+
+ private:
+  InputFile file_;  // stays open: every pass sees the same file
+  PcdHeader header_;
+  double metres_per_unit_;
+};
+
+class ArraySource : public Scan::Source {
+ public:
+  explicit ArraySource(Points points) : points_(std::move(points)) {}
+
+  std::uint64_t size() const override { return points_.size(); }
+
+  ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
+    const Frame frame{1.0, origin};
+    ScanCounts counts;
+    Points block;
+    while (counts.points < points_.size()) {
+      const std::size_t end = std::min<std::size_t>(counts.points + kBlockRows, points_.size());
+      block.clear();
+      for (std::size_t i = counts.points; i < end; ++i) appendFinite(points_[i], frame, block);
+      counts.invalid += end - counts.points - block.size();
+      counts.points = end;
+      if (!block.empty() && !visit(block)) break;
+    }
+    return counts;
+  }
+
+ private:
+  Points points_;
+};
+
+/// The first finite point in whole metres, however many others come before it; zero if there is none.
+Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>>& sources) {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  bool found = false;
+  for (const auto& source : sources) {
+    if (found) break;
+    source->visit(Eigen::Vector3d::Zero(), [&](const Points& block) {
+      origin = block.front().array().round() + 0.0;  // + 0.0: no negative zero in the outputs
+      found = true;
+      return false;
+    });
+  }
+  return origin;
+}
+
+}  // namespace
+
+Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit) {
+  if (paths.empty()) throw Error(Error::Kind::Option, "io", "scans", "none", "at least one file");
+  if (!(metres_per_unit > 0.0 && std::isfinite(metres_per_unit))) {
+    throw Error(Error::Kind::Option, "io", "metres_per_unit", std::to_string(metres_per_unit), "a number > 0");
+  }
+  Scan scan;
+  scan.paths_ = paths;
+  for (const std::string& path : paths) scan.sources_.push_back(std::make_shared<PcdSource>(path, metres_per_unit));
+  scan.origin_ = findOrigin(scan.sources_);
+  return scan;
+}
+
+Scan Scan::fromPoints(const Points& points) {
+  Scan scan;
+  scan.sources_.push_back(std::make_shared<ArraySource>(points));
+  scan.origin_ = findOrigin(scan.sources_);
+  return scan;
+}
+
+ScanCounts Scan::forEachBlock(const Visitor& visit) const {
+  ScanCounts total;
+  for (const auto& source : sources_) {
+    const ScanCounts counts = source->visit(origin_, [&](const Points& block) {
+      visit(block);
+      return true;
+    });
+    total.points += counts.points;
+    total.invalid += counts.invalid;
+  }
+  return total;
+}
+
+std::uint64_t Scan::size() const {
+  std::uint64_t rows = 0;
+  for (const auto& source : sources_) rows += source->size();
+  return rows;
+}
+
+}  // namespace tank_datum
