@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "tank_datum/locate.h"
+#include "tank_datum/scan.h"
+
+namespace tank_datum {
+
+struct CropOptions {
+  double reach = 0.5;  ///< half-width of the ring in radius and height [m]; on small objects a quarter of the radius
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const CropOptions& options);
+
+/// The points of a scan near the datum, about the tank's centre.
+struct Ring {
+  Points points;            ///< every scan point in the ring, relative to the scan's origin [m]
+  double reach = 0;         ///< half-width used [m]
+  ScanCounts counts;        ///< what the pass over the scan met
+};
+
+/// Keeps the points whose distance from the shell and from the coarse foot is at most the reach (enlarged by the
+/// accuracy of the coarse figures).
+Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options);
+
+}  // namespace tank_datum

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/circle.h"
+#include "tank_datum/harmonics.h"
+#include "tank_datum/scan.h"
+
+namespace tank_datum {
+
+/// From which side of the shell the foundation was seen.
+enum class Side { Outside, Inside };
+
+struct LocateOptions {
+  double min_radius = 2.0;                ///< the smallest tank to look for [m]
+  double min_arc = 1.2217304763960306;    ///< the least seen arc of shell that makes a tank [rad], 70 degrees
+  std::size_t sample_points = 1'000'000;  ///< bound of the thinned sample
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const LocateOptions& options);
+
+/// A vertical cylinder standing in the scan, to the accuracy of the thinned sample.
+struct Tank {
+  Circle circle;                  ///< of the shell near its foot, relative to the scan's origin [m]
+  double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the shell's cells about the circle [m]
+  double coverage = 0.0;          ///< seen arc of the shell [rad]
+  double height = 0.0;            ///< seen height of the shell [m]
+  Side side = Side::Outside;
+  PeriodicFit foot;               ///< shell foot against azimuth [m], coarse
+  double resolution = 0.0;        ///< spacing of the sample the figures come from [m]
+  bool has_foundation = false;    ///< a surface was seen that meets the foot
+
+  double azimuthOf(const Eigen::Vector2d& p) const;
+};
+
+/// The tanks of a scan, best first: most of the circumference seen, the larger one when that is equal within 10 degrees.
+///
+/// Columns of the thinned sample that are filled over some height are walls; circles are drawn through three of them
+/// and kept by the arc on which walls face the centre (RANSAC). A circle whose walls do not turn with the azimuth is a
+/// box; one that encloses a taller one is a bund wall; one just outside of another and below its foot is a ringwall.
+std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options);
+
+/// A tank whose circle is known (--tank X,Y,R); only side, foot and coverage are looked for.
+std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options);
+
+}  // namespace tank_datum

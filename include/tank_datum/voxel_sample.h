@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tank_datum/scan.h"
+
+namespace tank_datum {
+
+/// A thinned copy of a scan in bounded memory: one point per voxel, and voxels grown by doubling until they fit the
+/// bound.
+///
+/// Which point stands for its voxel is decided by a hash of its coordinates, so the sample does not depend on the
+/// order of the points.
+class VoxelSample {
+ public:
+  /// @param max_points  the most voxels kept
+  explicit VoxelSample(std::size_t max_points);
+
+  void add(const Points& block);
+
+  /// Doubles the voxels once.
+  void coarsen();
+
+  /// Share of the voxels that hold at least `count` points of the scan.
+  double shareHolding(std::uint32_t count) const;
+
+  Points points() const;
+  /// Edge of a voxel [m].
+  double voxel() const { return voxel_; }
+
+ private:
+  struct Slot {
+    std::int64_t key = kEmpty;
+    std::uint64_t rank = 0;
+    std::uint32_t count = 0;
+    Eigen::Vector3d point;
+  };
+  static constexpr std::int64_t kEmpty = -1;
+
+  std::int64_t keyOf(const Eigen::Vector3d& point) const;
+  void insert(const Slot& slot);
+  void rebuild(std::size_t slots);
+
+  std::size_t max_points_, used_ = 0;
+  double voxel_;
+  std::vector<Slot> slots_;
+};
+
+}  // namespace tank_datum

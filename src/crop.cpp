@@ -1,0 +1,35 @@
+#include "tank_datum/crop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace tank_datum {
+
+std::string firstError(const CropOptions& options) {
+  if (options.reach > 0.0 && std::isfinite(options.reach)) return {};
+  char text[64];
+  std::snprintf(text, sizeof text, "crop.reach = %g m (must be > 0)", options.reach);
+  return text;
+}
+
+Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options) {
+  Ring ring;
+  ring.reach = std::min(options.reach, 0.25 * tank.circle.radius);
+  const double reach = ring.reach + 2.0 * tank.resolution;
+  const double inner = std::max(0.0, tank.circle.radius - reach), outer = tank.circle.radius + reach;
+  const double slope_x = tank.foot.coefficients[1] / tank.circle.radius;
+  const double slope_y = tank.foot.coefficients[2] / tank.circle.radius;
+  ring.counts = scan.forEachBlock([&](const Points& block) {
+    for (const auto& p : block) {
+      const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
+      const double squared = arm.squaredNorm();
+      if (squared < inner * inner || squared > outer * outer) continue;
+      const double foot = tank.foot.coefficients[0] + slope_x * arm.x() + slope_y * arm.y();
+      if (std::abs(p.z() - foot) <= reach) ring.points.push_back(p);
+    }
+  });
+  return ring;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,214 @@
+#include "tank_datum/locate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "circle_search.h"
+#include "tank_datum/statistics.h"
+#include "tank_datum/voxel_sample.h"
+#include "tank_datum/wall_map.h"
+#include "units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kSameArc = 0.17453292519943295;  // 10 degrees
+constexpr double kDeepestDrop = 0.5;  // ground below the shell foot at a ringwall or pad shoulder [m]
+
+struct Sample {
+  Points points;
+  double voxel = 0;
+};
+
+/// The scan thinned to a ladder of voxels: from where the densest surfaces just close (a tenth of the voxels hold two
+/// points) to where most have (half of them hold four). Which rung shows the tank depends on how much denser it was
+/// scanned than what stands around it.
+std::vector<Sample> samplesOf(const Scan& scan, const LocateOptions& options) {
+  VoxelSample sample(options.sample_points);
+  scan.forEachBlock([&](const Points& block) { sample.add(block); });
+  std::vector<Sample> samples;
+  for (Points points = sample.points(); points.size() > 50; points = sample.points()) {
+    if (sample.shareHolding(2) >= 0.1) samples.push_back({points, sample.voxel()});
+    if (sample.shareHolding(4) >= 0.5 || sample.voxel() > 0.5 * options.min_radius) break;
+    sample.coarsen();
+  }
+  return samples;
+}
+
+/// Heights of one azimuth sector: of the shell, and of what lies beside it on either side.
+struct Sector {
+  std::vector<double> shell, outside, inside;
+};
+
+std::vector<Sector> sectorsOf(const Sample& sample, const Circle& circle, double band) {
+  const double reach = std::max(0.1 * circle.radius, 6.0 * sample.voxel);
+  const double count = std::clamp(std::floor(kTwoPi * circle.radius / (3.0 * sample.voxel)), 24.0, 180.0);
+  std::vector<Sector> sectors(static_cast<std::size_t>(count));
+  for (const auto& p : sample.points) {
+    const Eigen::Vector2d arm = p.head<2>() - circle.center;
+    const double off = arm.norm() - circle.radius;
+    if (std::abs(off) > band + reach) continue;
+    const double turn = std::atan2(arm.y(), arm.x()) / kTwoPi;
+    auto& sector = sectors[static_cast<std::size_t>((turn - std::floor(turn)) * count) % sectors.size()];
+    if (std::abs(off) <= band) sector.shell.push_back(p.z());
+    if (std::abs(off) > band + 0.5 * reach) (off > 0 ? sector.outside : sector.inside).push_back(p.z());
+  }
+  return sectors;
+}
+
+/// Bottom and top of the longest stretch of heights without a hole; false when it is no wall.
+bool shellRun(std::vector<double>& heights, double voxel, double& bottom, double& top) {
+  std::sort(heights.begin(), heights.end());
+  bottom = top = 0;
+  for (std::size_t first = 0, last = 0; first < heights.size(); first = last + 1) {
+    last = first;
+    while (last + 1 < heights.size() && heights[last + 1] - heights[last] <= 3.0 * voxel) ++last;
+    if (heights[last] - heights[first] > top - bottom) {
+      bottom = heights[first];
+      top = heights[last];
+    }
+  }
+  return top - bottom >= 3.0 * voxel;
+}
+
+bool hasFoundation(const std::vector<double>& beside, double foot, double voxel, double radius) {
+  const double drop = std::min(kDeepestDrop, 0.25 * radius) + 4.0 * voxel, rise = 0.02 * radius + 4.0 * voxel;
+  return std::any_of(beside.begin(), beside.end(), [&](double z) { return z > foot - drop && z < foot + rise; });
+}
+
+/// The foot against azimuth. Shells that end above a shadow outnumber, at times, those seen to their foot, but nothing
+/// of a shell lies below it: the fit starts from the lowest fifth, and takes what agrees with it.
+PeriodicFit fitFoot(const std::vector<double>& azimuths, const std::vector<double>& feet, double window) {
+  constexpr double kQuiet = 0.02;  // with a short arc the slope is what little data say, not an extrapolation
+  PeriodicFit fit;
+  fit.coefficients = Eigen::Vector3d(quantile(feet, 0.2), 0, 0);
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    std::vector<double> near_azimuths, near_feet;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      if (std::abs(feet[i] - fit(azimuths[i])) > window) continue;
+      near_azimuths.push_back(azimuths[i]);
+      near_feet.push_back(feet[i]);
+    }
+    if (near_feet.empty()) break;
+    fit = fitHarmonics(near_azimuths, near_feet, {}, 1, true, kQuiet);
+  }
+  return fit;
+}
+
+/// Looks at the sample around a known circle: foot, side, coverage, height.
+Tank describe(const Sample& sample, const Circle& circle, double rms) {
+  Tank tank;
+  tank.circle = circle;
+  tank.rms = rms;
+  tank.resolution = sample.voxel;
+  auto sectors = sectorsOf(sample, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
+  std::vector<double> azimuths, feet, heights;
+  std::vector<char> outside, inside;  // whether a foundation was seen on that side
+  for (std::size_t s = 0; s < sectors.size(); ++s) {
+    double bottom = 0, top = 0;
+    if (!shellRun(sectors[s].shell, sample.voxel, bottom, top)) continue;
+    azimuths.push_back((static_cast<double>(s) + 0.5) * kTwoPi / static_cast<double>(sectors.size()));
+    feet.push_back(bottom);
+    heights.push_back(top - bottom);
+    outside.push_back(hasFoundation(sectors[s].outside, bottom, sample.voxel, circle.radius));
+    inside.push_back(hasFoundation(sectors[s].inside, bottom, sample.voxel, circle.radius));
+  }
+  tank.coverage = kTwoPi * static_cast<double>(feet.size()) / static_cast<double>(sectors.size());
+  tank.height = median(heights);
+  const auto seen_outside = std::count(outside.begin(), outside.end(), 1);
+  const auto seen_inside = std::count(inside.begin(), inside.end(), 1);
+  tank.side = seen_inside > seen_outside ? Side::Inside : Side::Outside;
+  const auto& foundation = tank.side == Side::Inside ? inside : outside;
+  tank.has_foundation = 4 * std::max(seen_inside, seen_outside) >= static_cast<std::ptrdiff_t>(feet.size());
+  for (std::size_t i = feet.size(); i-- > 0;) {  // a shell that ends above a shadow says nothing of the foot
+    if (foundation[i] || !tank.has_foundation) continue;
+    feet.erase(feet.begin() + static_cast<std::ptrdiff_t>(i));
+    azimuths.erase(azimuths.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  if (!feet.empty()) tank.foot = fitFoot(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
+  return tank;
+}
+
+/// The one of two nested circles that is no tank, or null when both may be.
+const Tank* impostor(const Tank& a, const Tank& b) {
+  const Tank& outer = a.circle.radius >= b.circle.radius ? a : b;
+  const Tank& inner = &outer == &a ? b : a;
+  const double apart = (outer.circle.center - inner.circle.center).norm();
+  if (apart > outer.circle.radius || !a.foot.valid() || !b.foot.valid()) return nullptr;
+  constexpr double kRingwallWidth = 0.6;  // the widest ringwall beyond the shell [m]
+  const double gap = outer.circle.radius - inner.circle.radius;
+  const double same = std::max(4.0 * outer.resolution, 0.02 * outer.circle.radius);
+  if (apart + gap <= same && std::abs(outer.foot.coefficients[0] - inner.foot.coefficients[0]) <= same) {
+    // one shell found twice: on two rungs, or again from what its tolerance left over
+    if (std::abs(outer.coverage - inner.coverage) > kSameArc) return outer.coverage < inner.coverage ? &outer : &inner;
+    return outer.resolution > inner.resolution ? &outer : &inner;
+  }
+  if (apart + gap <= kRingwallWidth && outer.foot.coefficients[0] < inner.foot.coefficients[0]) return &outer;
+  return outer.height < inner.height ? &outer : &inner;  // a bund wall round a tank, or a thing inside a tank
+}
+
+void dropNested(std::vector<Tank>& tanks) {
+  for (std::size_t i = 0; i < tanks.size(); ++i) {
+    for (std::size_t j = i + 1; j < tanks.size();) {
+      const Tank* out = impostor(tanks[i], tanks[j]);
+      if (!out) {
+        ++j;
+        continue;
+      }
+      if (out == &tanks[i]) std::swap(tanks[i], tanks[j]);
+      tanks.erase(tanks.begin() + static_cast<std::ptrdiff_t>(j));
+      j = i + 1;
+    }
+  }
+}
+
+}  // namespace
+
+double Tank::azimuthOf(const Eigen::Vector2d& p) const {
+  const double azimuth = std::atan2(p.y() - circle.center.y(), p.x() - circle.center.x());
+  return azimuth < 0 ? azimuth + kTwoPi : azimuth;
+}
+
+std::string firstError(const LocateOptions& options) {
+  char text[96] = "";
+  if (!(options.min_radius > 0.0)) {
+    std::snprintf(text, sizeof text, "locate.min_radius = %g m (must be > 0)", options.min_radius);
+  } else if (!(options.min_arc > 0.0 && options.min_arc <= kTwoPi)) {
+    std::snprintf(text, sizeof text, "locate.min_arc = %g rad (must be > 0 and <= 2 pi)", options.min_arc);
+  } else if (options.sample_points < 10'000) {
+    std::snprintf(text, sizeof text, "locate.sample_points = %zu (must be >= 10000)", options.sample_points);
+  }
+  return text;
+}
+
+std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options) {
+  std::vector<Tank> tanks;
+  for (const Sample& sample : samplesOf(scan, options)) {
+    for (const auto& found : findWallCircles(mapWalls(sample.points, sample.voxel), sample.voxel, options)) {
+      Tank tank = describe(sample, found.circle, found.rms);
+      if (tank.coverage >= options.min_arc) tanks.push_back(std::move(tank));
+    }
+  }
+  dropNested(tanks);
+  const auto better = [](const Tank& a, const Tank& b) {
+    if (std::abs(a.coverage - b.coverage) > kSameArc) return a.coverage > b.coverage;
+    return a.circle.radius > b.circle.radius;
+  };
+  for (std::size_t i = 0; i < tanks.size(); ++i) {  // a selection, since "equal within 10 degrees" is no strict order
+    std::swap(tanks[i], *std::max_element(tanks.begin() + static_cast<std::ptrdiff_t>(i), tanks.end(),
+                                          [&](const Tank& a, const Tank& b) { return better(b, a); }));
+  }
+  return tanks;
+}
+
+std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options) {
+  const auto samples = samplesOf(scan, options);
+  if (samples.empty()) return std::nullopt;
+  const Sample& sample = samples.front();
+  Tank tank = describe(sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
+  if (!tank.foot.valid()) return std::nullopt;
+  return tank;
+}
+
+}  // namespace tank_datum
