@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/centre_filter.h"
+#include "tank_datum/crop.h"
+#include "tank_datum/deformation.h"
+#include "tank_datum/locate.h"
+#include "tank_datum/normals.h"
+#include "tank_datum/region_growing.h"
+#include "tank_datum/scan.h"
+#include "tank_datum/spline.h"
+#include "tank_datum/stations.h"
+
+namespace tank_datum {
+
+/// Every option of the chain, stage by stage.
+struct DatumOptions {
+  LocateOptions locate;
+  CropOptions crop;
+  NormalOptions normals;
+  GrowingOptions growing;
+  CentreFilterOptions centre_filter;
+  SplineOptions spline;
+  StationOptions stations;
+  std::optional<Circle> tank;  ///< the tank's circle in the scan's frame [m], when it need not be searched
+  int threads = 0;             ///< 0: all cores; the result does not depend on it
+};
+
+/// One line naming the first refused option, its value and what it must be; empty when all are fine.
+std::string firstError(const DatumOptions& options);
+
+enum class Status {
+  NotRun,
+  Ok,            ///< every station measured or interpolated
+  Partial,       ///< some stations missing
+  NoTank,        ///< no vertical cylinder in the scan
+  NoCrease,      ///< a shell, but no foundation surface meeting it
+  TooFewPoints,  ///< fewer points than the neighbours asked for
+  FitFailed,     ///< edge points that no closed curve can be fitted to
+};
+
+/// The datum of one tank. Lengths in metres relative to `origin`; usable() says whether there is one.
+struct Datum {
+  Status status = Status::NotRun;
+  std::string message;  ///< why there is none, or what is missing
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< add it for the scan's own frame
+  ScanCounts counts;
+  Tank tank;
+  Points edge_points;   ///< in order round the tank
+  Circle circle;        ///< about whose centre the stations stand
+  ClosedSpline curve;
+  std::vector<Station> stations;
+  Level level;
+  Tilt tilt;
+  Antipodal antipodal;
+
+  bool usable() const { return status == Status::Ok || status == Status::Partial; }
+};
+
+/// Told the name of each stage as it begins.
+using StageObserver = std::function<void(const char* stage)>;
+
+/// The whole chain: locate, crop, normals, region growing, centre filter, spline, stations, deformation.
+/// Returns the best tank's datum; what the data lack is said by its status.
+/// @throws Error  a refused option, a file that cannot be read
+Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
+
+/// The same for a tank already located in the scan.
+Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options,
+                     const StageObserver& observer = {});
+
+}  // namespace tank_datum

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "tank_datum/stations.h"
+
+namespace tank_datum {
+
+/// Level of the datum over the stations whose z is known; NaN until computed.
+struct Level {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::size_t measured = 0, interpolated = 0, missing = 0;
+  double mean = kUnknown, min = kUnknown, max = kUnknown;            ///< [m]
+  double min_azimuth = kUnknown, max_azimuth = kUnknown;             ///< as the user counts azimuths [rad]
+  double range() const { return max - min; }
+};
+
+/// Highest, lowest, mean: from measured and interpolated stations.
+Level levelOf(const std::vector<Station>& stations);
+
+/// The paper's inclination: the largest difference of height between two ends of a diameter.
+struct Antipodal {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  double max_h = kUnknown;     ///< h [m]
+  double diameter = kUnknown;  ///< D, distance of the two stations in plan [m]
+  double azimuth = kUnknown;   ///< of the higher end, as the user counts it [rad]
+  double angle() const;        ///< alpha = atan(h / D) [rad]
+};
+
+/// Over all pairs of opposite stations whose z is known; needs an even number of stations, else NaN.
+Antipodal antipodalOf(const std::vector<Station>& stations);
+
+/// z = mean + slope_x (x - x0) + slope_y (y - y0), fitted by least squares; NaN until fitted.
+struct Tilt {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  double mean = kUnknown;                        ///< elevation of the plane at the centre [m]
+  Eigen::Vector2d gradient = Eigen::Vector2d::Constant(kUnknown);  ///< [m/m]
+  double sigma_slope = kUnknown;                 ///< standard error of the slope [m/m]
+  double direction = kUnknown;                   ///< towards the highest point, as the user counts azimuths [rad]
+  double r2 = kUnknown;                          ///< share of the variance that the plane explains
+  double p_value = kUnknown;                     ///< F test on 2 and N - 3 degrees of freedom
+
+  bool valid() const { return gradient.allFinite(); }
+  double slope() const { return gradient.norm(); }
+};
+
+/// Linear regression of z on 1, cos, sin (STANDARDS: tilt plane) over the measured stations, about `center`; at least
+/// four of them. Fills z_tilt and u of every station whose z is known.
+Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options);
+
+}  // namespace tank_datum

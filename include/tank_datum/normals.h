@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tank_datum/scan.h"
+
+namespace tank_datum {
+
+enum class SearchEngine {
+  Flann,  ///< pcl::KdTreeFLANN, the reference
+};
+
+/// The name used at the command line and in files: "flann".
+const char* nameOf(SearchEngine engine);
+
+struct NormalOptions {
+  int k = 20;                                  ///< neighbours of a point, the point itself included
+  SearchEngine search = SearchEngine::Flann;   ///< who finds them
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const NormalOptions& options);
+
+/// Neighbours and normals of a cloud. The lists are kept so that region growing need not search again.
+struct Normals {
+  int k = 0;
+  std::vector<std::int32_t> neighbours;  ///< size() rows of k point indices, nearest first, the point itself included
+  std::vector<Eigen::Vector3f> normals;  ///< unit length, sign undefined
+
+  std::size_t size() const { return normals.size(); }
+};
+
+/// Steps 1 and 2 of the method: the k nearest neighbours of every point, and the normal as the eigenvector of the
+/// smallest eigenvalue of their covariance (ISPRS Archives 2018, normal vector of point cloud). The sums are taken in
+/// double relative to the point. The result does not depend on the number of threads.
+/// @param points   at least options.k of them [m]
+/// @param threads  0 means all cores
+Normals estimateNormals(const Points& points, const NormalOptions& options, int threads = 0);
+
+}  // namespace tank_datum

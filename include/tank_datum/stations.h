@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/centre_filter.h"
+#include "tank_datum/spline.h"
+
+namespace tank_datum {
+
+struct StationOptions {
+  int count = 360;                          ///< stations round the tank, at least 8
+  double zero_azimuth = 0.0;                ///< where station 0 is, counter-clockwise from +x seen from above [rad]
+  bool clockwise = false;                   ///< which way they run
+  double longest_bridge = 0.17453292519943295;  ///< gaps up to this are bridged by the curve [rad], 10 degrees
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const StationOptions& options);
+
+enum class StationFlag {
+  Measured,
+  Interpolated,  ///< in a short gap, bridged by the curve from support on both sides
+  Missing,       ///< nothing is known here: z and what follows are NaN
+};
+
+/// The datum at one azimuth.
+struct Station {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  double azimuth = kUnknown;       ///< as the user counts it, from zero_azimuth in the chosen direction [rad]
+  double direction = kUnknown;     ///< counter-clockwise from +x [rad]
+  double x = kUnknown, y = kUnknown, z = kUnknown;  ///< relative to the scan's origin [m]
+  double sigma_z = kUnknown;       ///< standard error of z [m]
+  double radius = kUnknown, sigma_radius = kUnknown;  ///< distance from the centre and its standard error [m]
+  std::optional<std::size_t> n_shell, n_foundation;   ///< points behind z; none with the paper's method
+  StationFlag flag = StationFlag::Missing;
+  double z_paper = kUnknown;       ///< the paper's B-spline [m]
+  double z_tilt = kUnknown;        ///< the fitted plane here [m]
+  double u = kUnknown;             ///< z - z_tilt [m]
+};
+
+/// Stations with their azimuths and nothing else.
+std::vector<Station> emptyStations(const StationOptions& options);
+
+/// Flags stations by a list of support: measured where supported, interpolated in gaps up to options.longest_bridge
+/// that have support on both sides, missing else.
+void flagGaps(std::vector<Station>& stations, const std::vector<bool>& supported, const StationOptions& options);
+
+/// Step 6 of the method: the spline's elevation at every station that has edge points within half a station's spacing
+/// or half a degree, whichever is more. Fills z_paper of measured and interpolated stations, their flags, and z,
+/// radius and sigmas from the curve.
+void samplePaperCurve(std::vector<Station>& stations, const ClosedSpline& curve, const EdgePoints& edge,
+                      const StationOptions& options);
+
+}  // namespace tank_datum

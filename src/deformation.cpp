@@ -1,0 +1,88 @@
+#include "tank_datum/deformation.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "units.h"
+
+namespace tank_datum {
+namespace {
+
+
+bool known(const Station& station) { return station.flag != StationFlag::Missing && std::isfinite(station.z); }
+
+}  // namespace
+
+double Antipodal::angle() const { return std::atan(max_h / diameter); }
+
+Level levelOf(const std::vector<Station>& stations) {
+  Level level;
+  double sum = 0;
+  for (const Station& s : stations) {
+    (s.flag == StationFlag::Measured ? level.measured
+     : s.flag == StationFlag::Interpolated ? level.interpolated : level.missing)++;
+    if (!known(s)) continue;
+    sum += s.z;
+    if (!(s.z >= level.min)) level.min = s.z, level.min_azimuth = s.azimuth;
+    if (!(s.z <= level.max)) level.max = s.z, level.max_azimuth = s.azimuth;
+  }
+  level.mean = sum / static_cast<double>(level.measured + level.interpolated);
+  return level;
+}
+
+Antipodal antipodalOf(const std::vector<Station>& stations) {
+  Antipodal result;
+  if (stations.size() % 2 == 1) return result;
+  const std::size_t half = stations.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    const Station& a = stations[i];
+    const Station& b = stations[i + half];
+    if (!known(a) || !known(b) || std::abs(a.z - b.z) <= result.max_h) continue;
+    result.max_h = std::abs(a.z - b.z);
+    result.diameter = std::hypot(a.x - b.x, a.y - b.y);
+    result.azimuth = a.z >= b.z ? a.azimuth : b.azimuth;
+  }
+  return result;
+}
+
+Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options) {
+  Tilt tilt;
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
+  double n = 0, sum = 0;
+  for (const Station& s : stations) {
+    if (s.flag != StationFlag::Measured) continue;
+    const Eigen::Vector3d row(1.0, s.x - center.x(), s.y - center.y());
+    normal += row * row.transpose();
+    rhs += s.z * row;
+    sum += s.z;
+    n += 1;
+  }
+  const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
+  if (n < 4 || !lu.isInvertible()) return tilt;
+  const Eigen::Vector3d plane = lu.solve(rhs);
+  tilt.mean = plane[0];
+  tilt.gradient = plane.tail<2>();
+
+  double residual = 0, total = 0;
+  for (Station& s : stations) {
+    if (!known(s)) continue;
+    s.z_tilt = plane[0] + plane[1] * (s.x - center.x()) + plane[2] * (s.y - center.y());
+    s.u = s.z - s.z_tilt;
+    if (s.flag != StationFlag::Measured) continue;
+    residual += s.u * s.u;
+    total += (s.z - sum / n) * (s.z - sum / n);
+  }
+  const double up = std::atan2(plane[2], plane[1]);
+  const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
+  tilt.direction = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
+  const Eigen::Matrix3d covariance = residual / (n - 3.0) * lu.inverse();
+  const Eigen::Vector2d along(std::cos(up), std::sin(up));
+  tilt.sigma_slope = std::sqrt(along.dot(covariance.bottomRightCorner<2, 2>() * along));
+  tilt.r2 = total > 0 ? 1.0 - residual / total : Tilt::kUnknown;
+  // P(F > f) for 2 and m degrees of freedom is (1 + 2 f / m)^(-m/2), and f = (r2/2) / ((1-r2)/m), hence:
+  tilt.p_value = std::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
+  return tilt;
+}
+
+}  // namespace tank_datum
