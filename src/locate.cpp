@@ -14,23 +14,23 @@ namespace tank_datum {
 namespace {
 
 constexpr double kSameArc = 0.17453292519943295;  // 10 degrees
-constexpr double kDeepestDrop = 0.5;  // ground below the shell foot at a ringwall or pad shoulder [m]
+constexpr double kDeepestDrop = 0.5;              // ground below the shell foot at a ringwall or pad shoulder [m]
 
 struct Sample {
   Points points;
   double voxel = 0;
 };
 
-/// The scan thinned to a ladder of voxels: from where the densest surfaces just close (a tenth of the voxels hold two
-/// points) to where most have (half of them hold four). Which rung shows the tank depends on how much denser it was
-/// scanned than what stands around it.
+/// The scan thinned to a ladder of voxels, from where the densest surfaces just close (a tenth of the voxels hold two
+/// points) to half of the smallest radius, and at least three rungs. Which rung shows a tank best depends on how much
+/// denser it was scanned than what stands around it.
 std::vector<Sample> samplesOf(const Scan& scan, const LocateOptions& options) {
   VoxelSample sample(options.sample_points);
   scan.forEachBlock([&](const Points& block) { sample.add(block); });
   std::vector<Sample> samples;
   for (Points points = sample.points(); points.size() > 50; points = sample.points()) {
     if (sample.shareHolding(2) >= 0.1) samples.push_back({points, sample.voxel()});
-    if (sample.shareHolding(4) >= 0.5 || sample.voxel() > 0.5 * options.min_radius) break;
+    if (samples.size() >= 3 && sample.voxel() > 0.25 * options.min_radius) break;
     sample.coarsen();
   }
   return samples;
@@ -191,14 +191,8 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options) {
     }
   }
   dropNested(tanks);
-  const auto better = [](const Tank& a, const Tank& b) {
-    if (std::abs(a.coverage - b.coverage) > kSameArc) return a.coverage > b.coverage;
-    return a.circle.radius > b.circle.radius;
-  };
-  for (std::size_t i = 0; i < tanks.size(); ++i) {  // a selection, since "equal within 10 degrees" is no strict order
-    std::swap(tanks[i], *std::max_element(tanks.begin() + static_cast<std::ptrdiff_t>(i), tanks.end(),
-                                          [&](const Tank& a, const Tank& b) { return better(b, a); }));
-  }
+  std::sort(tanks.begin(), tanks.end(),
+            [](const Tank& a, const Tank& b) { return a.coverage * a.circle.radius > b.coverage * b.circle.radius; });
   return tanks;
 }
 

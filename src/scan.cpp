@@ -70,7 +70,7 @@ Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>
   for (const auto& source : sources) {
     if (found) break;
     source->visit(Eigen::Vector3d::Zero(), [&](const Points& block) {
-      origin = block.front().array().round() + 0.0;  // + 0.0: no negative zero in the outputs
+      origin = block.front().array() + 0.0;  // + 0.0: no negative zero in the outputs
       found = true;
       return false;
     });

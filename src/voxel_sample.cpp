@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace tank_datum {
 namespace {
 
-constexpr double kSmallestVoxel = 0.001;           // [m]; a scanner's spacing is not finer on anything it measures well
+constexpr double kSmallestVoxel = 0.001;  // [m]; a scanner's spacing is not finer on anything it measures well
 constexpr double kHalfRange = double(1 << 20) - 1;  // voxels on each side of the origin that 21 bits can number
 
 std::uint64_t mix(std::uint64_t x) {  // finaliser of SplitMix64 (Steele et al. 2014)
@@ -16,10 +15,11 @@ std::uint64_t mix(std::uint64_t x) {  // finaliser of SplitMix64 (Steele et al. 
   return x ^ (x >> 31);
 }
 
+/// Of the coordinates in steps far above their rounding, so that the same tank in another frame has the same sample.
 std::uint64_t rankOf(const Eigen::Vector3d& point) {
-  std::uint64_t bits[3];
-  std::memcpy(bits, point.data(), sizeof bits);
-  return mix(bits[0] ^ mix(bits[1] ^ mix(bits[2])));
+  constexpr double kStep = 1e-5;  // [m]
+  const auto steps = [&](int axis) { return static_cast<std::uint64_t>(std::llround(point[axis] / kStep)); };
+  return mix(steps(0) ^ mix(steps(1) ^ mix(steps(2))));
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void VoxelSample::add(const Points& block) {
     slot.count = 1;
     while ((slot.key = keyOf(point)) == kEmpty) coarsen();
     insert(slot);
-    if (used_ > max_points_) coarsen();
+    while (used_ > max_points_) coarsen();
     if (2 * used_ > slots_.size()) rebuild(2 * slots_.size());
   }
 }

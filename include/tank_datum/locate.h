@@ -26,19 +26,19 @@ std::string firstError(const LocateOptions& options);
 
 /// A vertical cylinder standing in the scan, to the accuracy of the thinned sample.
 struct Tank {
-  Circle circle;                  ///< of the shell near its foot, relative to the scan's origin [m]
+  Circle circle;  ///< of the shell near its foot, relative to the scan's origin [m]
   double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the shell's cells about the circle [m]
-  double coverage = 0.0;          ///< seen arc of the shell [rad]
-  double height = 0.0;            ///< seen height of the shell [m]
+  double coverage = 0.0;                                  ///< seen arc of the shell [rad]
+  double height = 0.0;                                    ///< seen height of the shell [m]
   Side side = Side::Outside;
-  PeriodicFit foot;               ///< shell foot against azimuth [m], coarse
-  double resolution = 0.0;        ///< spacing of the sample the figures come from [m]
-  bool has_foundation = false;    ///< a surface was seen that meets the foot
+  PeriodicFit foot;             ///< shell foot against azimuth [m], coarse
+  double resolution = 0.0;      ///< spacing of the sample the figures come from [m]
+  bool has_foundation = false;  ///< a surface was seen that meets the foot
 
   double azimuthOf(const Eigen::Vector2d& p) const;
 };
 
-/// The tanks of a scan, best first: most of the circumference seen, the larger one when that is equal within 10 degrees.
+/// The tanks of a scan, best first: the one whose shell is seen along the longest arc [m].
 ///
 /// Columns of the thinned sample that are filled over some height are walls; circles are drawn through three of them
 /// and kept by the arc on which walls face the centre (RANSAC). A circle whose walls do not turn with the azimuth is a

@@ -14,7 +14,7 @@ namespace tank_datum {
 /// order of the points.
 class VoxelSample {
  public:
-  /// @param max_points  the most voxels kept
+  /// @param max_points  the most voxels kept; at least 8, since the octants about the origin never merge
   explicit VoxelSample(std::size_t max_points);
 
   void add(const Points& block);
