@@ -4,12 +4,17 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tank_datum/voxel_sample.h"
+
 namespace tank_datum {
 
 std::string firstError(const CropOptions& options) {
-  if (options.reach > 0.0 && std::isfinite(options.reach)) return {};
-  char text[64];
-  std::snprintf(text, sizeof text, "crop.reach = %g m (must be > 0)", options.reach);
+  char text[80] = "";
+  if (!(options.reach > 0.0 && std::isfinite(options.reach))) {
+    std::snprintf(text, sizeof text, "crop.reach = %g m (must be > 0)", options.reach);
+  } else if (options.search_points < 1000) {
+    std::snprintf(text, sizeof text, "crop.search_points = %zu (must be >= 1000)", options.search_points);
+  }
   return text;
 }
 
@@ -29,6 +34,13 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options) {
       if (std::abs(p.z() - foot) <= reach) ring.points.push_back(p);
     }
   });
+  if (ring.points.size() <= options.search_points) {
+    ring.search = ring.points;
+    return ring;
+  }
+  VoxelSample sample(options.search_points);
+  sample.add(ring.points);
+  ring.search = sample.points();
   return ring;
 }
 

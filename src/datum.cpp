@@ -22,9 +22,45 @@ void requireValid(const DatumOptions& options) {
               error.substr(must + 10, error.size() - must - 11));
 }
 
-/// Stations whose z is known, and what they mean.
-void describe(Datum& datum, const DatumOptions& options) {
+/// Why there is no tank: no points to speak of, or none that stand like one.
+Datum withoutTank(const Scan& scan, const DatumOptions& options) {
+  Datum datum;
+  datum.origin = scan.origin();
+  datum.counts = scan.forEachBlock([](const Points&) {});
+  const std::uint64_t finite = datum.counts.points - datum.counts.invalid;
+  if (finite < static_cast<std::uint64_t>(options.normals.k)) {
+    return stopped(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
+  }
+  return stopped(datum, Status::NoTank, "no vertical cylinder of the smallest radius or more stands in the scan");
+}
+
+std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
+  requireValid(options);
+  if (observer) observer("locate");
+  if (!options.tank) return locateTanks(scan, options.locate);
+  const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
+  const std::optional<Tank> tank = describeTank(scan, circle, options.locate);
+  return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
+}
+
+void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
+  datum.refined = refineStations(datum.stations, ring, datum.tank, options.refine, options.stations);
+  datum.circle = datum.refined.circle;
+}
+
+/// What the stations' elevations mean, and whether there are any.
+Datum described(Datum datum, const DatumOptions& options) {
+  const bool refined = options.method == Method::Refined;
+  if (!refined && !datum.curve.valid()) {
+    return stopped(datum, Status::FitFailed, "too few edge points for a closed curve");
+  }
+  if (refined && !datum.refined.valid()) {
+    return stopped(datum, Status::NoCrease, "no foundation surface meets the shell along enough of its foot");
+  }
   datum.level = levelOf(datum.stations);
+  if (datum.level.measured < 8) {
+    return stopped(datum, Status::NoCrease, "the shell meets one and the same surface at fewer than 8 stations");
+  }
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);
   datum.antipodal = antipodalOf(datum.stations);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
@@ -32,6 +68,7 @@ void describe(Datum& datum, const DatumOptions& options) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
                     " stations are missing: the datum is not seen there";
   }
+  return datum;
 }
 
 }  // namespace
@@ -39,29 +76,45 @@ void describe(Datum& datum, const DatumOptions& options) {
 std::string firstError(const DatumOptions& options) {
   for (const std::string& error :
        {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
-        firstError(options.centre_filter), firstError(options.spline), firstError(options.stations)}) {
+        firstError(options.centre_filter), firstError(options.spline), firstError(options.refine),
+        firstError(options.stations)}) {
     if (!error.empty()) return error;
   }
   if (options.tank && !(options.tank->radius > 0.0)) {
     return "tank.radius = " + std::to_string(options.tank->radius) + " (must be > 0)";
   }
+  if (options.pick < 1) return "pick = " + std::to_string(options.pick) + " (must be >= 1)";
   if (options.threads < 0) return "threads = " + std::to_string(options.threads) + " (must be >= 0)";
   return {};
 }
 
+const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
+
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
-  requireValid(options);
-  if (observer) observer("locate");
-  const std::vector<Tank> tanks = locateTanks(scan, options.locate);
-  if (tanks.empty()) {
-    return stopped({}, Status::NoTank, "no vertical cylinder of the smallest radius or more stands in the scan");
+  const std::vector<Tank> tanks = findTanks(scan, options, observer);
+  const auto picked = static_cast<std::size_t>(options.pick);
+  if (tanks.empty()) return withoutTank(scan, options);
+  if (picked > tanks.size()) {
+    return stopped({}, Status::NoTank,
+                   "only " + std::to_string(tanks.size()) + " found, no tank " + std::to_string(picked) + " to pick");
   }
-  return extractDatumOf(tanks.front(), scan, options, observer);
+  return extractDatumOf(tanks[picked - 1], scan, options, observer);
+}
+
+std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
+  std::vector<Datum> datums;
+  for (const Tank& tank : findTanks(scan, options, observer)) {
+    datums.push_back(extractDatumOf(tank, scan, options, observer));
+  }
+  if (datums.empty()) datums.push_back(withoutTank(scan, options));
+  return datums;
 }
 
 Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
   requireValid(options);
-  const auto begin = [&](const char* stage) { if (observer) observer(stage); };
+  const auto begin = [&](const char* stage) {
+    if (observer) observer(stage);
+  };
   Datum datum;
   datum.origin = scan.origin();
   datum.tank = tank;
@@ -70,26 +123,25 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   begin("crop");
   const Ring ring = cropRing(scan, tank, options.crop);
   datum.counts = ring.counts;
-  if (ring.points.size() < static_cast<std::size_t>(options.normals.k)) {
+  if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }
   begin("normals");
-  const Normals normals = estimateNormals(ring.points, options.normals, options.threads);
+  const Normals normals = estimateNormals(ring.search, options.normals, options.threads);
   begin("region_growing");
   const auto candidates = growCandidates(normals, options.growing, options.threads);
   begin("centre_filter");
-  const EdgePoints edge = filterByCentre(ring.points, candidates, tank.circle, options.centre_filter);
-  for (const auto i : edge.indices) datum.edge_points.push_back(ring.points[static_cast<std::size_t>(i)]);
+  const EdgePoints edge = filterByCentre(ring.search, candidates, tank.circle, options.centre_filter);
+  for (const auto i : edge.indices) datum.edge_points.push_back(ring.search[static_cast<std::size_t>(i)]);
   begin("spline");
-  datum.circle = edge.circle;
   datum.curve = fitClosedSpline(datum.edge_points, edge.azimuths, options.spline);
-  if (!datum.curve.valid()) return stopped(datum, Status::FitFailed, "too few edge points for a closed curve");
-  begin("stations");
   datum.stations = emptyStations(options.stations);
-  samplePaperCurve(datum.stations, datum.curve, edge, options.stations);
+  if (datum.curve.valid()) samplePaperCurve(datum.stations, datum.curve, edge, options.stations);
+  datum.circle = edge.circle;
+  begin("refine");
+  if (options.method == Method::Refined) refine(datum, ring, options);
   begin("deformation");
-  describe(datum, options);
-  return datum;
+  return described(datum, options);
 }
 
 }  // namespace tank_datum

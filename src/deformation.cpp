@@ -1,13 +1,13 @@
 #include "tank_datum/deformation.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "units.h"
 
 namespace tank_datum {
 namespace {
-
 
 bool known(const Station& station) { return station.flag != StationFlag::Missing && std::isfinite(station.z); }
 
@@ -19,8 +19,9 @@ Level levelOf(const std::vector<Station>& stations) {
   Level level;
   double sum = 0;
   for (const Station& s : stations) {
-    (s.flag == StationFlag::Measured ? level.measured
-     : s.flag == StationFlag::Interpolated ? level.interpolated : level.missing)++;
+    (s.flag == StationFlag::Measured       ? level.measured
+     : s.flag == StationFlag::Interpolated ? level.interpolated
+                                           : level.missing)++;
     if (!known(s)) continue;
     sum += s.z;
     if (!(s.z >= level.min)) level.min = s.z, level.min_azimuth = s.azimuth;
@@ -79,7 +80,8 @@ Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, cons
   const Eigen::Matrix3d covariance = residual / (n - 3.0) * lu.inverse();
   const Eigen::Vector2d along(std::cos(up), std::sin(up));
   tilt.sigma_slope = std::sqrt(along.dot(covariance.bottomRightCorner<2, 2>() * along));
-  tilt.r2 = total > 0 ? 1.0 - residual / total : Tilt::kUnknown;
+  constexpr double kNanometre = 1e-9;  // a datum level to within rounding has no variance to explain
+  tilt.r2 = total > n * kNanometre * kNanometre ? std::max(0.0, 1.0 - residual / total) : Tilt::kUnknown;
   // P(F > f) for 2 and m degrees of freedom is (1 + 2 f / m)^(-m/2), and f = (r2/2) / ((1-r2)/m), hence:
   tilt.p_value = std::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
   return tilt;

@@ -1,5 +1,6 @@
 #include "tank_datum/stations.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,7 +9,6 @@
 
 namespace tank_datum {
 namespace {
-
 
 double wrapped(double azimuth) { return azimuth - kTwoPi * std::floor(azimuth / kTwoPi); }
 
@@ -48,6 +48,38 @@ void flagGaps(std::vector<Station>& stations, const std::vector<bool>& supported
     while (gap < count && !supported[(i + 1 + gap) % count]) ++gap;
     if (static_cast<double>(gap) * kTwoPi / static_cast<double>(count) > options.longest_bridge + 1e-12) continue;
     for (std::size_t j = 1; j <= gap; ++j) stations[(i + j) % count].flag = StationFlag::Interpolated;
+  }
+}
+
+void bridgeGaps(std::vector<Station>& stations, const Eigen::Vector2d& center, double sigma_bend) {
+  constexpr std::size_t kReach = 12;  // stations beside a gap that its parabola leans on
+  const std::size_t count = stations.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Station& s = stations[i];
+    if (s.flag != StationFlag::Interpolated) continue;
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d heights = Eigen::Vector3d::Zero(), radii = Eigen::Vector3d::Zero();
+    double nearest[2] = {0.0, 0.0};  // arcs to the nearest measured station on either side [m]
+    for (const int way : {-1, 1}) {
+      std::size_t used = 0;
+      for (std::size_t away = 1; away < count / 2 && used < kReach; ++away) {
+        const Station& other = stations[(i + (way > 0 ? away : count - away)) % count];
+        if (other.flag != StationFlag::Measured) continue;
+        const double t = way * static_cast<double>(away) * kTwoPi / static_cast<double>(count) * other.radius;
+        if (used++ == 0) nearest[way > 0] = std::abs(t);
+        const Eigen::Vector3d row(1.0, t, t * t);
+        const double weight = 1.0 / (other.sigma_z * other.sigma_z);
+        normal += weight * row * row.transpose();
+        heights += weight * other.z * row;
+        radii += weight * other.radius * row;
+      }
+    }
+    const Eigen::Matrix3d inverse = normal.inverse();
+    s.z = inverse.row(0).dot(heights);
+    s.sigma_z = std::hypot(std::sqrt(inverse(0, 0)), 0.5 * sigma_bend * nearest[0] * nearest[1]);
+    s.radius = inverse.row(0).dot(radii);
+    s.x = center.x() + s.radius * std::cos(s.direction);
+    s.y = center.y() + s.radius * std::sin(s.direction);
   }
 }
 

@@ -9,6 +9,7 @@ namespace tank_datum {
 
 struct CropOptions {
   double reach = 0.5;  ///< half-width of the ring in radius and height [m]; on small objects a quarter of the radius
+  std::size_t search_points = 1'000'000;  ///< the ring is thinned to at most this many for the search of edge points
 };
 
 /// One line naming the first refused field, or empty.
@@ -16,9 +17,10 @@ std::string firstError(const CropOptions& options);
 
 /// The points of a scan near the datum, about the tank's centre.
 struct Ring {
-  Points points;            ///< every scan point in the ring, relative to the scan's origin [m]
-  double reach = 0;         ///< half-width used [m]
-  ScanCounts counts;        ///< what the pass over the scan met
+  Points points;      ///< every scan point in the ring, relative to the scan's origin [m]
+  Points search;      ///< the same thinned by voxels to an even spacing, for the search of edge points
+  double reach = 0;   ///< half-width used [m]
+  ScanCounts counts;  ///< what the pass over the scan met
 };
 
 /// Keeps the points whose distance from the shell and from the coarse foot is at most the reach (enlarged by the

@@ -10,6 +10,7 @@
 #include "tank_datum/deformation.h"
 #include "tank_datum/locate.h"
 #include "tank_datum/normals.h"
+#include "tank_datum/refine.h"
 #include "tank_datum/region_growing.h"
 #include "tank_datum/scan.h"
 #include "tank_datum/spline.h"
@@ -17,16 +18,28 @@
 
 namespace tank_datum {
 
+/// What a station's z is.
+enum class Method {
+  Refined,  ///< the intersection of two fitted surfaces
+  Paper,    ///< the paper's B-spline through edge points, which straddle the crease: millimetres too high
+};
+
+/// The name used at the command line and in files: "refined", "paper".
+const char* nameOf(Method method);
+
 /// Every option of the chain, stage by stage.
 struct DatumOptions {
+  Method method = Method::Refined;
   LocateOptions locate;
   CropOptions crop;
   NormalOptions normals;
   GrowingOptions growing;
   CentreFilterOptions centre_filter;
   SplineOptions spline;
+  RefineOptions refine;
   StationOptions stations;
   std::optional<Circle> tank;  ///< the tank's circle in the scan's frame [m], when it need not be searched
+  int pick = 1;                ///< which of the tanks found, best first, counted from 1
   int threads = 0;             ///< 0: all cores; the result does not depend on it
 };
 
@@ -46,13 +59,14 @@ enum class Status {
 /// The datum of one tank. Lengths in metres relative to `origin`; usable() says whether there is one.
 struct Datum {
   Status status = Status::NotRun;
-  std::string message;  ///< why there is none, or what is missing
+  std::string message;                               ///< why there is none, or what is missing
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< add it for the scan's own frame
   ScanCounts counts;
   Tank tank;
-  Points edge_points;   ///< in order round the tank
-  Circle circle;        ///< about whose centre the stations stand
-  ClosedSpline curve;
+  Points edge_points;  ///< in order round the tank
+  Circle circle;       ///< about whose centre the stations stand
+  ClosedSpline curve;  ///< the paper's
+  Refined refined;     ///< not valid with Method::Paper
   std::vector<Station> stations;
   Level level;
   Tilt tilt;
@@ -64,10 +78,13 @@ struct Datum {
 /// Told the name of each stage as it begins.
 using StageObserver = std::function<void(const char* stage)>;
 
-/// The whole chain: locate, crop, normals, region growing, centre filter, spline, stations, deformation.
-/// Returns the best tank's datum; what the data lack is said by its status.
+/// The whole chain: locate, crop, normals, region growing, centre filter, spline, refine, deformation.
+/// Returns the picked tank's datum; what the data lack is said by its status.
 /// @throws Error  a refused option, a file that cannot be read
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
+
+/// The datum of every tank in the scan, best first; one without a tank when there is none.
+std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
 
 /// The same for a tank already located in the scan.
 Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options,

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "tank_datum/foot_profile.h"
+#include "tank_datum/harmonics.h"
+#include "tank_datum/polar_ring.h"
+#include "tank_datum/shell_line.h"
+
+namespace tank_datum {
+
+/// What is known of the foundation surface before a station's own points are looked at.
+struct FootPrior {
+  PeriodicFit slope;       ///< across the shell, against azimuth [m/m]
+  double sigma_slope = 0;  ///< how far stations differ from it [m/m]
+  double sigma_bend = 0;   ///< of the datum's second-order term along the shell [1/m]
+};
+
+/// The foundation surface at one station: z at the shell, with its slope outwards.
+struct FootFit {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  double z = kUnknown, sigma = kUnknown;            ///< at the shell, and its standard error [m]
+  double slope = kUnknown, sigma_slope = kUnknown;  ///< [m/m]
+  double noise = kUnknown;                          ///< standard deviation of the points about it [m]
+  double half_width = kUnknown;                     ///< half the angle of the window the points come from [rad]
+  std::size_t points = 0;                           ///< within the band of the profile
+
+  bool valid() const { return sigma > 0.0; }
+};
+
+/// The ring's points as the foot sees them: arc along the shell, distance from it, elevation; in order of azimuth.
+class FootRing {
+ public:
+  /// @param side  +1 when the foundation lies outside of the shell, -1 inside
+  FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach);
+
+  /// The points within half_width [rad] of an azimuth and within `height` of an elevation [m].
+  std::vector<FootPoint> around(double azimuth, double half_width, double z, double height) const;
+
+ private:
+  struct Entry {
+    double azimuth, radius, d, z;
+  };
+  std::vector<Entry> entries_;
+};
+
+/// A robust plane z = z0 + slope d + along t + bend t^2 through the points in the profile's band, in which what is
+/// known beforehand counts as observations (Bayesian least squares), so that few points lean on the prior and say so in
+/// sigma.
+/// @param start  elevation of the surface at the shell, to a few noises [m]
+/// @return not valid for fewer than four points
+FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
+                const FootPrior& prior);
+
+}  // namespace tank_datum

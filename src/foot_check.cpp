@@ -1,0 +1,92 @@
+#include "tank_datum/foot_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tank_datum/statistics.h"
+
+namespace tank_datum {
+namespace {
+
+/// A run of neighbouring stations without a step between them.
+struct Run {
+  std::size_t first, count;
+};
+
+bool isStep(const FootFit& a, const FootFit& b, double arc) {
+  constexpr double kSteepest = 0.02;  // of a datum along its shell; ten times what the codes allow [m/m]
+  constexpr double kLeast = 0.002;    // a step that matters [m]
+  return std::abs(a.z - b.z) > kSteepest * arc + 3.0 * std::hypot(a.sigma, b.sigma) + kLeast;
+}
+
+/// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
+std::vector<Run> runsBetweenSteps(const std::vector<FootFit>& fits, const std::vector<bool>& dropped, double step) {
+  std::vector<std::size_t> seen, starts;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i].valid() && !dropped[i]) seen.push_back(i);
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::size_t at = seen[i], before = seen[(i + seen.size() - 1) % seen.size()];
+    const std::size_t apart = (at + fits.size() - before) % fits.size();
+    if (isStep(fits[at], fits[before], static_cast<double>(apart) * step)) starts.push_back(i);
+  }
+  std::vector<Run> runs;
+  for (std::size_t s = 0; s < starts.size() && starts.size() > 1; ++s) {
+    const std::size_t next = starts[(s + 1) % starts.size()];
+    runs.push_back({seen[starts[s]], (next + seen.size() - starts[s] - 1) % seen.size() + 1});
+  }
+  return runs;
+}
+
+}  // namespace
+
+bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, double prior_slope,
+                   const FootProfile& profile) {
+  constexpr double kSlope = 0.03;     // a foundation's slope varies by less along the shell [m/m]
+  constexpr double kNoise = 3.0;      // times the usual roughness
+  constexpr double kSection = 0.010;  // how far the section beyond may differ in height [m]
+  if (std::abs(fit.slope - prior_slope) > kSlope + 3.0 * fit.sigma_slope) return false;
+  if (fit.noise > kNoise * profile.noise) return false;
+  std::vector<double> off;
+  for (const FootPoint& p : points) {
+    const auto bin = static_cast<std::size_t>(std::max(0.0, p.d) / profile.bin);
+    if (p.d < profile.edge + profile.blur || bin >= profile.height.size()) continue;
+    if (!(profile.spread[bin] <= 2.0 * profile.noise)) continue;  // an upright face has no height of its own
+    const double expected = fit.z - profile.offset + profile.height[bin];
+    if (std::isfinite(expected)) off.push_back(p.z - expected);
+  }
+  return off.size() < 10 || std::abs(median(off)) <= kSection + 2.0 * fit.sigma;
+}
+
+std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step) {
+  std::vector<bool> dropped(fits.size(), false);
+  for (auto runs = runsBetweenSteps(fits, dropped, step); !runs.empty(); runs = runsBetweenSteps(fits, dropped, step)) {
+    const auto shortest =
+        std::min_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.count < b.count; });
+    std::size_t left = shortest->count;
+    for (std::size_t i = shortest->first; left > 0; i = (i + 1) % fits.size()) {
+      if (!fits[i].valid() || dropped[i]) continue;
+      dropped[i] = true;
+      --left;
+    }
+  }
+  return dropped;
+}
+
+double birgeRatio(const std::vector<FootFit>& fits, std::size_t apart) {
+  constexpr std::size_t kFewest = 20;
+  const std::size_t count = fits.size();
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < count && 4 * apart < count; ++i) {
+    const FootFit* four[] = {&fits[i], &fits[(i + apart) % count], &fits[(i + 2 * apart) % count],
+                             &fits[(i + 3 * apart) % count]};
+    if (!std::all_of(std::begin(four), std::end(four), [](const FootFit* f) { return f->valid(); })) continue;
+    const double difference = four[3]->z - 3.0 * four[2]->z + 3.0 * four[1]->z - four[0]->z;
+    const double variance = four[3]->sigma * four[3]->sigma + 9.0 * four[2]->sigma * four[2]->sigma +
+                            9.0 * four[1]->sigma * four[1]->sigma + four[0]->sigma * four[0]->sigma;
+    ratios.push_back(difference / std::sqrt(variance));
+  }
+  return ratios.size() < kFewest ? 1.0 : std::max(1.0, robustSigma(ratios, 0.0));
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,144 @@
+#include "tank_datum/shell_line.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "tank_datum/statistics.h"
+#include "units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kPointsPerCell = 40;  // enough for a mode, few enough for cells finer than the lobes of a shell
+
+/// The densest place of sorted values: the half-sample mode (Bickel and Fruehwirth 2006).
+double halfSampleMode(const std::vector<double>& sorted) {
+  std::size_t first = 0, count = sorted.size();
+  while (count > 3) {
+    const std::size_t half = (count + 1) / 2;
+    std::size_t best = first;
+    for (std::size_t i = first; i + half <= first + count; ++i) {
+      if (sorted[i + half - 1] - sorted[i] < sorted[best + half - 1] - sorted[best]) best = i;
+    }
+    first = best;
+    count = half;
+  }
+  return sorted[first + count / 2];
+}
+
+/// Replaces cells that stand apart from the running median of their neighbours by NaN: pipes, boxes, outliers.
+void dropStrays(std::vector<double>& radius, double noise, double cell_arc) {
+  constexpr std::ptrdiff_t kReach = 4;
+  constexpr double kSteepest = 0.15;  // a lobe of +-50 mm over 3 m turns the shell by 0.1 against the circle
+  const auto count = static_cast<std::ptrdiff_t>(radius.size());
+  const std::vector<double> given = radius;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    std::vector<double> around;
+    for (std::ptrdiff_t j = i - kReach; j <= i + kReach; ++j) {
+      const double r = given[static_cast<std::size_t>((j + count) % count)];
+      if (std::isfinite(r)) around.push_back(r);
+    }
+    double& cell = radius[static_cast<std::size_t>(i)];
+    if (std::abs(cell - median(around)) > 4.0 * noise + kSteepest * kReach * cell_arc) cell = ShellLine::kUnknown;
+  }
+}
+
+}  // namespace
+
+double ShellOutline::at(double azimuth) const {
+  const auto count = static_cast<std::ptrdiff_t>(radius.size());
+  const double turn = azimuth / kTwoPi;
+  const double position = (turn - std::floor(turn)) * static_cast<double>(count) - 0.5;
+  const auto left = static_cast<std::ptrdiff_t>(std::floor(position));
+  const double share = position - static_cast<double>(left);
+  const auto cell = [&](std::ptrdiff_t i) { return radius[static_cast<std::size_t>((i + count) % count)]; };
+  const double between = (1.0 - share) * cell(left) + share * cell(left + 1);
+  if (std::isfinite(between)) return between;
+  for (std::ptrdiff_t away = 0; away <= 3; ++away) {
+    if (std::isfinite(cell(left - away))) return cell(left - away);
+    if (std::isfinite(cell(left + 1 + away))) return cell(left + 1 + away);
+  }
+  return ShellLine::kUnknown;
+}
+
+ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach) {
+  const auto above = [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; };
+  const auto count = static_cast<std::size_t>(std::count_if(ring.points().begin(), ring.points().end(), above));
+  const std::size_t cells = std::clamp<std::size_t>(count / kPointsPerCell, 36, 1440);
+  std::vector<std::vector<double>> radii(cells);
+  for (const PolarPoint& p : ring.points()) {
+    const auto cell = static_cast<std::size_t>(p.azimuth / kTwoPi * static_cast<double>(cells));
+    if (above(p)) radii[std::min(cell, cells - 1)].push_back(p.radius);
+  }
+  ShellOutline outline;
+  std::vector<double> spreads;
+  for (auto& cell : radii) {
+    std::sort(cell.begin(), cell.end());
+    outline.radius.push_back(cell.size() < 5 ? ShellLine::kUnknown : halfSampleMode(cell));
+    if (cell.size() >= 5) spreads.push_back(robustSigma(cell, outline.radius.back()));
+  }
+  outline.noise = median(spreads);
+  dropStrays(outline.radius, outline.noise, kTwoPi * tank.circle.radius / static_cast<double>(cells));
+  return outline;
+}
+
+ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, double azimuth, double half_width,
+                       double foot, double from, double to) {
+  constexpr Eigen::Index kUnknowns = 4;
+  ShellLine line;
+  const double start = outline.at(azimuth);
+  if (!std::isfinite(start)) return line;
+  std::vector<Eigen::Vector4d> rows;
+  std::vector<double> radii;
+  ring.around(azimuth, half_width, [&](const PolarPoint& p, double turn) {
+    const double h = p.z - foot, guess = outline.at(p.azimuth);
+    if (h < from || h > to || !(std::abs(p.radius - guess) < 6.0 * outline.noise)) return;
+    const double t = turn * start;
+    rows.emplace_back(1.0, t, h, t * t);
+    radii.push_back(p.radius);
+  });
+  if (rows.size() < 3 * kUnknowns) return line;
+  std::vector<double> weights(rows.size(), 1.0), residuals(rows.size());
+  Eigen::Vector4d solution;
+  Eigen::Matrix4d inverse;
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      normal += weights[i] * rows[i] * rows[i].transpose();
+      rhs += weights[i] * radii[i] * rows[i];
+    }
+    const Eigen::FullPivLU<Eigen::Matrix4d> lu(normal);
+    if (!lu.isInvertible()) return line;
+    inverse = lu.inverse();
+    solution = inverse * rhs;
+    for (std::size_t i = 0; i < rows.size(); ++i) residuals[i] = radii[i] - rows[i].dot(solution);
+    line.noise = std::max(robustSigma(residuals, 0.0), 1e-7);
+    for (std::size_t i = 0; i < rows.size(); ++i) weights[i] = tukeyWeight(residuals[i] / line.noise);
+  }
+  line.radius = solution[0];
+  line.turn_slope = solution[1];
+  line.lean = solution[2];
+  line.bend = solution[3];
+  line.sigma_radius = line.noise * std::sqrt(inverse(0, 0));
+  line.points = static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+  return line;
+}
+
+ShellModel::ShellModel(std::vector<ShellLine> lines, double first) : lines_(std::move(lines)), first_(first) {}
+
+double ShellModel::at(double azimuth) const {
+  const double turn = (azimuth - first_) / kTwoPi, step = kTwoPi / static_cast<double>(lines_.size());
+  const double position = (turn - std::floor(turn)) * static_cast<double>(lines_.size());
+  const auto left = static_cast<std::size_t>(position) % lines_.size();
+  const double share = position - std::floor(position);
+  const ShellLine& a = lines_[left];
+  const ShellLine& b = lines_[(left + 1) % lines_.size()];
+  const auto radius = [&](const ShellLine& line, double angle) { return line.at(angle * line.radius, 0.0); };
+  if (!a.seen()) return radius(b, (share - 1.0) * step);
+  if (!b.seen()) return radius(a, share * step);
+  return (1.0 - share) * radius(a, share * step) + share * radius(b, (share - 1.0) * step);
+}
+
+}  // namespace tank_datum
