@@ -1,0 +1,95 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include "exit_status.h"
+#include "tank_datum/version.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+const std::map<std::string, double> kUnits = {{"m", 1.0}, {"mm", 0.001}, {"ft", 0.3048}};
+const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"paper", Method::Paper}};
+const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann}};
+
+/// The figures as a person types them, in degrees; the options hold radians.
+struct Typed {
+  double angle_deg, zero_azimuth_deg;
+  std::vector<double> tank;
+  std::string search, method;
+};
+
+void addOptions(CLI::App& app, Command& command, Typed& typed) {
+  DatumOptions& o = command.options;
+  app.add_option("scan", command.scans, "PCD file(s): scan stations of one tank, in one frame")->required();
+  app.add_option("-o,--output", command.output, "folder for the results (default: the first scan's stem + .datum)");
+  app.add_option("--method", typed.method, "what z is: two surfaces intersected, or the paper's curve")
+      ->check(CLI::IsMember(kMethods));
+  app.add_option("--k", o.normals.k, "neighbours of a point, itself included");
+  app.add_option("--angle-deg", typed.angle_deg, "theta: normals further apart than this mark a crease");
+  app.add_option("--centre-tolerance", o.centre_filter.tolerance,
+                 "distance from the circle within which edge points are kept [m]; 0: 0.1 m or a tenth of the radius");
+  app.add_option("--control-points", o.spline.control_points, "control points of the B-spline; 0: the data choose");
+  app.add_option("--search", typed.search, "kNN engine; flann is pcl::KdTreeFLANN")->check(CLI::IsMember(kEngines));
+  app.add_option("--stations", o.stations.count, "stations round the tank");
+  app.add_option("--zero-azimuth-deg", typed.zero_azimuth_deg, "where station 0 is, counter-clockwise from +x");
+  app.add_flag("--clockwise,!--no-clockwise", o.stations.clockwise, "stations run clockwise seen from above");
+  app.add_option("--tank", typed.tank, "X,Y,R of the tank [m]: do not search for it")->delimiter(',')->expected(3);
+  app.add_option("--pick", o.pick, "which of the tanks found, the longest seen arc first");
+  app.add_flag("--all", command.all, "every tank found, in DIR/tank_1, DIR/tank_2, ...");
+  app.add_option("--search-points", o.crop.search_points, "thin the ring to this many points for the edge search");
+  app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
+  app.add_option("--units", command.units, "units of the input")->check(CLI::IsMember(kUnits));
+  app.add_option("--threads", o.threads, "threads; 0: all cores; the result does not depend on it");
+  app.add_flag("--quiet", command.quiet, "no summary, no progress");
+  app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage");
+  app.set_config("--config", "", "file with options, as --print-config writes it");
+  app.set_version_flag("--version", std::string("tank_datum ") + kVersion);
+}
+
+std::string stemOf(const std::string& scan) { return std::filesystem::path(scan).stem().string() + ".datum"; }
+
+}  // namespace
+
+double Command::metresPerUnit() const { return kUnits.at(units); }
+
+bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
+  CLI::App app("The datum of a storage tank - the line where its shell meets the foundation - from a laser scan.",
+               "tank_datum");
+  app.option_defaults()->always_capture_default();
+  Typed typed;
+  typed.angle_deg = command.options.growing.angle / kDegree;
+  typed.zero_azimuth_deg = command.options.stations.zero_azimuth / kDegree;
+  typed.method = nameOf(command.options.method);
+  typed.search = nameOf(command.options.normals.search);
+  addOptions(app, command, typed);
+  bool print_config = false;
+  app.add_flag("--print-config", print_config, "print the options as a --config file and stop")->configurable(false);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    status = app.exit(asked);
+    return false;
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "tank_datum: command line: " << error.what() << ", expected what tank_datum --help lists\n";
+    status = kWrongUse;
+    return false;
+  }
+  DatumOptions& o = command.options;
+  o.growing.angle = typed.angle_deg * kDegree;
+  o.stations.zero_azimuth = typed.zero_azimuth_deg * kDegree;
+  o.method = kMethods.at(typed.method);
+  o.normals.search = kEngines.at(typed.search);
+  if (!typed.tank.empty()) o.tank = Circle{{typed.tank[0], typed.tank[1]}, typed.tank[2]};
+  if (command.output.empty()) command.output = stemOf(command.scans.front());
+  status = kUsable;
+  if (print_config) std::cout << app.config_to_str(true, true);
+  return !print_config;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tank_datum/datum.h"
+
+namespace tank_datum {
+
+/// What the command line of tank_datum asks for.
+struct Command {
+  std::vector<std::string> scans;
+  std::string output;  ///< folder for the results
+  std::string units = "m";
+  std::string timings;  ///< file for the seconds of each stage, or empty
+  bool quiet = false;
+  bool all = false;  ///< every tank, each in a folder of its own
+  DatumOptions options;
+
+  double metresPerUnit() const;
+};
+
+/// Reads the arguments; --help, --version and --print-config print and exit.
+/// @return true with `command` filled; false with `status` the exit status to leave with
+bool parseCommandLine(int argc, char** argv, Command& command, int& status);
+
+}  // namespace tank_datum

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tank_datum/datum.h"
+
+namespace tank_datum {
+
+/// A scan file as the results name it.
+struct InputRecord {
+  std::string path;
+  std::string sha256;
+  std::uint64_t points = 0;
+};
+
+/// Where a datum comes from, for the record.
+struct Provenance {
+  std::vector<InputRecord> files;
+  std::string units = "m";
+  std::uint64_t invalid_points = 0;
+  DatumOptions options;
+};
+
+/// The names used in files: "measured", "interpolated", "missing".
+const char* nameOf(StationFlag flag);
+/// The names used in files: "ok", "partial", "no_tank", ...
+const char* nameOf(Status status);
+
+/// stations.csv: the header line, then one row per station; unknown values are empty. Metres, degrees.
+std::string stationsCsv(const Datum& datum);
+
+/// datum.json: two-space indented, unknown values null. Metres, degrees.
+std::string datumJson(const Datum& datum, const Provenance& provenance);
+
+/// The summary for a terminal: at most 15 lines.
+std::string summary(const Datum& datum);
+
+/// Writes datum.json, stations.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a folder.
+/// @throws Error (File) naming the path
+void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance);
+
+}  // namespace tank_datum
