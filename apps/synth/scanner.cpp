@@ -1,0 +1,135 @@
+#include "scanner.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "measurement.h"
+#include "random.h"
+#include "tank_curves.h"
+
+namespace tank_datum::synth {
+namespace {
+
+constexpr std::size_t kChunkColumns = 128;  ///< measured before any of them is handed on
+
+double rowStep(const ScannerOptions& o) { return o.row_step > 0.0 ? o.row_step : o.step; }
+
+std::vector<StationOptions> places(const Scene& scene) {
+  const ScannerOptions& o = scene.options().scanner;
+  if (!o.stations.empty()) return o.stations;
+  std::vector<StationOptions> all;
+  const TankOptions& tank = scene.tank(o.tank).shape.options();
+  const double reach = o.inside ? o.distance : tank.radius + o.distance;
+  const bool full = o.arc > 2.0 * kPi - 1e-9;  // then the last would stand on the first
+  for (int i = 0; i < o.count; ++i) {
+    const double share = full           ? static_cast<double>(i) / o.count
+                         : o.count == 1 ? 0.0
+                                        : static_cast<double>(i) / (o.count - 1);
+    const double azimuth = o.first_azimuth + o.arc * share;
+    StationOptions place;
+    place.x = tank.x + reach * std::cos(azimuth);
+    place.y = tank.y + reach * std::sin(azimuth);
+    all.push_back(place);
+  }
+  return all;
+}
+
+double elevationBelow(const Scene& scene, double x, double y) {
+  const ScannerOptions& o = scene.options().scanner;
+  if (!o.inside) return scene.ground().elevation(x, y);
+  const TankOptions& tank = scene.tank(o.tank).shape.options();
+  return scene.tank(o.tank).floor.elevation(x - tank.x, y - tank.y);
+}
+
+/// Whether the azimuth is within the angle the ring of the scanner's tank subtends, with half a metre beside it.
+bool inField(const Scene& scene, const ScanStation& station, double azimuth) {
+  const ScannerOptions& o = scene.options().scanner;
+  const Tank& tank = scene.tank(o.tank);
+  const double dx = tank.shape.options().x - station.position.x(), dy = tank.shape.options().y - station.position.y();
+  const double ring = tank.shape.options().radius + tank.shape.deviation() + tank.foundation.maskWidth() + 0.5;
+  const double distance = std::hypot(dx, dy);
+  if (o.field == "full" || distance <= ring) return true;
+  return std::abs(azimuthDifference(azimuth, std::atan2(dy, dx))) <= std::asin(ring / distance);
+}
+
+}  // namespace
+
+std::vector<ScanStation> scanStations(const Scene& scene) {
+  const ScannerOptions& o = scene.options().scanner;
+  std::vector<ScanStation> stations;
+  for (const StationOptions& place : places(scene)) {
+    ScanStation s;
+    s.position = {place.x, place.y, place.z};
+    if (std::isnan(place.z)) s.position.z() = elevationBelow(scene, place.x, place.y) + o.height;
+    s.inside = scene.tankAround(s.position);
+    Random random({scene.options().seed, 601, stations.size()});
+    s.first_azimuth = o.jitter ? random.uniform(0.0, 2.0 * kPi) : 0.0;
+    s.first_elevation = o.min_elevation + (o.jitter ? random.uniform() * rowStep(o) : 0.0);
+    s.rows = 1 + static_cast<int>(std::floor((o.max_elevation - s.first_elevation) / rowStep(o) + 1e-9));
+    const int columns = static_cast<int>(std::floor(2.0 * kPi / o.step + 1e-9));
+    for (int j = 0; j < columns; ++j)
+      if (inField(scene, s, s.first_azimuth + j * o.step)) s.columns.push_back(j);
+    stations.push_back(std::move(s));
+  }
+  return stations;
+}
+
+Eigen::Vector3d rayDirection(const ScannerOptions& options, const ScanStation& station, int column, int row) {
+  const double azimuth = station.first_azimuth + column * options.step;
+  const double elevation = station.first_elevation + row * rowStep(options), level = std::cos(elevation);
+  return {level * std::cos(azimuth), level * std::sin(azimuth), std::sin(elevation)};
+}
+
+namespace {
+
+Rows scanColumn(const Scene& scene, const ScanStation& station, std::size_t number, int column) {
+  Rows rows;
+  rows.reserve(4 * static_cast<std::size_t>(station.rows));
+  Random random({scene.options().seed, 602, number, static_cast<std::uint64_t>(column)});
+  for (int row = 0; row < station.rows; ++row) {
+    const Eigen::Vector3d direction = rayDirection(scene.options().scanner, station, column, row);
+    measure(scene, station, direction, random, rows);
+  }
+  return rows;
+}
+
+/// Columns [begin, end) of a station, each into its own rows, by several threads.
+std::vector<Rows> scanColumns(const Scene& scene, const ScanStation& station, std::size_t number, std::size_t begin,
+                              std::size_t end, unsigned threads) {
+  std::vector<Rows> columns(end - begin);
+  std::atomic<std::size_t> next{begin};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < end; i = next++)
+      columns[i - begin] = scanColumn(scene, station, number, station.columns[i]);
+  };
+  std::vector<std::thread> helpers;
+  for (unsigned i = 1; i < threads; ++i) helpers.emplace_back(work);
+  work();
+  for (std::thread& helper : helpers) helper.join();
+  return columns;
+}
+
+}  // namespace
+
+ScanSummary scanScene(const Scene& scene, const RowVisitor& visit, unsigned threads) {
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  ScanSummary summary;
+  std::size_t number = 0;
+  for (const ScanStation& station : scanStations(scene)) {
+    for (std::size_t begin = 0; begin < station.columns.size(); begin += kChunkColumns) {
+      const std::size_t end = std::min(begin + kChunkColumns, station.columns.size());
+      Rows block;
+      for (const Rows& rows : scanColumns(scene, station, number, begin, end, threads))
+        block.insert(block.end(), rows.begin(), rows.end());
+      summary.rays += (end - begin) * static_cast<std::uint64_t>(station.rows);
+      summary.points += block.size() / 4;
+      if (!block.empty()) visit(number, block);
+    }
+    ++number;
+  }
+  return summary;
+}
+
+}  // namespace tank_datum::synth

@@ -1,0 +1,123 @@
+#include "truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene_file.h"
+#include "tank_curves.h"
+
+namespace tank_datum::synth {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A place in the open just before the crease.
+Eigen::Vector3d beforeCrease(const Tank& tank, const Eigen::Vector3d& crease, bool inside) {
+  const TankOptions& o = tank.shape.options();
+  const double off = o.foundation.weld + 0.002 + tank.foundation.noise().bound(), out = inside ? -off : off;
+  const Eigen::Vector2d way = (crease.head<2>() - Eigen::Vector2d(o.x, o.y)).normalized();
+  return crease + Eigen::Vector3d(out * way.x(), out * way.y(), off);
+}
+
+bool sees(const Scene& scene, const ScanStation& from, int tank, const Eigen::Vector3d& place) {
+  const ScannerOptions& o = scene.options().scanner;
+  if (from.inside >= 0 && from.inside != tank) return false;
+  const Eigen::Vector3d way = place - from.position;
+  const double distance = way.norm(), elevation = std::asin(way.z() / distance);
+  if (distance > o.max_range || elevation < o.min_elevation || elevation > o.max_elevation) return false;
+  return !scene.cast({from.position, way / distance}, from.inside, distance).found();
+}
+
+TruthTank truthOfTank(const Scene& scene, const std::vector<ScanStation>& scanners, int index, int stations) {
+  const Tank& tank = scene.tank(index);
+  TruthTank truth;
+  truth.options = tank.shape.options();
+  truth.inside = std::any_of(scanners.begin(), scanners.end(), [&](const auto& s) { return s.inside == index; });
+  const auto& offset = scene.options().offset;
+  for (int k = 0; k < stations; ++k) {
+    TruthStation s;
+    s.azimuth = 2.0 * kPi * k / stations;
+    const Eigen::Vector3d crease = tank.datumPoint(s.azimuth, truth.inside);
+    s.radius = std::hypot(crease.x() - truth.options.x, crease.y() - truth.options.y);
+    const bool ground =
+        scene.options().ground.over_foundation && scene.ground().elevation(crease.x(), crease.y()) > crease.z();
+    s.covered = !truth.inside && (ground || tank.foundation.buried(s.azimuth));
+    const Eigen::Vector3d open = beforeCrease(tank, crease, truth.inside);
+    s.visible =
+        std::any_of(scanners.begin(), scanners.end(), [&](const auto& f) { return sees(scene, f, index, open); });
+    s.x = crease.x() + offset[0], s.y = crease.y() + offset[1], s.z = crease.z() + offset[2];
+    truth.stations.push_back(s);
+  }
+  return truth;
+}
+
+std::string surfaceName(const TruthTank& tank) {
+  if (tank.inside) return "floor";
+  const std::string& kind = tank.options.foundation.kind;
+  return kind == "pad" ? "foundation" : "annular_plate";
+}
+
+Json stationsJson(const TruthTank& tank) {
+  Json list = Json::array();
+  for (const TruthStation& s : tank.stations)
+    list.push_back({{"azimuth_deg", degrees(s.azimuth)},
+                    {"x", s.x},
+                    {"y", s.y},
+                    {"z", s.z},
+                    {"radius", s.radius},
+                    {"covered", s.covered},
+                    {"visible", s.visible}});
+  return list;
+}
+
+Json tankJson(const TruthTank& tank, const std::array<double, 3>& offset) {
+  const TankOptions& o = tank.options;
+  const auto byZ = [](const TruthStation& a, const TruthStation& b) { return a.z < b.z; };
+  const auto ends = std::minmax_element(tank.stations.begin(), tank.stations.end(), byZ);
+  Json harmonics = Json::array(), arcs = Json::array();
+  for (const Harmonic& h : o.harmonics)
+    harmonics.push_back({{"n", h.n}, {"amplitude", h.amplitude}, {"phase_deg", degrees(h.phase)}});
+  for (const Soil& soil : o.soil)
+    arcs.push_back({{"azimuth_deg", degrees(soil.azimuth)}, {"width_deg", degrees(soil.width)}, {"depth", soil.depth}});
+  Json json;
+  json["center"] = {o.x + offset[0], o.y + offset[1]};
+  json["radius"] = tank.inside ? o.radius - o.thickness : o.radius;
+  json["side"] = tank.inside ? "inside" : "outside";
+  json["surface"] = surfaceName(tank);
+  json["z0"] = o.base_elevation + offset[2];
+  json["min"] = ends.first->z;
+  json["max"] = ends.second->z;
+  json["tilt"] = {{"slope", tiltSlope(o)}, {"direction_deg", degrees(o.tilt_direction)}};
+  json["harmonics"] = harmonics;
+  json["soil_arcs"] = arcs;
+  json["stations"] = stationsJson(tank);
+  return json;
+}
+
+}  // namespace
+
+Truth truthOf(const Scene& scene, int stations) {
+  Truth truth;
+  truth.options = scene.options();
+  const auto& offset = truth.options.offset;
+  const std::vector<ScanStation> scanners = scanStations(scene);
+  for (const ScanStation& s : scanners)
+    truth.scanners.push_back(s.position + Eigen::Vector3d(offset[0], offset[1], offset[2]));
+  for (int i = 0; i < static_cast<int>(scene.tanks().size()); ++i)
+    truth.tanks.push_back(truthOfTank(scene, scanners, i, stations));
+  return truth;
+}
+
+Json toJson(const Truth& truth) {
+  Json json;
+  json["seed"] = truth.options.seed;
+  json["options"] = toJson(truth.options);
+  json["scanners"] = Json::array();
+  for (const Eigen::Vector3d& s : truth.scanners)
+    json["scanners"].push_back({{"x", s.x()}, {"y", s.y()}, {"z", s.z()}});
+  json["tanks"] = Json::array();
+  for (const TruthTank& tank : truth.tanks) json["tanks"].push_back(tankJson(tank, truth.options.offset));
+  return json;
+}
+
+}  // namespace tank_datum::synth
