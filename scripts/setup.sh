@@ -1,0 +1,42 @@
+# Sourced by the scripts beside it: installs what is missing, builds into build/. Every step is skipped when done.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '== %s\n' "$*" >&2; }
+
+# apt_install PACKAGE...: installs those that are missing.
+apt_install() {
+  local package missing=()
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  local sudo=()
+  [ "$(id -u)" = 0 ] || sudo=(sudo)
+  say "installing packages: ${missing[*]}"
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# build TARGET...: configures once, then builds what changed.
+build() {
+  apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
+    libgtest-dev
+  if [ ! -f "$root/build/build.ninja" ]; then
+    say "configuring build/"
+    cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >&2
+  fi
+  say "building ${*}"
+  cmake --build "$root/build" --target "$@" >&2
+}
+
+# python_environment: .venv/ with what the Python tests and scripts need.
+python_environment() {
+  local wanted="$root/tests/python/requirements.txt" stamp="$root/.venv/requirements.installed"
+  cmp -s "$wanted" "$stamp" && return
+  apt_install python3 python3-venv
+  say "making .venv/ for the Python tests"
+  /usr/bin/python3 -m venv "$root/.venv"
+  "$root/.venv/bin/pip" install --quiet --disable-pip-version-check -r "$wanted" >&2
+  cp "$wanted" "$stamp"
+}
