@@ -1,7 +1,7 @@
 #include "tank_datum/centre_filter.h"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
@@ -10,7 +10,6 @@
 
 namespace tank_datum {
 namespace {
-
 
 double toleranceFor(double radius, const CentreFilterOptions& options) {
   return options.tolerance > 0.0 ? options.tolerance : std::min(0.1, 0.1 * radius);

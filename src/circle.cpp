@@ -52,7 +52,8 @@ Circle fitCircleRobust(const std::vector<Eigen::Vector2d>& points, const Circle&
     const double sigma = std::max(robustSigma(residuals, 0.0), 1e-12 * circle.radius);
     for (std::size_t i = 0; i < points.size(); ++i) weights[i] = tukeyWeight(residuals[i] / sigma);
     const Circle next = fitCircle(points, weights, circle);
-    const double moved = next.valid() ? (next.center - circle.center).norm() + std::abs(next.radius - circle.radius) : 0;
+    const double moved =
+        next.valid() ? (next.center - circle.center).norm() + std::abs(next.radius - circle.radius) : 0;
     circle = next;
     if (moved < 1e-9 * circle.radius) break;
   }

@@ -1,7 +1,7 @@
 #include "circle_search.h"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -11,9 +11,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kFacing = 0.94;        // cosine of 20 degrees between a wall's normal and the direction to the centre
-constexpr double kOutOfRound = 0.01;    // of the radius; API 653 lets 1 % of it stand on large tanks' upper courses
-constexpr int kTrials = 20'000;         // a tank holding 5 % of the walls near a trial point is met some 50 times
+constexpr double kFacing = 0.94;      // cosine of 20 degrees between a wall's normal and the direction to the centre
+constexpr double kOutOfRound = 0.01;  // of the radius; API 653 lets 1 % of it stand on large tanks' upper courses
+constexpr int kTrials = 20'000;       // a tank holding 5 % of the walls near a trial point is met some 50 times
 constexpr int kMaxCircles = 40;
 
 using Walls = std::vector<const WallCell*>;
@@ -123,7 +123,9 @@ WallCircle refined(const Walls& walls, Circle circle, double voxel) {
 /// windows of 20 degrees, of (normal's direction - azimuth) on the azimuth is 0 on the one and -1 on the other.
 bool turnsWithAzimuth(const Walls& walls, const Circle& circle, double voxel) {
   constexpr int kWindows = 18;
-  struct Sums { double n = 0, x = 0, y = 0, xx = 0, xy = 0; } sums[kWindows];
+  struct Sums {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  } sums[kWindows];
   for (const WallCell* wall : walls) {
     if (!standsOn(*wall, circle, tolerance(circle.radius, voxel))) continue;
     const Eigen::Vector2d radial = (wall->position - circle.center).normalized();
@@ -157,7 +159,8 @@ std::vector<WallCircle> findWallCircles(const std::vector<WallCell>& walls, doub
     if (!best.circle.valid() || best.coverage < options.min_arc) break;
     if (best.circle.radius >= options.min_radius && turnsWithAzimuth(left, best.circle, voxel)) result.push_back(best);
     const double tol = 1.5 * tolerance(best.circle.radius, voxel);
-    const auto keep = std::remove_if(left.begin(), left.end(), [&](const auto* w) { return standsOn(*w, best.circle, tol); });
+    const auto keep =
+        std::remove_if(left.begin(), left.end(), [&](const auto* w) { return standsOn(*w, best.circle, tol); });
     if (keep == left.end()) break;
     left.erase(keep, left.end());
   }

@@ -36,7 +36,8 @@ Eigen::Vector3f normalOf(const Points& points, std::size_t i, const std::int32_t
 
 const char* nameOf(SearchEngine engine) {
   switch (engine) {
-    case SearchEngine::Flann: return "flann";
+    case SearchEngine::Flann:
+      return "flann";
   }
   return "";
 }

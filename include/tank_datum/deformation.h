@@ -12,8 +12,8 @@ namespace tank_datum {
 struct Level {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::size_t measured = 0, interpolated = 0, missing = 0;
-  double mean = kUnknown, min = kUnknown, max = kUnknown;            ///< [m]
-  double min_azimuth = kUnknown, max_azimuth = kUnknown;             ///< as the user counts azimuths [rad]
+  double mean = kUnknown, min = kUnknown, max = kUnknown;  ///< [m]
+  double min_azimuth = kUnknown, max_azimuth = kUnknown;   ///< as the user counts azimuths [rad]
   double range() const { return max - min; }
 };
 
@@ -35,12 +35,12 @@ Antipodal antipodalOf(const std::vector<Station>& stations);
 /// z = mean + slope_x (x - x0) + slope_y (y - y0), fitted by least squares; NaN until fitted.
 struct Tilt {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  double mean = kUnknown;                        ///< elevation of the plane at the centre [m]
+  double mean = kUnknown;                                          ///< elevation of the plane at the centre [m]
   Eigen::Vector2d gradient = Eigen::Vector2d::Constant(kUnknown);  ///< [m/m]
-  double sigma_slope = kUnknown;                 ///< standard error of the slope [m/m]
-  double direction = kUnknown;                   ///< towards the highest point, as the user counts azimuths [rad]
-  double r2 = kUnknown;                          ///< share of the variance that the plane explains
-  double p_value = kUnknown;                     ///< F test on 2 and N - 3 degrees of freedom
+  double sigma_slope = kUnknown;                                   ///< standard error of the slope [m/m]
+  double direction = kUnknown;  ///< towards the highest point, as the user counts azimuths [rad]
+  double r2 = kUnknown;         ///< share of the variance that the plane explains
+  double p_value = kUnknown;    ///< F test on 2 and N - 3 degrees of freedom
 
   bool valid() const { return gradient.allFinite(); }
   double slope() const { return gradient.norm(); }

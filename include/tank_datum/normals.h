@@ -17,8 +17,8 @@ enum class SearchEngine {
 const char* nameOf(SearchEngine engine);
 
 struct NormalOptions {
-  int k = 20;                                  ///< neighbours of a point, the point itself included
-  SearchEngine search = SearchEngine::Flann;   ///< who finds them
+  int k = 20;                                 ///< neighbours of a point, the point itself included
+  SearchEngine search = SearchEngine::Flann;  ///< who finds them
 };
 
 /// One line naming the first refused field, or empty.

@@ -21,7 +21,7 @@ Eigen::Vector4d cubicBasis(double t);
 
 /// A closed uniform cubic B-spline over one turn of azimuth.
 struct ClosedSpline {
-  Eigen::MatrixX3d control_points;  ///< [m]; empty until fitted
+  Eigen::MatrixX3d control_points;                                 ///< [m]; empty until fitted
   double rms = std::numeric_limits<double>::quiet_NaN();           ///< of the check points' distances to the curve [m]
   double max_residual = std::numeric_limits<double>::quiet_NaN();  ///< the largest of them [m]
   std::size_t check_points = 0;

@@ -9,8 +9,8 @@ namespace tank_datum {
 
 /// A vertical column of a scan that is filled over a stretch of height: a piece of wall seen from above.
 struct WallCell {
-  Eigen::Vector2d position;  ///< mean of the column's points [m]
-  Eigen::Vector2d normal;    ///< unit, across the wall, sign undefined
+  Eigen::Vector2d position;    ///< mean of the column's points [m]
+  Eigen::Vector2d normal;      ///< unit, across the wall, sign undefined
   double bottom = 0, top = 0;  ///< ends of the longest unbroken stretch [m]
 };
 
