@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "exit_status.h"
+#include "tank_datum/error.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {
@@ -20,14 +22,17 @@ const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Fl
 /// The figures as a person types them, in degrees; the options hold radians.
 struct Typed {
   double angle_deg, zero_azimuth_deg;
-  std::vector<double> tank;
+  std::string tank;
   std::string search, method;
 };
 
 void addOptions(CLI::App& app, Command& command, Typed& typed) {
   DatumOptions& o = command.options;
-  app.add_option("scan", command.scans, "PCD file(s): scan stations of one tank, in one frame")->required();
-  app.add_option("-o,--output", command.output, "folder for the results (default: the first scan's stem + .datum)");
+  app.add_option("scan", command.scans, "PCD file(s): scan stations of one tank, in one frame")
+      ->required()
+      ->configurable(false);
+  app.add_option("-o,--output", command.output, "folder for the results (default: the first scan's stem + .datum)")
+      ->configurable(false);
   app.add_option("--method", typed.method, "what z is: two surfaces intersected, or the paper's curve")
       ->check(CLI::IsMember(kMethods));
   app.add_option("--k", o.normals.k, "neighbours of a point, itself included");
@@ -39,17 +44,31 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--stations", o.stations.count, "stations round the tank");
   app.add_option("--zero-azimuth-deg", typed.zero_azimuth_deg, "where station 0 is, counter-clockwise from +x");
   app.add_flag("--clockwise,!--no-clockwise", o.stations.clockwise, "stations run clockwise seen from above");
-  app.add_option("--tank", typed.tank, "X,Y,R of the tank [m]: do not search for it")->delimiter(',')->expected(3);
+  app.add_option("--tank", typed.tank, "X,Y,R of the tank [m]: do not search for it");
   app.add_option("--pick", o.pick, "which of the tanks found, the longest seen arc first");
   app.add_flag("--all", command.all, "every tank found, in DIR/tank_1, DIR/tank_2, ...");
-  app.add_option("--search-points", o.crop.search_points, "thin the ring to this many points for the edge search");
+  app.add_option("--search-points", o.crop.search_points, "thin the ring to this many points for the edge search")
+      ->check(CLI::PositiveNumber);
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
   app.add_option("--units", command.units, "units of the input")->check(CLI::IsMember(kUnits));
   app.add_option("--threads", o.threads, "threads; 0: all cores; the result does not depend on it");
   app.add_flag("--quiet", command.quiet, "no summary, no progress");
-  app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage");
+  app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage")->configurable(false);
   app.set_config("--config", "", "file with options, as --print-config writes it");
+  app.allow_config_extras(CLI::config_extras_mode::error);
   app.set_version_flag("--version", std::string("tank_datum ") + kVersion);
+}
+
+/// "X,Y,R"
+Circle circleFrom(const std::string& typed) {
+  Circle circle;
+  char comma = 0, other = 0;
+  std::istringstream in(typed);
+  in >> circle.center.x() >> comma >> circle.center.y() >> other >> circle.radius;
+  if (!in || !(in >> std::ws).eof() || comma != ',' || other != ',') {
+    throw Error(Error::Kind::Option, "command line", "--tank", typed, "X,Y,R in metres");
+  }
+  return circle;
 }
 
 std::string stemOf(const std::string& scan) { return std::filesystem::path(scan).stem().string() + ".datum"; }
@@ -75,6 +94,10 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   } catch (const CLI::Success& asked) {  // --help, --version
     status = app.exit(asked);
     return false;
+  } catch (const CLI::FileError& error) {
+    std::cerr << "tank_datum: command line: --config, " << error.what() << ", expected a readable file\n";
+    status = kFileFailed;
+    return false;
   } catch (const CLI::ParseError& error) {
     std::cerr << "tank_datum: command line: " << error.what() << ", expected what tank_datum --help lists\n";
     status = kWrongUse;
@@ -85,7 +108,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   o.stations.zero_azimuth = typed.zero_azimuth_deg * kDegree;
   o.method = kMethods.at(typed.method);
   o.normals.search = kEngines.at(typed.search);
-  if (!typed.tank.empty()) o.tank = Circle{{typed.tank[0], typed.tank[1]}, typed.tank[2]};
+  if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);
   if (command.output.empty()) command.output = stemOf(command.scans.front());
   status = kUsable;
   if (print_config) std::cout << app.config_to_str(true, true);

@@ -60,6 +60,8 @@ int run(const Command& command) {
       std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << datums[i].message << "\n";
     }
   }
+  std::cout.flush();
+  if (!std::cout) throw Error(Error::Kind::File, "report", "standard output", "not written", "room for the summary");
   return usable ? kUsable : kNoDatum;
 }
 
@@ -70,9 +72,8 @@ int main(int argc, char** argv) {
   using namespace tank_datum;
   Command command;
   int status = kUsable;
-  if (!parseCommandLine(argc, argv, command, status)) return status;
   try {
-    return run(command);
+    return parseCommandLine(argc, argv, command, status) ? run(command) : status;
   } catch (const Error& error) {
     std::cerr << "tank_datum: " << error.what() << "\n";
     return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;

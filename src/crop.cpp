@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "tank_datum/voxel_sample.h"
+#include "units.h"
 
 namespace tank_datum {
 
@@ -20,7 +21,7 @@ std::string firstError(const CropOptions& options) {
 
 Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options) {
   Ring ring;
-  ring.reach = std::min(options.reach, 0.25 * tank.circle.radius);
+  ring.reach = std::min(options.reach, 0.5 * tank.circle.radius);
   const double reach = ring.reach + 2.0 * tank.resolution;
   const double inner = std::max(0.0, tank.circle.radius - reach), outer = tank.circle.radius + reach;
   const double slope_x = tank.foot.coefficients[1] / tank.circle.radius;
@@ -38,7 +39,9 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options) {
     ring.search = ring.points;
     return ring;
   }
-  VoxelSample sample(options.search_points);
+  // surfaces fill one layer of voxels: twice the ring's width all round is the area to spread the points over
+  const double area = 2.0 * kTwoPi * tank.circle.radius * 2.0 * reach;
+  VoxelSample sample(options.search_points, 0.5 * std::sqrt(area / static_cast<double>(options.search_points)));
   sample.add(ring.points);
   ring.search = sample.points();
   return ring;

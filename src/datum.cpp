@@ -1,6 +1,7 @@
 #include "tank_datum/datum.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tank_datum/error.h"
 
@@ -80,9 +81,10 @@ std::string firstError(const DatumOptions& options) {
         firstError(options.stations)}) {
     if (!error.empty()) return error;
   }
-  if (options.tank && !(options.tank->radius > 0.0)) {
+  if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
     return "tank.radius = " + std::to_string(options.tank->radius) + " (must be > 0)";
   }
+  if (options.tank && !options.tank->center.allFinite()) return "tank.center = not finite (must be X,Y in metres)";
   if (options.pick < 1) return "pick = " + std::to_string(options.pick) + " (must be >= 1)";
   if (options.threads < 0) return "threads = " + std::to_string(options.threads) + " (must be >= 0)";
   return {};

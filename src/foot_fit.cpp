@@ -74,7 +74,7 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
     inverse = normal.inverse();
     solution = inverse * rhs;
     for (std::size_t i = 0; i < rows.size(); ++i) residuals[i] = heights[i] - rows[i].dot(solution);
-    const double own = robustSigma(residuals, 0.0);
+    const double own = std::max(robustSigma(residuals, 0.0), 1e-7);
     noise = std::sqrt((kPooled * profile.noise * profile.noise + used * own * own) / (kPooled + used));
     for (std::size_t i = 0; i < rows.size(); ++i) weights[i] = tukeyWeight(residuals[i] / noise);
   }

@@ -36,7 +36,8 @@ void keepLowestLayer(std::vector<double>& values, double thickness) {
 }
 
 void fillBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& stations,
-              const std::vector<double>& datum, double reach) {
+              const std::vector<double>& datum, const FootScales& scales) {
+  const double reach = scales.reach, layer = std::max(2.0 * profile.bin, 6.0 * scales.shell_noise);
   const auto bins = static_cast<std::size_t>(std::ceil(reach / profile.bin));
   std::vector<std::vector<double>> heights(bins);
   for (std::size_t s = 0; s < stations.size(); ++s) {
@@ -48,7 +49,7 @@ void fillBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& s
     }
   }
   for (auto& values : heights) {
-    if (!values.empty()) keepLowestLayer(values, 2.0 * profile.bin);
+    if (!values.empty()) keepLowestLayer(values, layer);
     const bool enough = values.size() >= kFewest;
     const double height = enough ? median(values) : kUnknown;
     profile.height.push_back(height);
@@ -120,6 +121,13 @@ double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double rea
   return drop > 0.0 && drop < kThickest ? robustLine(profile, first, last).slope : 0.0;
 }
 
+/// Bins wide enough that one holds a hundred points on the average.
+double widthOfBins(const std::vector<std::vector<FootPoint>>& stations, double reach) {
+  double points = 0;
+  for (const auto& station : stations) points += static_cast<double>(station.size());
+  return 100.0 * reach / std::max(1.0, points);
+}
+
 struct Plateau {
   std::size_t first, last;
   double offset, misfit;
@@ -135,17 +143,20 @@ Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t l
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = first + reach; i + reach <= last; ++i) {
     const double gradient = std::abs(level(i + reach) - level(i - reach));
-    if (gradient < least) least = gradient, flattest = i;
+    if (gradient < least && std::isfinite(level(i))) least = gradient, flattest = i;
   }
   std::vector<double> around;
-  for (std::size_t i = flattest - reach; i <= flattest + reach; ++i) around.push_back(level(i));
+  for (std::size_t i = flattest - reach; i <= flattest + reach; ++i) {
+    if (std::isfinite(level(i))) around.push_back(level(i));
+  }
   const double height = median(around);
   const auto lies_on = [&](std::size_t i) {
     return !(std::abs(level(i) - height) > 3.0 * profile.error[i] + 0.1 * profile.noise);
   };
+  // one stray bin does not end the surface, two in a row do
   std::size_t from = flattest, to = flattest;
-  while (from > first && lies_on(from - 1)) --from;
-  while (to < last && lies_on(to + 1)) ++to;
+  while (from > first && (lies_on(from - 1) || (from > first + 1 && lies_on(from - 2)))) --from;
+  while (to < last && (lies_on(to + 1) || (to + 1 < last && lies_on(to + 2)))) ++to;
   double squares = 0, expected = 0, bins = 0;
   for (std::size_t i = first; i <= last; ++i) {
     if (!std::isfinite(level(i))) continue;
@@ -176,24 +187,25 @@ const char* nameOf(Surface surface) {
 FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, const std::vector<double>& datum,
                          const FootScales& scales) {
   FootProfile profile;
-  profile.bin = std::max(scales.reach / 100.0, scales.shell_noise);
-  fillBins(profile, stations, datum, scales.reach);
+  profile.bin = std::max({scales.reach / 100.0, scales.shell_noise, widthOfBins(stations, scales.reach)});
+  fillBins(profile, stations, datum, scales);
   const std::size_t bins = profile.height.size();
   const auto binOf = [&](double d) { return static_cast<std::size_t>(d / profile.bin); };
   std::size_t first = binOf(std::max(scales.weld, 3.0 * scales.shell_noise)) + 1;
   while (first < bins && !std::isfinite(profile.height[first])) ++first;
   if (first >= bins) return profile;
+  // what is stacked right beside the shell may be stray points only: a surface is at least four bins wide
   std::size_t last = lastBeforeStep(profile, first);
+  while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first);
   if (last < first + 3) return profile;
-
   std::vector<double> spreads;
   for (std::size_t i = first; i <= last; ++i) {
     if (std::isfinite(profile.spread[i])) spreads.push_back(profile.spread[i]);
   }
-  profile.noise = median(spreads);
+  profile.noise = std::max(median(spreads), 1e-7);
   profile.blur = 4.0 * scales.shell_noise;
   profile.edge = static_cast<double>(last + 1) * profile.bin;
-  const Line own = robustLine(profile, first, last);
+  const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
   profile.surface = last + 1 < bins ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;
   const bool plate = profile.surface == Surface::AnnularPlate;
   profile.slope = plate ? slopeBeyond(profile, last, scales.reach) : own.slope;

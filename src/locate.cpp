@@ -13,8 +13,8 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kSameArc = 0.17453292519943295;  // 10 degrees
-constexpr double kDeepestDrop = 0.5;              // ground below the shell foot at a ringwall or pad shoulder [m]
+constexpr double kMuchMore = 1.25;    // arc seen on a coarser rung that outweighs the finer rung's accuracy
+constexpr double kDeepestDrop = 0.5;  // ground below the shell foot at a ringwall or pad shoulder [m]
 
 struct Sample {
   Points points;
@@ -25,13 +25,25 @@ struct Sample {
 /// points) to half of the smallest radius, and at least three rungs. Which rung shows a tank best depends on how much
 /// denser it was scanned than what stands around it.
 std::vector<Sample> samplesOf(const Scan& scan, const LocateOptions& options) {
-  VoxelSample sample(options.sample_points);
-  scan.forEachBlock([&](const Points& block) { sample.add(block); });
+  // a tank needs no more than every n-th point to be found; n is odd, since rows of a scan often have even lengths
+  constexpr std::uint64_t kLookedAt = 4'000'000;
+  const std::uint64_t stride = scan.size() / kLookedAt | 1U;
+  VoxelSample sample(options.sample_points, std::max(0.001, options.min_radius / 250.0));
+  std::uint64_t row = 0;
+  Points some;
+  scan.forEachBlock([&](const Points& block) {
+    some.clear();
+    for (const auto& p : block) {
+      if (row++ % stride == 0) some.push_back(p);
+    }
+    sample.add(some);
+  });
   std::vector<Sample> samples;
-  for (Points points = sample.points(); points.size() > 50; points = sample.points()) {
-    if (sample.shareHolding(2) >= 0.1) samples.push_back({points, sample.voxel()});
+  for (; sample.points().size() > 50; sample.coarsen()) {
+    const double share = sample.shareHolding(2);
+    // where most voxels hold several points, one that holds a single one is a stray beam
+    if (share >= 0.1) samples.push_back({sample.points(share >= 0.5 ? 2 : 1), sample.voxel()});
     if (samples.size() >= 3 && sample.voxel() > 0.25 * options.min_radius) break;
-    sample.coarsen();
   }
   return samples;
 }
@@ -96,6 +108,19 @@ PeriodicFit fitFoot(const std::vector<double>& azimuths, const std::vector<doubl
   return fit;
 }
 
+/// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
+/// only.
+Circle fitShell(const Sample& sample, const Circle& circle, const PeriodicFit& foot, double band) {
+  std::vector<Eigen::Vector2d> plan;
+  for (const auto& p : sample.points) {
+    const Eigen::Vector2d arm = p.head<2>() - circle.center;
+    const double above = p.z() - foot(std::atan2(arm.y(), arm.x()));
+    if (above > 2.0 * sample.voxel && std::abs(arm.norm() - circle.radius) <= band) plan.push_back(p.head<2>());
+  }
+  const Circle fitted = fitCircleRobust(plan, circle);
+  return fitted.valid() ? fitted : circle;
+}
+
 /// Looks at the sample around a known circle: foot, side, coverage, height.
 Tank describe(const Sample& sample, const Circle& circle, double rms) {
   Tank tank;
@@ -127,7 +152,16 @@ Tank describe(const Sample& sample, const Circle& circle, double rms) {
     azimuths.erase(azimuths.begin() + static_cast<std::ptrdiff_t>(i));
   }
   if (!feet.empty()) tank.foot = fitFoot(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
+  if (tank.foot.valid()) tank.circle = fitShell(sample, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
   return tank;
+}
+
+/// Whether the stretches of height over which two shells are seen are mostly the same; a ringwall ends where its shell
+/// begins.
+bool standAtOneHeight(const Tank& a, const Tank& b) {
+  const double foot_a = a.foot.coefficients[0], foot_b = b.foot.coefficients[0];
+  const double shared = std::min(foot_a + a.height, foot_b + b.height) - std::max(foot_a, foot_b);
+  return shared > 0.5 * std::min(a.height, b.height);
 }
 
 /// The one of two nested circles that is no tank, or null when both may be.
@@ -139,10 +173,11 @@ const Tank* impostor(const Tank& a, const Tank& b) {
   constexpr double kRingwallWidth = 0.6;  // the widest ringwall beyond the shell [m]
   const double gap = outer.circle.radius - inner.circle.radius;
   const double same = std::max(4.0 * outer.resolution, 0.02 * outer.circle.radius);
-  if (apart + gap <= same && std::abs(outer.foot.coefficients[0] - inner.foot.coefficients[0]) <= same) {
+  if (apart + gap <= same && standAtOneHeight(outer, inner)) {
     // one shell found twice: on two rungs, or again from what its tolerance left over
-    if (std::abs(outer.coverage - inner.coverage) > kSameArc) return outer.coverage < inner.coverage ? &outer : &inner;
-    return outer.resolution > inner.resolution ? &outer : &inner;
+    const Tank& finer = outer.resolution < inner.resolution ? outer : inner;
+    const Tank& coarser = &finer == &outer ? inner : outer;
+    return coarser.coverage > kMuchMore * finer.coverage ? &finer : &coarser;
   }
   if (apart + gap <= kRingwallWidth && outer.foot.coefficients[0] < inner.foot.coefficients[0]) return &outer;
   return outer.height < inner.height ? &outer : &inner;  // a bund wall round a tank, or a thing inside a tank
@@ -172,7 +207,7 @@ double Tank::azimuthOf(const Eigen::Vector2d& p) const {
 
 std::string firstError(const LocateOptions& options) {
   char text[96] = "";
-  if (!(options.min_radius > 0.0)) {
+  if (!(options.min_radius > 0.0 && std::isfinite(options.min_radius))) {
     std::snprintf(text, sizeof text, "locate.min_radius = %g m (must be > 0)", options.min_radius);
   } else if (!(options.min_arc > 0.0 && options.min_arc <= kTwoPi)) {
     std::snprintf(text, sizeof text, "locate.min_arc = %g rad (must be > 0 and <= 2 pi)", options.min_arc);

@@ -5,10 +5,13 @@
 #include <cstdio>
 
 #include "circular_series.h"
+#include "foot_passes.h"
+#include "shell_circle.h"
 #include "tank_datum/foot_check.h"
 #include "tank_datum/foot_fit.h"
 #include "tank_datum/harmonics.h"
 #include "tank_datum/polar_ring.h"
+#include "tank_datum/shell_line.h"
 #include "tank_datum/statistics.h"
 #include "units.h"
 
@@ -17,28 +20,22 @@ namespace {
 
 constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
 
-/// The foot as the passes see it; vectors are indexed by station.
-struct Foot {
-  const FootRing& ring;
-  const RefineOptions& options;
-  double reach;                                ///< of the ring [m]
-  double half_step;                            ///< half the angle between stations [rad]
-  double radius;                               ///< of the shell, roughly [m]
-  std::vector<double> directions;              ///< [rad]
-  std::vector<std::vector<FootPoint>> points;  ///< of each station's own stretch
-  std::vector<double> datum;                   ///< elevation as known so far, filled up in gaps [m]
-  std::vector<FootFit> fits;
-};
-
+/// @param from  receives the height above the foot from where on points are surely shell [m]
 std::vector<ShellLine> fitShell(const std::vector<Station>& stations, const PolarRing& ring, const Tank& tank,
-                                double reach) {
+                                double reach, double& from) {
+  constexpr std::size_t kPlenty = 40;                 // points for four unknowns
+  constexpr double kWidestShell = 5.0 * kPi / 180.0;  // half the arc that a sparse station may borrow points from
   const ShellOutline outline = outlineShell(ring, tank, reach);
+  from = std::max(0.1 * reach, 4.0 * outline.noise);
   const double step = kTwoPi / static_cast<double>(stations.size());
   std::vector<ShellLine> lines(stations.size());
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const double azimuth = stations[i].direction;
-    lines[i] = fitShellLine(ring, outline, azimuth, step, tank.foot(azimuth), 0.1 * reach, reach);
+    for (double half = step; lines[i].points < kPlenty && half < kWidestShell; half *= 1.5) {
+      lines[i] = fitShellLine(ring, outline, azimuth, half, tank.foot(azimuth), from, reach);
+    }
+    if (!(lines[i].nearest <= 0.5 * step * tank.circle.radius)) lines[i] = {};  // only the neighbours' shell is seen
   }
   return lines;
 }
@@ -57,27 +54,34 @@ double noiseOf(const std::vector<ShellLine>& lines) {
 }
 
 /// Each station's own points, and a first elevation from those just outside the weld.
-void lookFirst(Foot& foot, const Tank& tank, double weld) {
+void lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
+  constexpr std::size_t kFew = 5;
+  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
   std::vector<double> guesses;
   for (const double direction : foot.directions) {
     foot.points.push_back(foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach));
     std::vector<double> heights;
-    for (const FootPoint& p : foot.points.back()) {
-      if (p.d >= weld && p.d <= weld + 0.1 * foot.reach) heights.push_back(p.z);
+    for (double to = near + 0.1 * foot.reach; heights.size() < kFew && to < foot.reach; to += 0.1 * foot.reach) {
+      heights.clear();
+      for (const FootPoint& p : foot.points.back()) {
+        if (p.d >= near && p.d <= to) heights.push_back(p.z);
+      }
     }
-    guesses.push_back(heights.size() < 5 ? FootFit::kUnknown : median(heights));
+    guesses.push_back(heights.size() < kFew ? FootFit::kUnknown : median(heights));
   }
   foot.datum = filledUp(runningMedian(guesses, 3));
 }
 
 /// Windows grow by borrowing from the neighbours until the standard error is what was asked for.
 FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPrior& prior) {
+  constexpr double kWidestAngle = 10.0 * kPi / 180.0;  // of a curve that a parabola still follows
   const double azimuth = foot.directions[station], datum = foot.datum[station];
+  const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
   for (double half = foot.half_step;; half *= 1.4) {
     const auto points = foot.ring.around(azimuth, half, datum, foot.reach);
     FootFit fit = fitFoot(points, profile, datum + profile.offset, prior.slope(azimuth), prior);
     fit.half_width = half;
-    if (fit.sigma < foot.options.wanted_sigma || half * foot.radius > foot.options.widest_window) return fit;
+    if (fit.sigma < foot.options.wanted_sigma || half > widest) return fit;
   }
 }
 
@@ -123,67 +127,25 @@ FootPrior priorFor(const Foot& foot, const FootProfile& profile) {
   return prior;
 }
 
-/// How many points each station's own stretch has on the surface, and whether it lies between points of its neighbours.
-struct Support {
-  std::size_t own = 0;
-  bool between = false;
-};
-
-Support supportOf(const Foot& foot, std::size_t station, const FootProfile& profile) {
-  const double step = 2.0 * foot.half_step * foot.radius, azimuth = foot.directions[station];
-  Support support;
-  bool left = false, right = false;
-  for (const FootPoint& p : foot.ring.around(azimuth, 2.0 * foot.half_step, foot.datum[station], foot.reach)) {
-    if (p.d < profile.band_from || p.d > profile.band_to) continue;
-    support.own += std::abs(p.t) <= 0.5 * step;
-    (p.t < 0.0 ? left : right) = true;
+/// The fits with the datum's own shape, harmonics to the eighth, taken out of z.
+std::vector<FootFit> withoutShape(const Foot& foot) {
+  constexpr int kOrder = 8;
+  std::vector<double> azimuths, elevations, weights;
+  double mean = 0;
+  for (std::size_t i = 0; i < foot.fits.size(); ++i) {
+    if (!foot.fits[i].valid()) continue;
+    azimuths.push_back(foot.directions[i]);
+    elevations.push_back(foot.fits[i].z);
+    weights.push_back(1.0 / (foot.fits[i].sigma * foot.fits[i].sigma));
+    mean += weights.back();
   }
-  support.between = left && right;
-  return support;
-}
-
-/// A station is supported by points of its own; where the scan is so coarse that a stretch may be empty by chance, also
-/// by points within a step on either side.
-std::vector<bool> findSupport(const Foot& foot, const FootProfile& profile) {
-  constexpr double kPlenty = 20.0;
-  std::vector<Support> supports;
-  std::vector<double> counts;
-  for (std::size_t i = 0; i < foot.directions.size(); ++i) {
-    supports.push_back(supportOf(foot, i, profile));
-    if (supports[i].own > 0) counts.push_back(static_cast<double>(supports[i].own));
+  for (double& w : weights) w *= static_cast<double>(weights.size()) / mean;
+  const PeriodicFit shape = fitHarmonics(azimuths, elevations, weights, kOrder, true, 1e-6);
+  std::vector<FootFit> fits = foot.fits;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i].valid()) fits[i].z -= shape(foot.directions[i]);
   }
-  const bool coarse = median(counts) < kPlenty;
-  std::vector<bool> supported;
-  for (const Support& s : supports) supported.push_back(s.own > 0 || (coarse && s.between));
-  return supported;
-}
-
-/// Stations whose fit has no support of its own, lies on something else, or steps off its neighbours.
-std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootProfile& profile,
-                                const FootPrior& prior) {
-  const std::vector<bool> supported = findSupport(foot, profile);
-  std::vector<FootFit> kept = foot.fits;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (!shell[i].seen() || !kept[i].valid() || !supported[i] ||
-        !isSameSurface(foot.points[i], kept[i], prior.slope(foot.directions[i]), profile)) {
-      kept[i] = {};
-    }
-  }
-  std::vector<bool> strange = findSteps(kept, 2.0 * foot.half_step * foot.radius);
-  for (std::size_t i = 0; i < kept.size(); ++i) strange[i] = strange[i] || !kept[i].valid();
-  return strange;
-}
-
-/// Elevations to stack the next section with: without strangers, unless they are most of what there is.
-std::vector<double> withoutStrangers(const std::vector<double>& elevations, const std::vector<bool>& strange) {
-  std::vector<double> kept = elevations;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (strange[i]) kept[i] = FootFit::kUnknown;
-  }
-  const auto known = [](double z) { return std::isfinite(z); };
-  return 2 * std::count_if(kept.begin(), kept.end(), known) > std::count_if(elevations.begin(), elevations.end(), known)
-             ? kept
-             : elevations;
+  return fits;
 }
 
 /// What the formal standard errors leave out: roughness common to a window's points, and blends that bend the section.
@@ -193,22 +155,9 @@ void widenSigmas(Foot& foot, const FootProfile& profile) {
     if (fit.valid()) widths.push_back(fit.half_width);
   }
   if (widths.empty()) return;
-  const double ratio = birgeRatio(foot.fits, static_cast<std::size_t>(std::ceil(median(widths) / foot.half_step)));
+  const auto apart = static_cast<std::size_t>(std::ceil(median(widths) / foot.half_step));
+  const double ratio = birgeRatio(withoutShape(foot), apart);
   for (FootFit& fit : foot.fits) fit.sigma = std::hypot(ratio * fit.sigma, profile.misfit);
-}
-
-/// The circle of the shell at the datum.
-Circle circleOf(const std::vector<Station>& stations, const Circle& start, double& sigma_radius) {
-  std::vector<Eigen::Vector2d> plan;
-  for (const Station& s : stations) {
-    if (s.flag == StationFlag::Measured) plan.emplace_back(s.x, s.y);
-  }
-  const Circle circle = fitCircle(plan, {}, start);
-  if (!circle.valid()) return start;
-  double squares = 0;
-  for (const auto& p : plan) squares += circle.residual(p) * circle.residual(p);
-  sigma_radius = std::sqrt(squares) / static_cast<double>(plan.size());
-  return circle;
 }
 
 void fillStations(std::vector<Station>& stations, const Foot& foot, const std::vector<ShellLine>& shell,
@@ -263,7 +212,8 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   Refined refined;
   refined.circle = tank.circle;
   const PolarRing polar(ring.points, tank.circle.center);
-  const auto shell = fitShell(stations, polar, tank, ring.reach);
+  double shell_from = 0;
+  const auto shell = fitShell(stations, polar, tank, ring.reach, shell_from);
   const double side = tank.side == Side::Outside ? 1.0 : -1.0, noise = noiseOf(shell);
   const FootRing foot_ring(polar, modelShell(shell, station_options), side, ring.reach);
   Foot foot{foot_ring, options, ring.reach, kPi / station_options.count, tank.circle.radius, {}, {}, {}, {}};
@@ -271,8 +221,11 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
 
   const double weld = std::min(options.largest_weld, 0.05 * ring.reach);
   const FootScales scales{std::min(options.widest_band, ring.reach), noise, weld};
-  lookFirst(foot, tank, weld);
+  lookFirst(foot, tank, scales);
   std::vector<double> to_stack = foot.datum;
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    if (!shell[i].seen()) to_stack[i] = FootFit::kUnknown;
+  }
   std::vector<bool> strange;
   for (int pass = 0; pass < kPasses; ++pass) {
     refined.profile = stackProfile(foot.points, to_stack, scales);
@@ -290,7 +243,9 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   }
   widenSigmas(foot, refined.profile);
   fillStations(stations, foot, shell, tank.circle.center);
-  refined.circle = circleOf(stations, tank.circle, refined.sigma_radius);
+  const ShellCircle round = fitShellCircle(shell, foot.directions, shell_from, ring.reach, tank.circle);
+  refined.circle = round.circle;
+  refined.sigma_radius = round.sigma_radius;
   recentre(stations, tank.circle.center, refined.circle.center);
   std::vector<bool> measured;
   for (const Station& s : stations) measured.push_back(s.flag == StationFlag::Measured);

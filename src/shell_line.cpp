@@ -122,7 +122,11 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, doubl
   line.lean = solution[2];
   line.bend = solution[3];
   line.sigma_radius = line.noise * std::sqrt(inverse(0, 0));
-  line.points = static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (weights[i] <= 0.0) continue;
+    ++line.points;
+    if (!(line.nearest <= std::abs(rows[i][1]))) line.nearest = std::abs(rows[i][1]);
+  }
   return line;
 }
 

@@ -60,13 +60,17 @@ void bridgeGaps(std::vector<Station>& stations, const Eigen::Vector2d& center, d
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d heights = Eigen::Vector3d::Zero(), radii = Eigen::Vector3d::Zero();
     double nearest[2] = {0.0, 0.0};  // arcs to the nearest measured station on either side [m]
+    double beside = 0.0;             // mean of their standard errors, which share more than noise [m]
     for (const int way : {-1, 1}) {
       std::size_t used = 0;
       for (std::size_t away = 1; away < count / 2 && used < kReach; ++away) {
         const Station& other = stations[(i + (way > 0 ? away : count - away)) % count];
         if (other.flag != StationFlag::Measured) continue;
         const double t = way * static_cast<double>(away) * kTwoPi / static_cast<double>(count) * other.radius;
-        if (used++ == 0) nearest[way > 0] = std::abs(t);
+        if (used++ == 0) {
+          nearest[way > 0] = std::abs(t);
+          beside += 0.5 * other.sigma_z;
+        }
         const Eigen::Vector3d row(1.0, t, t * t);
         const double weight = 1.0 / (other.sigma_z * other.sigma_z);
         normal += weight * row * row.transpose();
@@ -76,7 +80,7 @@ void bridgeGaps(std::vector<Station>& stations, const Eigen::Vector2d& center, d
     }
     const Eigen::Matrix3d inverse = normal.inverse();
     s.z = inverse.row(0).dot(heights);
-    s.sigma_z = std::hypot(std::sqrt(inverse(0, 0)), 0.5 * sigma_bend * nearest[0] * nearest[1]);
+    s.sigma_z = std::hypot(std::max(beside, std::sqrt(inverse(0, 0))), 0.5 * sigma_bend * nearest[0] * nearest[1]);
     s.radius = inverse.row(0).dot(radii);
     s.x = center.x() + s.radius * std::cos(s.direction);
     s.y = center.y() + s.radius * std::sin(s.direction);

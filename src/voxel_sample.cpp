@@ -6,7 +6,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kSmallestVoxel = 0.001;  // [m]; a scanner's spacing is not finer on anything it measures well
 constexpr double kHalfRange = double(1 << 20) - 1;  // voxels on each side of the origin that 21 bits can number
 
 std::uint64_t mix(std::uint64_t x) {  // finaliser of SplitMix64 (Steele et al. 2014)
@@ -16,16 +15,16 @@ std::uint64_t mix(std::uint64_t x) {  // finaliser of SplitMix64 (Steele et al. 
 }
 
 /// Of the coordinates in steps far above their rounding, so that the same tank in another frame has the same sample.
-std::uint64_t rankOf(const Eigen::Vector3d& point) {
+std::uint32_t rankOf(const Eigen::Vector3d& point) {
   constexpr double kStep = 1e-5;  // [m]
   const auto steps = [&](int axis) { return static_cast<std::uint64_t>(std::llround(point[axis] / kStep)); };
-  return mix(steps(0) ^ mix(steps(1) ^ mix(steps(2))));
+  return static_cast<std::uint32_t>(mix(steps(0) ^ mix(steps(1) ^ mix(steps(2)))));
 }
 
 }  // namespace
 
-VoxelSample::VoxelSample(std::size_t max_points)
-    : max_points_(max_points), voxel_(kSmallestVoxel), slots_(std::size_t(1) << 12) {}
+VoxelSample::VoxelSample(std::size_t max_points, double voxel)
+    : max_points_(max_points), voxel_(voxel), slots_(std::size_t(1) << 12) {}
 
 std::int64_t VoxelSample::keyOf(const Eigen::Vector3d& point) const {
   std::int64_t key = 0;
@@ -89,11 +88,11 @@ double VoxelSample::shareHolding(std::uint32_t count) const {
   return static_cast<double>(holding) / static_cast<double>(std::max<std::size_t>(1, used_));
 }
 
-Points VoxelSample::points() const {
+Points VoxelSample::points(std::uint32_t count) const {
   Points result;
   result.reserve(used_);
   for (const Slot& slot : slots_) {
-    if (slot.key != kEmpty) result.push_back(slot.point);
+    if (slot.key != kEmpty && slot.count >= count) result.push_back(slot.point);
   }
   // slot order depends on the history of the table; sorted, the sample is the same for any order of arrival
   std::sort(result.begin(), result.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -8,7 +8,7 @@
 namespace tank_datum {
 
 struct CropOptions {
-  double reach = 0.5;  ///< half-width of the ring in radius and height [m]; on small objects a quarter of the radius
+  double reach = 0.5;  ///< half-width of the ring in radius and height [m]; at most half of the radius
   std::size_t search_points = 1'000'000;  ///< the ring is thinned to at most this many for the search of edge points
 };
 

@@ -16,9 +16,9 @@ namespace tank_datum {
 enum class Side { Outside, Inside };
 
 struct LocateOptions {
-  double min_radius = 2.0;                ///< the smallest tank to look for [m]
-  double min_arc = 1.2217304763960306;    ///< the least seen arc of shell that makes a tank [rad], 70 degrees
-  std::size_t sample_points = 1'000'000;  ///< bound of the thinned sample
+  double min_radius = 2.0;              ///< the smallest tank to look for [m]
+  double min_arc = 1.2217304763960306;  ///< the least seen arc of shell that makes a tank [rad], 70 degrees
+  std::size_t sample_points = 500'000;  ///< bound of the thinned sample
 };
 
 /// One line naming the first refused field, or empty.

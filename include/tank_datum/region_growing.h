@@ -9,7 +9,7 @@
 namespace tank_datum {
 
 struct GrowingOptions {
-  double angle = 0.5235987755982988;  ///< theta: normals further apart than this mark a crease [rad], 30 degrees
+  double angle = 0.7853981633974483;  ///< theta: normals further apart than this mark a crease [rad], 45 degrees
 };
 
 /// One line naming the first refused field, or empty.

@@ -15,7 +15,8 @@ namespace tank_datum {
 class VoxelSample {
  public:
   /// @param max_points  the most voxels kept; at least 8, since the octants about the origin never merge
-  explicit VoxelSample(std::size_t max_points);
+  /// @param voxel       edge to start from [m]; a scanner's spacing is not finer than 1 mm on anything it measures well
+  explicit VoxelSample(std::size_t max_points, double voxel = 0.001);
 
   void add(const Points& block);
 
@@ -25,15 +26,15 @@ class VoxelSample {
   /// Share of the voxels that hold at least `count` points of the scan.
   double shareHolding(std::uint32_t count) const;
 
-  Points points() const;
+  /// One point of every voxel that holds at least `count` points of the scan, sorted by x, y, z.
+  Points points(std::uint32_t count = 1) const;
   /// Edge of a voxel [m].
   double voxel() const { return voxel_; }
 
  private:
   struct Slot {
     std::int64_t key = kEmpty;
-    std::uint64_t rank = 0;
-    std::uint32_t count = 0;
+    std::uint32_t rank = 0, count = 0;
     Eigen::Vector3d point;
   };
   static constexpr std::int64_t kEmpty = -1;
