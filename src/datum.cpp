@@ -49,6 +49,19 @@ void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
   datum.circle = datum.refined.circle;
 }
 
+/// A missing station keeps its place on the fitted circle, and nothing else.
+void blankMissing(Datum& datum) {
+  for (Station& s : datum.stations) {
+    if (s.flag != StationFlag::Missing) continue;
+    Station blank;
+    blank.azimuth = s.azimuth;
+    blank.direction = s.direction;
+    blank.x = datum.circle.center.x() + datum.circle.radius * std::cos(s.direction);
+    blank.y = datum.circle.center.y() + datum.circle.radius * std::sin(s.direction);
+    s = blank;
+  }
+}
+
 /// What the stations' elevations mean, and whether there are any.
 Datum described(Datum datum, const DatumOptions& options) {
   const bool refined = options.method == Method::Refined;
@@ -62,6 +75,7 @@ Datum described(Datum datum, const DatumOptions& options) {
   if (datum.level.measured < 8) {
     return stopped(datum, Status::NoCrease, "the shell meets one and the same surface at fewer than 8 stations");
   }
+  blankMissing(datum);
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);
   datum.antipodal = antipodalOf(datum.stations);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;

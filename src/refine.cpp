@@ -208,6 +208,21 @@ std::string firstError(const RefineOptions& options) {
 
 Refined refineStations(std::vector<Station>& stations, const Ring& ring, const Tank& tank, const RefineOptions& options,
                        const StationOptions& station_options) {
+  constexpr int kFewest = 360;  // stations that follow the shell's lobes; fewer are picked from as many
+  if (station_options.count < kFewest) {
+    const int every = (kFewest + station_options.count - 1) / station_options.count;
+    StationOptions fine_options = station_options;
+    fine_options.count *= every;
+    std::vector<Station> fine = emptyStations(fine_options);
+    const Refined refined = refineStations(fine, ring, tank, options, fine_options);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const Station coarse = stations[i];
+      stations[i] = fine[i * static_cast<std::size_t>(every)];
+      stations[i].azimuth = coarse.azimuth;
+      stations[i].z_paper = coarse.z_paper;
+    }
+    return refined;
+  }
   constexpr int kPasses = 3;  // the section sharpens as the stations' elevations do; a third pass moves nothing
   Refined refined;
   refined.circle = tank.circle;

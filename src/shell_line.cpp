@@ -78,7 +78,7 @@ ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach)
     outline.radius.push_back(cell.size() < 5 ? ShellLine::kUnknown : halfSampleMode(cell));
     if (cell.size() >= 5) spreads.push_back(robustSigma(cell, outline.radius.back()));
   }
-  outline.noise = median(spreads);
+  outline.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
   dropStrays(outline.radius, outline.noise, kTwoPi * tank.circle.radius / static_cast<double>(cells));
   return outline;
 }

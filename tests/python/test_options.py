@@ -1,0 +1,215 @@
+"""Each option does what CONTRACT.md says of it, against a run without it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from results import RESULTS, Run, Stations, read_datum, read_pcd, read_points, read_stations
+from results import write_xyz as write
+
+Runner = Callable[..., Run]
+Synth = Callable[..., Path]
+
+HUNDREDTH_OF_A_MM = 1e-5
+
+
+@pytest.fixture(scope="module")
+def default(run: Runner, synth: Synth, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("default") / "out"
+    assert run(synth(), "-o", out).returncode == 0
+    return out
+
+
+def stations_of(run: Runner, scan: Path, out: Path, *options: object) -> Stations:
+    result = run(scan, "-o", out, *options)
+    assert result.returncode == 0, result.stderr
+    return read_stations(out)
+
+
+def assert_same_place(a: Stations, b: Stations, rows: Any, tolerance: float) -> None:
+    """Row i of a is row rows[i] of b."""
+    for name in "xyz":
+        assert np.abs(a[name] - b[name][rows]).max() < tolerance
+
+
+def test_stations(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    s = stations_of(run, synth(), tmp_path / "out", "--stations", 90)
+    assert len(s) == 90
+    assert s["azimuth_deg"] == pytest.approx(np.arange(90) * 4.0)
+    of_all = read_stations(default)
+    assert np.abs(s["z"] - of_all["z"][::4]).max() < 0.0008  # sectors four times as wide
+    assert np.abs(s["radius"] - of_all["radius"][::4]).max() < 0.004
+
+
+def test_zero_azimuth(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    """Azimuths count from there: station 0 is where station 30 was."""
+    s = stations_of(run, synth(), tmp_path / "out", "--zero-azimuth-deg", 30)
+    assert s["azimuth_deg"] == pytest.approx(np.arange(360.0), abs=1e-9)
+    rows = (np.arange(360) + 30) % 360
+    assert_same_place(s, read_stations(default), rows, HUNDREDTH_OF_A_MM)
+
+
+def test_clockwise(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    s = stations_of(run, synth(), tmp_path / "out", "--clockwise")
+    assert s["azimuth_deg"] == pytest.approx(np.arange(360.0), abs=1e-9)
+    rows = -np.arange(360) % 360
+    assert_same_place(s, read_stations(default), rows, HUNDREDTH_OF_A_MM)
+
+
+def test_method(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    """z of the paper's method is the z_paper that stands beside the refined one."""
+    s = stations_of(run, synth(), tmp_path / "out", "--method", "paper")
+    assert np.array_equal(s["z"], s["z_paper"])
+    refined = read_stations(default)
+    assert s["z_paper"] == pytest.approx(refined["z_paper"], abs=HUNDREDTH_OF_A_MM)
+    assert np.abs(refined["z"] - refined["z_paper"]).min() > 0.005
+
+
+@pytest.mark.parametrize(
+    "option",
+    ["--k=30", "--angle-deg=60", "--centre-tolerance=0.03", "--control-points=20"],
+)
+def test_option_of_the_papers_chain(
+    run: Runner, synth: Synth, tmp_path: Path, default: Path, option: str
+) -> None:
+    s = stations_of(run, synth(), tmp_path / "out", option)
+    assert not np.allclose(s["z_paper"], read_stations(default)["z_paper"], atol=1e-6)
+
+
+def test_search_points(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    """Fewer points for the edge search, the same for the refined z."""
+    s = stations_of(run, synth(), tmp_path / "out", "--search-points", 10_000)
+    few = read_points(tmp_path / "out" / "datum_points.pcd")
+    assert 0 < len(few) < len(read_points(default / "datum_points.pcd"))
+    assert_same_place(s, read_stations(default), np.arange(360), 0.001)
+
+
+def test_tank_given(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    """A circle of the user's, centimetres off, gives the datum of the search."""
+    s = stations_of(run, synth(), tmp_path / "out", "--tank", "0.02,-0.01,4.01")
+    assert read_datum(tmp_path / "out")["options"]["tank"] == [0.02, -0.01, 4.01]
+    assert_same_place(s, read_stations(default), np.arange(360), 0.001)
+
+
+def test_min_radius(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    result = run(synth(), "-o", tmp_path / "out", "--min-radius", 5)
+    assert result.returncode == 1
+    assert read_datum(tmp_path / "out")["status"] == "no_tank"
+
+
+@pytest.mark.parametrize(("units", "metres"), [("mm", 0.001), ("ft", 0.3048)])
+def test_units(
+    run: Runner, synth: Synth, tmp_path: Path, default: Path, units: str, metres: float
+) -> None:
+    """Results are in metres whatever the input is in."""
+    scan = write(tmp_path / "scan.pcd", read_points(synth()) / metres)
+    s = stations_of(run, scan, tmp_path / "out", "--units", units)
+    assert read_datum(tmp_path / "out")["input"]["units"] == units
+    assert_same_place(s, read_stations(default), np.arange(360), HUNDREDTH_OF_A_MM)
+
+
+def test_georeferenced(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    """8-byte coordinates far from the origin lose nothing: z to 0.01 mm."""
+    offset = (512034.25, 4012877.5, 113.375)
+    points = read_points(synth("--double"))
+    here = stations_of(run, write(tmp_path / "a.pcd", points), tmp_path / "a")
+    there = stations_of(run, write(tmp_path / "b.pcd", points + offset), tmp_path / "b")
+    for name, shift in zip("xyz", offset, strict=True):
+        assert np.abs(there[name] - shift - here[name]).max() < HUNDREDTH_OF_A_MM
+    assert there["sigma_z"] == pytest.approx(here["sigma_z"], rel=0.01)
+    for cloud in ("datum_points.pcd", "datum_curve.pcd"):
+        a, b = (read_points(tmp_path / n / cloud) for n in "ab")
+        assert np.abs(b - offset - a).max() < HUNDREDTH_OF_A_MM
+
+
+def test_georeferenced_by_the_scanner(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    """The same of a scene that lies there, as tank_datum_synth writes it."""
+    here = stations_of(run, synth("--double"), tmp_path / "a")
+    there = stations_of(run, synth("--double", "--offset", "1000,2000,50"), tmp_path / "b")
+    assert np.abs(there["z"] - 50.0 - here["z"]).max() < HUNDREDTH_OF_A_MM
+
+
+def test_several_scans_are_one(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    """A file per scanner station gives what one file of all of them gives."""
+    split = synth("--stations-split")
+    parts = sorted(split.parent.glob(f"{split.stem}_?.pcd"))
+    assert len(parts) == 4
+    merged = write(tmp_path / "merged.pcd", np.vstack([read_points(p) for p in parts]))
+    assert run(*parts, "-o", tmp_path / "parts").returncode == 0
+    assert run(merged, "-o", tmp_path / "merged").returncode == 0
+    for name in set(RESULTS) - {"datum.json"}:
+        assert (tmp_path / "parts" / name).read_bytes() == (tmp_path / "merged" / name).read_bytes()
+    a, b = read_datum(tmp_path / "parts"), read_datum(tmp_path / "merged")
+    assert [f["path"] for f in a["input"]["files"]] == [str(p) for p in parts]
+    assert sum(f["points"] for f in a["input"]["files"]) == b["input"]["files"][0]["points"]
+    assert {k: v for k, v in a.items() if k != "input"} == {
+        k: v for k, v in b.items() if k != "input"
+    }
+
+
+def test_default_folder(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    """<first scan's stem>.datum, in the folder where the command runs."""
+    scan = synth()
+    assert run(scan, cwd=tmp_path).returncode == 0
+    assert [p.name for p in tmp_path.iterdir()] == [f"{scan.stem}.datum"]
+
+
+def test_timings(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    path = tmp_path / "timings.json"
+    assert run(synth(), "-o", tmp_path / "out", "--timings", path).returncode == 0
+    timings = json.loads(path.read_text())
+    assert list(timings) == ["stages", "total", "peak_memory_bytes"]
+    assert len(timings["stages"]) >= 5
+    assert 0 < sum(timings["stages"].values()) <= timings["total"]
+    assert len(read_pcd(synth())["x"]) * 8 < timings["peak_memory_bytes"] < 2e9
+
+
+# ---- more than one tank ----
+
+
+@pytest.fixture(scope="module")
+def two_tanks(synth: Synth, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The tank whole, and another 20 m east and 1 m higher of which 200 degrees are seen."""
+    first = read_points(synth())
+    other = read_points(synth(radius=3, seed=2, tilt_slope=0))
+    azimuth = np.degrees(np.arctan2(other[:, 1], other[:, 0])) % 360.0
+    other = other[azimuth < 200.0] + (20.0, 0.0, 1.0)
+    return write(tmp_path_factory.mktemp("two") / "two.pcd", np.vstack([first, other]))
+
+
+def test_all(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
+    """A folder for each, the one most of which is seen first; a single one has no such folder."""
+    result = run(two_tanks, "-o", tmp_path, "--all")
+    assert result.returncode == 0, result.stderr
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["tank_1", "tank_2"]
+    circles = [read_datum(tmp_path / n)["tank"] for n in ("tank_1", "tank_2")]
+    assert [c["radius"] for c in circles] == pytest.approx([4.0, 3.0], abs=0.001)
+    assert [c["center"][0] for c in circles] == pytest.approx([0.0, 20.0], abs=0.001)
+    means = [read_datum(tmp_path / n)["datum"]["mean"] for n in ("tank_1", "tank_2")]
+    assert means == pytest.approx([0.0, 1.0], abs=0.006)
+    for folder in tmp_path.iterdir():
+        assert sorted(p.name for p in folder.iterdir()) == sorted(RESULTS)
+
+
+@pytest.mark.parametrize(("pick", "radius"), [(1, 4.0), (2, 3.0)])
+def test_pick(run: Runner, two_tanks: Path, tmp_path: Path, pick: int, radius: float) -> None:
+    assert run(two_tanks, "-o", tmp_path / "out", "--pick", pick).returncode == 0
+    assert read_datum(tmp_path / "out")["tank"]["radius"] == pytest.approx(radius, abs=0.001)
+
+
+def test_pick_beyond_the_last(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
+    result = run(two_tanks, "-o", tmp_path / "out", "--pick", 3)
+    assert result.returncode == 1
+    assert read_datum(tmp_path / "out")["status"] == "no_tank"
+
+
+def test_all_of_one_tank(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    assert run(synth(), "-o", tmp_path / "out", "--all").returncode == 0
+    for name in RESULTS:
+        assert (tmp_path / "out" / name).read_bytes() == (default / name).read_bytes()
