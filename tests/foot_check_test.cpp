@@ -161,7 +161,7 @@ TEST(FindSteps, AcrossAGapTheArcIsThatOfTheGap) {
   for (std::size_t i = 0; i < 360; ++i) fits[i].z += 0.4 * std::cos(kTurn * static_cast<double>(i) / 360);
   for (std::size_t i = 85; i < 95; ++i) fits[i] = {};  // 70 mm in 5 m
   EXPECT_TRUE(droppedOf(fits).empty());
-  raise(fits, 95, 20, 0.120);
+  raise(fits, 95, 20, -0.120);
   EXPECT_EQ(droppedOf(fits).size(), 20U);
 }
 

@@ -133,7 +133,7 @@ TEST(LocateTanks, ARingwallIsNotTheShell) {
   EXPECT_NEAR(fine.tanks[0].circle.radius, 10.0, 0.03);
 }
 
-TEST(LocateTanks, AHighRingwallIsNotTheShell) {  // foot found at the ringwall's, 0.6 and 0.8 m too low
+TEST(LocateTanks, AHighRingwallIsNotTheShell) {
   expectThe20mTank(locate(onRingwall(0.6, 0.35)));
   expectThe20mTank(locate(onRingwall(0.8, 0.35)));
 }

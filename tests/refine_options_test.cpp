@@ -43,7 +43,7 @@ TEST(RefineOptions, BorrowUntilSigmaIsAsWanted) {
   EXPECT_LT(supportOf(run(tank20(), padPoints(), options)), 0.7 * supportOf(patient));
 }
 
-TEST(RefineOptions, WideWindowsKnowTheirSigma) {  // third differences take settlement for error: 3 times rms
+TEST(RefineOptions, WideWindowsKnowTheirSigma) {
   RefineOptions options;
   options.wanted_sigma = 0.00005;
   const Scanned patient = run(tank20(), padPoints(), options);

@@ -121,7 +121,7 @@ TEST(RefineStations, FewerStationsAreAsTrue) {
   EXPECT_LT(scanned.rms, 0.0005);
 }
 
-TEST(RefineStations, SoAreVeryFew) {  // none measured for 72 and fewer: windows begin wider than the widest
+TEST(RefineStations, SoAreVeryFew) {
   StationOptions options;
   for (const int count : {8, 36, 72}) {
     options.count = count;

@@ -70,7 +70,7 @@ TEST(FitShellLine, OfAnExactCylinderIsItsRadius) {
   EXPECT_NEAR(static_cast<double>(line.points), 40'000 * 0.9 / 180, 60);
 }
 
-TEST(FitShellLine, OfPointsWithoutNoiseIsSeenToo) {  // none is within 6 times a noise of zero
+TEST(FitShellLine, OfPointsWithoutNoiseIsSeenToo) {
   Shell shell;
   shell.noise = 0.0;
   EXPECT_TRUE(lineAt(shell.points(), 1.0).seen());
