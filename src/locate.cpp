@@ -54,7 +54,9 @@ struct Sector {
 };
 
 std::vector<Sector> sectorsOf(const Sample& sample, const Circle& circle, double band) {
-  const double reach = std::max(0.1 * circle.radius, 6.0 * sample.voxel);
+  constexpr double kWithinRingwall = 0.1;  // on top of the narrowest ringwall or plate beside the shell [m]
+  const double reach = std::max(0.1 * circle.radius, 6.0 * sample.voxel),
+               clear = std::min(0.5 * reach, kWithinRingwall);
   const double count = std::clamp(std::floor(kTwoPi * circle.radius / (3.0 * sample.voxel)), 24.0, 180.0);
   std::vector<Sector> sectors(static_cast<std::size_t>(count));
   for (const auto& p : sample.points) {
@@ -64,7 +66,7 @@ std::vector<Sector> sectorsOf(const Sample& sample, const Circle& circle, double
     const double turn = std::atan2(arm.y(), arm.x()) / kTwoPi;
     auto& sector = sectors[static_cast<std::size_t>((turn - std::floor(turn)) * count) % sectors.size()];
     if (std::abs(off) <= band) sector.shell.push_back(p.z());
-    if (std::abs(off) > band + 0.5 * reach) (off > 0 ? sector.outside : sector.inside).push_back(p.z());
+    if (std::abs(off) > band + clear) (off > 0 ? sector.outside : sector.inside).push_back(p.z());
   }
   return sectors;
 }

@@ -230,6 +230,7 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   double shell_from = 0;
   const auto shell = fitShell(stations, polar, tank, ring.reach, shell_from);
   const double side = tank.side == Side::Outside ? 1.0 : -1.0, noise = noiseOf(shell);
+  if (!(noise > 0.0)) return refined;  // no shell line anywhere
   const FootRing foot_ring(polar, modelShell(shell, station_options), side, ring.reach);
   Foot foot{foot_ring, options, ring.reach, kPi / station_options.count, tank.circle.radius, {}, {}, {}, {}};
   for (const Station& s : stations) foot.directions.push_back(s.direction);

@@ -1,8 +1,10 @@
 #include "tank_datum/report.h"
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
 #include "tank_datum/error.h"
@@ -27,7 +29,7 @@ void writeText(const std::string& path, const std::string& content) {
   out << content;
   out.close();
   if (!out)
-    throw Error(Error::Kind::File, "report", path, "not written", "a writable folder with room for the results");
+    throw Error(Error::Kind::File, "report", path, std::strerror(errno), "a writable folder with room for the results");
 }
 
 void writeCloud(const std::string& path, const Points& points, const Eigen::Vector3d& origin) {

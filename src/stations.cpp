@@ -60,6 +60,7 @@ void bridgeGaps(std::vector<Station>& stations, const Eigen::Vector2d& center, d
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d heights = Eigen::Vector3d::Zero(), radii = Eigen::Vector3d::Zero();
     double nearest[2] = {0.0, 0.0};  // arcs to the nearest measured station on either side [m]
+    double beside_radius = 0.0;      // the same of their radii [m]
     double beside = 0.0;             // mean of their standard errors, which share more than noise [m]
     for (const int way : {-1, 1}) {
       std::size_t used = 0;
@@ -70,6 +71,7 @@ void bridgeGaps(std::vector<Station>& stations, const Eigen::Vector2d& center, d
         if (used++ == 0) {
           nearest[way > 0] = std::abs(t);
           beside += 0.5 * other.sigma_z;
+          beside_radius += 0.5 * other.sigma_radius;
         }
         const Eigen::Vector3d row(1.0, t, t * t);
         const double weight = 1.0 / (other.sigma_z * other.sigma_z);
@@ -82,6 +84,7 @@ void bridgeGaps(std::vector<Station>& stations, const Eigen::Vector2d& center, d
     s.z = inverse.row(0).dot(heights);
     s.sigma_z = std::hypot(std::max(beside, std::sqrt(inverse(0, 0))), 0.5 * sigma_bend * nearest[0] * nearest[1]);
     s.radius = inverse.row(0).dot(radii);
+    s.sigma_radius = beside_radius;
     s.x = center.x() + s.radius * std::cos(s.direction);
     s.y = center.y() + s.radius * std::sin(s.direction);
   }
