@@ -62,11 +62,20 @@ void blankMissing(Datum& datum) {
   }
 }
 
+/// Whether a circle has left the tank's by more than the ring in which the points were looked for.
+bool isElsewhere(const Circle& circle, const Tank& tank, double reach) {
+  return (circle.center - tank.circle.center).norm() + std::abs(circle.radius - tank.circle.radius) >
+         reach + 2.0 * tank.resolution;
+}
+
 /// What the stations' elevations mean, and whether there are any.
 Datum described(Datum datum, const DatumOptions& options) {
   const bool refined = options.method == Method::Refined;
   if (!refined && !datum.curve.valid()) {
     return stopped(datum, Status::FitFailed, "too few edge points for a closed curve");
+  }
+  if (!refined && isElsewhere(datum.circle, datum.tank, options.crop.reach)) {
+    return stopped(datum, Status::NoCrease, "the edge points do not lie along the foot of the shell");
   }
   if (refined && !datum.refined.valid()) {
     return stopped(datum, Status::NoCrease, "no foundation surface meets the shell along enough of its foot");

@@ -56,7 +56,7 @@ struct Sector {
 std::vector<Sector> sectorsOf(const Sample& sample, const Circle& circle, double band) {
   constexpr double kWithinRingwall = 0.1;  // on top of the narrowest ringwall or plate beside the shell [m]
   const double reach = std::max(0.1 * circle.radius, 6.0 * sample.voxel),
-               clear = std::min(0.5 * reach, kWithinRingwall);
+               clear = std::min(0.5 * reach, std::max(kWithinRingwall, 3.0 * sample.voxel));
   const double count = std::clamp(std::floor(kTwoPi * circle.radius / (3.0 * sample.voxel)), 24.0, 180.0);
   std::vector<Sector> sectors(static_cast<std::size_t>(count));
   for (const auto& p : sample.points) {
