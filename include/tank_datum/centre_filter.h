@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "tank_datum/circle.h"
+#include "tank_datum/export.h"
 #include "tank_datum/scan.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 struct CentreFilterOptions {
   /// The paper's distance threshold: how far from the circle an edge point may lie [m]; 0 takes 0.1 m (out-of-roundness

@@ -4,7 +4,9 @@
 #include <limits>
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// A horizontal circle [m]; NaN until fitted.
 struct Circle {

@@ -2,10 +2,11 @@
 
 #include <string>
 
+#include "tank_datum/export.h"
 #include "tank_datum/locate.h"
 #include "tank_datum/scan.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 struct CropOptions {
   double reach = 0.5;  ///< half-width of the ring in radius and height [m]; at most half of the radius

@@ -8,6 +8,7 @@
 #include "tank_datum/centre_filter.h"
 #include "tank_datum/crop.h"
 #include "tank_datum/deformation.h"
+#include "tank_datum/export.h"
 #include "tank_datum/locate.h"
 #include "tank_datum/normals.h"
 #include "tank_datum/refine.h"
@@ -16,7 +17,7 @@
 #include "tank_datum/spline.h"
 #include "tank_datum/stations.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// What a station's z is.
 enum class Method {

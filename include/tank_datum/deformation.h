@@ -4,9 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/stations.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// Level of the datum over the stations whose z is known; NaN until computed.
 struct Level {

@@ -3,7 +3,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// The one exception of the library. It is thrown when the caller is at fault (a refused option) or the outside
 /// world is (a file); what the data say is a status in the result, never an exception.

@@ -2,10 +2,11 @@
 
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/foot_fit.h"
 #include "tank_datum/foot_profile.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// Whether what a station's fit lies on is the surface that meets the shell elsewhere, and not soil, gravel or a thing
 /// standing there: it has the slope and the smoothness that it has all round, and the section goes on beyond it as it

@@ -4,12 +4,13 @@
 #include <limits>
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/foot_profile.h"
 #include "tank_datum/harmonics.h"
 #include "tank_datum/polar_ring.h"
 #include "tank_datum/shell_line.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// What is known of the foundation surface before a station's own points are looked at.
 struct FootPrior {

@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// A point near the shell foot: arc t from its station, distance d from the shell towards the scanner's side, elevation
 /// z [m].

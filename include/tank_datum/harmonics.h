@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// A periodic function a0 + sum over n of a_n cos(n t) + b_n sin(n t); empty until fitted.
 struct PeriodicFit {

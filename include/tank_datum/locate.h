@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "tank_datum/circle.h"
+#include "tank_datum/export.h"
 #include "tank_datum/harmonics.h"
 #include "tank_datum/scan.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// From which side of the shell the foundation was seen.
 enum class Side { Outside, Inside };

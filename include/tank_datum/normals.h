@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/scan.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 enum class SearchEngine {
   Flann,  ///< pcl::KdTreeFLANN, the reference

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 class InputFile;
 

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// One column of a PCD file.
 struct PcdField {

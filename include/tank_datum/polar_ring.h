@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "tank_datum/crop.h"
+#include "tank_datum/export.h"
 #include "tank_datum/locate.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// A ring point seen from the tank's axis.
 struct PolarPoint {

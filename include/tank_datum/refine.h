@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "tank_datum/crop.h"
+#include "tank_datum/export.h"
 #include "tank_datum/foot_profile.h"
 #include "tank_datum/locate.h"
 #include "tank_datum/shell_line.h"
 #include "tank_datum/stations.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 struct RefineOptions {
   double largest_weld = 0.013;   ///< leg of the fillet weld in the corner that is kept out of the fits [m]

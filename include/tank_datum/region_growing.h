@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/normals.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 struct GrowingOptions {
   double angle = 0.7853981633974483;  ///< theta: normals further apart than this mark a crease [rad], 45 degrees

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "tank_datum/datum.h"
+#include "tank_datum/export.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// A scan file as the results name it.
 struct InputRecord {

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// Points relative to Scan::origin() [m].
 using Points = std::vector<Eigen::Vector3d>;

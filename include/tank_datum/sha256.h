@@ -2,7 +2,9 @@
 
 #include <string>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// SHA-256 of a file's bytes as 64 lower-case hexadecimal digits (FIPS 180-4), read in blocks.
 /// @throws Error (File) when the file cannot be read

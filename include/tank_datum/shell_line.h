@@ -4,9 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/polar_ring.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// The shell's surface near its foot at one azimuth: radius = radius + turn_slope * t + lean * h, with the arc t from
 /// the azimuth [m] and the height h above the foot [m].

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 struct SplineOptions {
   int control_points = 0;  ///< 0 lets the data choose (Schwarz's criterion); else at least 4

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "tank_datum/centre_filter.h"
+#include "tank_datum/export.h"
 #include "tank_datum/spline.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 struct StationOptions {
   int count = 360;                              ///< stations round the tank, at least 8

@@ -2,7 +2,9 @@
 
 #include <vector>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// The middle value (mean of the two middle ones for an even count); NaN for no values.
 double median(std::vector<double> values);

@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/scan.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// A thinned copy of a scan in bounded memory: one point per voxel, and voxels grown by doubling until they fit the
 /// bound.

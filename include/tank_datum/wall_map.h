@@ -3,9 +3,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "tank_datum/export.h"
 #include "tank_datum/scan.h"
 
-namespace tank_datum {
+namespace TANK_DATUM_API tank_datum {
 
 /// A vertical column of a scan that is filled over a stretch of height: a piece of wall seen from above.
 struct WallCell {

@@ -1,0 +1,32 @@
+# The target tank_datum::pcl: PCL's components by name, for the build and for the installed package alike.
+# find_package(PCL) drags in VTK, Qt and MPI, and so does pcl_io. Sets TANK_DATUM_PCL_VERSION, and
+# TANK_DATUM_PCL_MISSING to what was not found.
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+  pkg_check_modules(TANK_DATUM_PC_PCL QUIET pcl_common)
+endif()
+set(TANK_DATUM_PCL_MISSING)
+find_path(TANK_DATUM_PCL_INCLUDE_DIR pcl/pcl_config.h
+          HINTS ${TANK_DATUM_PC_PCL_INCLUDE_DIRS} PATH_SUFFIXES pcl-1.15 pcl-1.14 pcl-1.13 pcl-1.12)
+if(NOT TANK_DATUM_PCL_INCLUDE_DIR)
+  list(APPEND TANK_DATUM_PCL_MISSING pcl/pcl_config.h)
+endif()
+set(tank_datum_pcl_libraries)
+foreach(component filters search kdtree common)
+  find_library(TANK_DATUM_PCL_${component}_LIBRARY pcl_${component})
+  if(TANK_DATUM_PCL_${component}_LIBRARY)
+    list(APPEND tank_datum_pcl_libraries ${TANK_DATUM_PCL_${component}_LIBRARY})
+  else()
+    list(APPEND TANK_DATUM_PCL_MISSING pcl_${component})
+  endif()
+endforeach()
+if(NOT TANK_DATUM_PCL_MISSING)
+  file(STRINGS ${TANK_DATUM_PCL_INCLUDE_DIR}/pcl/pcl_config.h TANK_DATUM_PCL_VERSION
+       REGEX "define PCL_VERSION_PRETTY \"[0-9.]+\"")
+  string(REGEX MATCH "[0-9]+[.][0-9]+[.][0-9]+" TANK_DATUM_PCL_VERSION "${TANK_DATUM_PCL_VERSION}")
+  if(NOT TARGET tank_datum::pcl)
+    add_library(tank_datum::pcl INTERFACE IMPORTED)
+    target_include_directories(tank_datum::pcl SYSTEM INTERFACE ${TANK_DATUM_PCL_INCLUDE_DIR})
+    target_link_libraries(tank_datum::pcl INTERFACE ${tank_datum_pcl_libraries})
+  endif()
+endif()
