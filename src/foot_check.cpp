@@ -19,6 +19,12 @@ bool isStep(const FootFit& a, const FootFit& b, double arc) {
   return std::abs(a.z - b.z) > kSteepest * arc + 3.0 * std::hypot(a.sigma, b.sigma) + kLeast;
 }
 
+constexpr double kThirdDifference = 1.0 + 9.0 + 9.0 + 1.0;  // its variance over that of one value
+
+struct ThirdDifference {
+  double value, variance;
+};
+
 /// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
 std::vector<Run> runsBetweenSteps(const std::vector<FootFit>& fits, const std::vector<bool>& dropped, double step) {
   std::vector<std::size_t> seen, starts;
@@ -73,20 +79,33 @@ std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step) {
   return dropped;
 }
 
-double birgeRatio(const std::vector<FootFit>& fits, std::size_t apart) {
+double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {
   constexpr std::size_t kFewest = 20;
+  // four in five of normal deviates are within 1.2816: more is heard of the tails than in a median, less than in a mean
+  constexpr double kShare = 0.8, kWithin = 1.2816;
   const std::size_t count = fits.size();
-  std::vector<double> ratios;
+  std::vector<ThirdDifference> differences;
   for (std::size_t i = 0; i < count && 4 * apart < count; ++i) {
-    const FootFit* four[] = {&fits[i], &fits[(i + apart) % count], &fits[(i + 2 * apart) % count],
-                             &fits[(i + 3 * apart) % count]};
-    if (!std::all_of(std::begin(four), std::end(four), [](const FootFit* f) { return f->valid(); })) continue;
-    const double difference = four[3]->z - 3.0 * four[2]->z + 3.0 * four[1]->z - four[0]->z;
-    const double variance = four[3]->sigma * four[3]->sigma + 9.0 * four[2]->sigma * four[2]->sigma +
-                            9.0 * four[1]->sigma * four[1]->sigma + four[0]->sigma * four[0]->sigma;
-    ratios.push_back(difference / std::sqrt(variance));
+    const FootFit *a = &fits[i], *b = &fits[(i + apart) % count], *c = &fits[(i + 2 * apart) % count],
+                  *d = &fits[(i + 3 * apart) % count];
+    if (!a->valid() || !b->valid() || !c->valid() || !d->valid()) continue;
+    differences.push_back(
+        {d->z - 3.0 * c->z + 3.0 * b->z - a->z,
+         d->sigma * d->sigma + 9.0 * (c->sigma * c->sigma + b->sigma * b->sigma) + a->sigma * a->sigma});
   }
-  return ratios.size() < kFewest ? 1.0 : std::max(1.0, robustSigma(ratios, 0.0));
+  if (differences.size() < kFewest) return 0.0;
+  std::vector<double> ratios(differences.size());
+  const auto excess = [&](double common) {
+    std::transform(differences.begin(), differences.end(), ratios.begin(), [&](const ThirdDifference& d) {
+      return std::abs(d.value) / std::sqrt(d.variance + kThirdDifference * common * common);
+    });
+    return quantile(ratios, kShare) / kWithin - 1.0;
+  };
+  double low = 0.0, high = 0.0;
+  for (const ThirdDifference& d : differences) high = std::max(high, std::abs(d.value));
+  if (excess(low) <= 0.0) return 0.0;
+  for (int halving = 0; halving < 40; ++halving) (excess(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+  return high;
 }
 
 }  // namespace tank_datum

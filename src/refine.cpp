@@ -156,8 +156,8 @@ void widenSigmas(Foot& foot, const FootProfile& profile) {
   }
   if (widths.empty()) return;
   const auto apart = static_cast<std::size_t>(std::ceil(median(widths) / foot.half_step));
-  const double ratio = birgeRatio(withoutShape(foot), apart);
-  for (FootFit& fit : foot.fits) fit.sigma = std::hypot(ratio * fit.sigma, profile.misfit);
+  const double common = std::hypot(commonSigma(withoutShape(foot), apart), profile.misfit);
+  for (FootFit& fit : foot.fits) fit.sigma = std::hypot(fit.sigma, common);
 }
 
 void fillStations(std::vector<Station>& stations, const Foot& foot, const std::vector<ShellLine>& shell,
@@ -259,7 +259,7 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   }
   widenSigmas(foot, refined.profile);
   fillStations(stations, foot, shell, tank.circle.center);
-  const ShellCircle round = fitShellCircle(shell, foot.directions, shell_from, ring.reach, tank.circle);
+  const ShellCircle round = fitShellCircle(shell, foot.directions, shell_from, ring.reach, tank.circle, priorOf(tank));
   refined.circle = round.circle;
   refined.sigma_radius = round.sigma_radius;
   recentre(stations, tank.circle.center, refined.circle.center);

@@ -2,9 +2,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tank_datum/statistics.h"
+#include "units.h"
 
 namespace tank_datum {
 namespace {
@@ -21,8 +23,15 @@ constexpr double kLean = 0.01;
 
 }  // namespace
 
+CirclePrior priorOf(const Tank& tank) {
+  constexpr double kAlike = 10.0 * kPi / 180.0;  // a shell's lobes and the cells' errors are alike over ten degrees
+  if (tank.coverage < kPi) return {};
+  const double sigma = tank.rms / std::sqrt(tank.coverage / kAlike);
+  return {sigma, std::hypot(sigma, 0.5 * kLean * tank.height)};
+}
+
 ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths, double from,
-                           double to, const Circle& start) {
+                           double to, const Circle& start, const CirclePrior& prior) {
   std::vector<Row> rows;
   std::vector<double> radii, left;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -47,15 +56,18 @@ ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vecto
       normal += weights[i] * rows[i] * rows[i].transpose();
       rhs += weights[i] * radii[i] * rows[i];
     }
-    normal(3, 3) += sigma * sigma / (kLean * kLean);
-    normal(4, 4) += sigma * sigma / (kLean * kLean);
+    const std::array<double, 5> known{prior.sigma_radius, prior.sigma_center, prior.sigma_center, kLean, kLean};
+    for (int j = 0; j < 5; ++j) {
+      const double ratio = sigma / known[static_cast<std::size_t>(j)];
+      normal(j, j) += 2.0 * ratio * ratio;  // a line's two heights are one observation
+    }
     const Normal inverse = normal.inverse();
     solution = inverse * rhs;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       left[i] = radii[i] - rows[i].dot(solution);
       weights[i] = std::abs(left[i]) < kStray * sigma ? 1.0 : 0.0;
     }
-    result.sigma_radius = sigma * std::sqrt(2.0 * inverse(0, 0));  // a line's two heights are one observation
+    result.sigma_radius = sigma * std::sqrt(2.0 * inverse(0, 0));
   }
   result.circle = {start.center + solution.segment<2>(1), start.radius + solution[0]};
   return result;

@@ -191,33 +191,44 @@ std::vector<FootFit> noisyRing(double truth, double said) {
   return fits;
 }
 
-TEST(BirgeRatio, IsOneForHonestSigmas) {
-  EXPECT_LT(birgeRatio(noisyRing(0.0002, 0.0002), 1), 1.15);
-  EXPECT_LT(birgeRatio(noisyRing(0.0002, 0.0002), 3), 1.25);
+TEST(CommonSigma, IsNextToNothingForHonestSigmas) {
+  EXPECT_LT(commonSigma(noisyRing(0.0002, 0.0002), 1), 0.0001);
+  EXPECT_LT(commonSigma(noisyRing(0.0002, 0.0002), 3), 0.0001);
 }
 
-TEST(BirgeRatio, IsTwoForSigmasHalfAsLarge) {
-  EXPECT_NEAR(birgeRatio(noisyRing(0.0004, 0.0002), 1), 2.0, 0.25);
-  EXPECT_NEAR(birgeRatio(noisyRing(0.0004, 0.0002), 3), 2.0, 0.35);
+TEST(CommonSigma, IsWhatTheSigmasLeaveOut) {
+  EXPECT_NEAR(commonSigma(noisyRing(0.0005, 0.0003), 1), 0.0004, 0.00006);
+  EXPECT_NEAR(commonSigma(noisyRing(0.0005, 0.0003), 3), 0.0004, 0.00008);
 }
 
-TEST(BirgeRatio, IsNeverLessThanOne) { EXPECT_EQ(birgeRatio(noisyRing(0.0001, 0.0004), 1), 1.0); }
+TEST(CommonSigma, IsTheSameForSharpAndForBluntStations) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  auto fits = smoothRing();
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    fits[i].sigma = i < 180 ? 0.0001 : 0.0004;
+    fits[i].z += std::hypot(fits[i].sigma, 0.0003) * normal(random);
+  }
+  EXPECT_NEAR(commonSigma(fits, 1), 0.0003, 0.00006);
+}
 
-TEST(BirgeRatio, ComparesWindowsThatShareNoPoints) {
+TEST(CommonSigma, IsNothingForSigmasTooLarge) { EXPECT_EQ(commonSigma(noisyRing(0.0001, 0.0004), 1), 0.0); }
+
+TEST(CommonSigma, ComparesWindowsThatShareNoPoints) {
   auto fits = noisyRing(0.0, 0.0002);  // neighbours that share their points err alike
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
   for (std::size_t i = 0; i < 360; i += 5) raise(fits, i, 5, 0.0006 * normal(random));
-  EXPECT_GT(birgeRatio(fits, 5), 2.4);
-  EXPECT_LT(birgeRatio(fits, 1), birgeRatio(fits, 5));
+  EXPECT_NEAR(commonSigma(fits, 5), 0.00057, 0.0001);
+  EXPECT_LT(commonSigma(fits, 1), 0.5 * commonSigma(fits, 5));
 }
 
-TEST(BirgeRatio, IsOneWhereThereIsTooLittleToTell) {
+TEST(CommonSigma, IsNothingWhereThereIsTooLittleToTell) {
   auto fits = noisyRing(0.0008, 0.0002);
   for (std::size_t i = 22; i < 360; ++i) fits[i] = {};
-  EXPECT_EQ(birgeRatio(fits, 1), 1.0);
-  EXPECT_EQ(birgeRatio({}, 1), 1.0);
-  EXPECT_EQ(birgeRatio(noisyRing(0.0008, 0.0002), 90), 1.0);  // three windows round the tank
+  EXPECT_EQ(commonSigma(fits, 1), 0.0);
+  EXPECT_EQ(commonSigma({}, 1), 0.0);
+  EXPECT_EQ(commonSigma(noisyRing(0.0008, 0.0002), 90), 0.0);  // three windows round the tank
 }
 
 }  // namespace

@@ -22,10 +22,11 @@ bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, dou
 /// @return true for the stations to drop
 std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step);
 
-/// How much larger the errors are than the standard errors say, from the third differences of elevations a window apart
-/// (which a smooth datum leaves at zero): the surface's own roughness and what no station knows about (Birge ratio).
+/// The error that every station has on top of its standard error: the surface's own roughness and what no station knows
+/// about. From the third differences of elevations a window apart, which a smooth datum leaves at zero (the variance
+/// between laboratories of Mandel and Paule 1970, by a quantile instead of the mean square).
 /// @param apart  stations between windows that share no points
-/// @return at least 1; 1 when there are too few stations to tell
-double birgeRatio(const std::vector<FootFit>& fits, std::size_t apart);
+/// @return standard deviation [m]; 0 when the standard errors explain all, or there are too few stations to tell
+double commonSigma(const std::vector<FootFit>& fits, std::size_t apart);
 
 }  // namespace tank_datum
