@@ -25,6 +25,18 @@ struct ThirdDifference {
   double value, variance;
 };
 
+void addDifferences(const std::vector<FootFit>& fits, std::size_t lag, std::vector<ThirdDifference>& differences) {
+  const std::size_t count = fits.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const FootFit *a = &fits[i], *b = &fits[(i + lag) % count], *c = &fits[(i + 2 * lag) % count],
+                  *d = &fits[(i + 3 * lag) % count];
+    if (!a->valid() || !b->valid() || !c->valid() || !d->valid()) continue;
+    differences.push_back(
+        {d->z - 3.0 * c->z + 3.0 * b->z - a->z,
+         d->sigma * d->sigma + 9.0 * (c->sigma * c->sigma + b->sigma * b->sigma) + a->sigma * a->sigma});
+  }
+}
+
 /// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
 std::vector<Run> runsBetweenSteps(const std::vector<FootFit>& fits, const std::vector<bool>& dropped, double step) {
   std::vector<std::size_t> seen, starts;
@@ -83,16 +95,9 @@ double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {
   constexpr std::size_t kFewest = 20;
   // four in five of normal deviates are within 1.2816: more is heard of the tails than in a median, less than in a mean
   constexpr double kShare = 0.8, kWithin = 1.2816;
-  const std::size_t count = fits.size();
-  std::vector<ThirdDifference> differences;
-  for (std::size_t i = 0; i < count && 4 * apart < count; ++i) {
-    const FootFit *a = &fits[i], *b = &fits[(i + apart) % count], *c = &fits[(i + 2 * apart) % count],
-                  *d = &fits[(i + 3 * apart) % count];
-    if (!a->valid() || !b->valid() || !c->valid() || !d->valid()) continue;
-    differences.push_back(
-        {d->z - 3.0 * c->z + 3.0 * b->z - a->z,
-         d->sigma * d->sigma + 9.0 * (c->sigma * c->sigma + b->sigma * b->sigma) + a->sigma * a->sigma});
-  }
+  std::vector<ThirdDifference> differences;  // at three lags, for their number
+  for (std::size_t lag = apart; lag <= 3 * apart && 4 * lag < fits.size(); lag += apart)
+    addDifferences(fits, lag, differences);
   if (differences.size() < kFewest) return 0.0;
   std::vector<double> ratios(differences.size());
   const auto excess = [&](double common) {

@@ -29,6 +29,32 @@ std::vector<FootPoint> FootRing::around(double azimuth, double half_width, doubl
   return points;
 }
 
+namespace {
+
+/// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
+/// both err together, and a row of the scan close to an end of the band is cut on that side alone.
+/// @param d,z  of the points used, z without the fit [m]
+double selectionError(const std::vector<double>& d, const std::vector<double>& z, const std::vector<double>& weights,
+                      double from, double to) {
+  double sum = 0, mean_d = 0, mean_z = 0, squares = 0, products = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    sum += weights[i];
+    mean_d += weights[i] * d[i];
+    mean_z += weights[i] * z[i];
+  }
+  mean_d /= sum;
+  mean_z /= sum;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    squares += weights[i] * (d[i] - mean_d) * (d[i] - mean_d);
+    products += weights[i] * (d[i] - mean_d) * (z[i] - mean_z);
+  }
+  if (!(squares > 0.0)) return 0.0;
+  const double spread = std::sqrt(squares / sum), to_end = std::min(mean_d - from, to - mean_d) / spread;
+  return std::abs(products / squares) * spread * std::exp(-0.5 * to_end * to_end);
+}
+
+}  // namespace
+
 FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
                 const FootPrior& prior) {
   constexpr double kSteepestSettlement = 0.01;  // of the datum along the shell [m/m]
@@ -80,7 +106,10 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
   }
   fit.z = solution[0];
   fit.slope = solution[1];
-  fit.sigma = noise * std::sqrt(inverse(0, 0));
+  std::vector<double> d;
+  for (const auto& row : rows) d.push_back(row[1]);
+  fit.sigma =
+      std::hypot(noise * std::sqrt(inverse(0, 0)), selectionError(d, residuals, weights, profile.band_from, to));
   fit.sigma_slope = noise * std::sqrt(inverse(1, 1));
   fit.noise = noise;
   return fit;

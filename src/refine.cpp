@@ -7,6 +7,7 @@
 #include "circular_series.h"
 #include "foot_passes.h"
 #include "shell_circle.h"
+#include "shell_fits.h"
 #include "tank_datum/foot_check.h"
 #include "tank_datum/foot_fit.h"
 #include "tank_datum/harmonics.h"
@@ -19,39 +20,6 @@ namespace tank_datum {
 namespace {
 
 constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
-
-/// @param from  receives the height above the foot from where on points are surely shell [m]
-std::vector<ShellLine> fitShell(const std::vector<Station>& stations, const PolarRing& ring, const Tank& tank,
-                                double reach, double& from) {
-  constexpr std::size_t kPlenty = 40;                 // points for four unknowns
-  constexpr double kWidestShell = 5.0 * kPi / 180.0;  // half the arc that a sparse station may borrow points from
-  const ShellOutline outline = outlineShell(ring, tank, reach);
-  from = std::max(0.1 * reach, 4.0 * outline.noise);
-  const double step = kTwoPi / static_cast<double>(stations.size());
-  std::vector<ShellLine> lines(stations.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    const double azimuth = stations[i].direction;
-    for (double half = step; lines[i].points < kPlenty && half < kWidestShell; half *= 1.5) {
-      lines[i] = fitShellLine(ring, outline, azimuth, half, tank.foot(azimuth), from, reach);
-    }
-    if (!(lines[i].nearest <= 0.5 * step * tank.circle.radius)) lines[i] = {};  // only the neighbours' shell is seen
-  }
-  return lines;
-}
-
-ShellModel modelShell(std::vector<ShellLine> lines, const StationOptions& options) {
-  if (options.clockwise) std::reverse(lines.begin() + 1, lines.end());
-  return ShellModel(std::move(lines), options.zero_azimuth);
-}
-
-double noiseOf(const std::vector<ShellLine>& lines) {
-  std::vector<double> noises;
-  for (const ShellLine& line : lines) {
-    if (line.seen()) noises.push_back(line.noise);
-  }
-  return median(noises);
-}
 
 /// Each station's own points, and a first elevation from those just outside the weld.
 void lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
@@ -227,9 +195,9 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   Refined refined;
   refined.circle = tank.circle;
   const PolarRing polar(ring.points, tank.circle.center);
-  double shell_from = 0;
-  const auto shell = fitShell(stations, polar, tank, ring.reach, shell_from);
-  const double side = tank.side == Side::Outside ? 1.0 : -1.0, noise = noiseOf(shell);
+  const ShellFits fits = fitShell(stations, polar, tank, ring.reach);
+  const auto& shell = fits.lines;
+  const double side = tank.side == Side::Outside ? 1.0 : -1.0, noise = fits.noise();
   if (!(noise > 0.0)) return refined;  // no shell line anywhere
   const FootRing foot_ring(polar, modelShell(shell, station_options), side, ring.reach);
   Foot foot{foot_ring, options, ring.reach, kPi / station_options.count, tank.circle.radius, {}, {}, {}, {}};
@@ -259,7 +227,7 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   }
   widenSigmas(foot, refined.profile);
   fillStations(stations, foot, shell, tank.circle.center);
-  const ShellCircle round = fitShellCircle(shell, foot.directions, shell_from, ring.reach, tank.circle, priorOf(tank));
+  const ShellCircle round = fitShellCircle(fits.lines, foot.directions, fits.from, fits.to, tank.circle, priorOf(tank));
   refined.circle = round.circle;
   refined.sigma_radius = round.sigma_radius;
   recentre(stations, tank.circle.center, refined.circle.center);

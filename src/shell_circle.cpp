@@ -25,7 +25,7 @@ constexpr double kLean = 0.01;
 
 CirclePrior priorOf(const Tank& tank) {
   constexpr double kAlike = 10.0 * kPi / 180.0;  // a shell's lobes and the cells' errors are alike over ten degrees
-  if (tank.coverage < kPi) return {};
+  if (tank.coverage < kPi || !(tank.rms > 0.0)) return {};
   const double sigma = tank.rms / std::sqrt(tank.coverage / kAlike);
   return {sigma, std::hypot(sigma, 0.5 * kLean * tank.height)};
 }

@@ -125,7 +125,8 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, doubl
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (weights[i] <= 0.0) continue;
     ++line.points;
-    if (!(line.nearest <= std::abs(rows[i][1]))) line.nearest = std::abs(rows[i][1]);
+    double& nearest = rows[i][1] < 0 ? line.before : line.after;
+    if (!(nearest <= std::abs(rows[i][1]))) nearest = std::abs(rows[i][1]);
   }
   return line;
 }

@@ -208,5 +208,27 @@ TEST(FootRing, LeavesOutWhereTheShellIsUnknown) {
   EXPECT_TRUE(ring.add(1.0, 0.1, 3.0).ring().around(1.0, 0.1, 3.0, 0.5).empty());
 }
 
+/// One row of a grazing scan at a distance from the shell: range noise moves its points along the beam.
+std::vector<FootPoint> rowAt(double distance, double spread, double beam_slope) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 200; ++i) {
+    const double along = spread * normal(random);
+    points.push_back({0.5 * (uniform(random) - 0.5), distance + along, 2.0 + beam_slope * along});
+  }
+  return points;
+}
+
+TEST(FitFoot, ARowCutByTheBandIsWorthLessThanOneWithin) {
+  constexpr double kSpread = 0.006, kBeam = 0.08;
+  const FootPrior prior = priorOf(0.0, 0.003);
+  const FootFit cut = fitted(rowAt(0.017, kSpread, kBeam), prior), whole = fitted(rowAt(0.15, kSpread, kBeam), prior);
+  ASSERT_TRUE(cut.valid() && whole.valid());
+  EXPECT_GT(cut.z - 2.0, 0.0001);  // only what the noise moved outwards and up is in the band
+  EXPECT_LT(std::abs(cut.z - 2.0), 2.0 * cut.sigma);
+  EXPECT_GT(cut.sigma, 1.5 * whole.sigma);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -23,8 +23,10 @@ bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, dou
 std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step);
 
 /// The error that every station has on top of its standard error: the surface's own roughness and what no station knows
-/// about. From the third differences of elevations a window apart, which a smooth datum leaves at zero (the variance
-/// between laboratories of Mandel and Paule 1970, by a quantile instead of the mean square).
+/// about. From the third differences of elevations one, two and three windows apart, which a datum without its shape
+/// leaves at zero (the variance between laboratories of Mandel and Paule 1970, by a quantile instead of the mean
+/// square).
+/// @param fits   in order round the tank, the shape taken out of z
 /// @param apart  stations between windows that share no points
 /// @return standard deviation [m]; 0 when the standard errors explain all, or there are too few stations to tell
 double commonSigma(const std::vector<FootFit>& fits, std::size_t apart);

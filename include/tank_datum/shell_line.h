@@ -20,7 +20,8 @@ struct ShellLine {
   double lean = 0;                 ///< [m/m]
   double noise = kUnknown;         ///< standard deviation of the points about the line [m]
   std::size_t points = 0;          ///< behind it; 0 when the shell is not seen here
-  double nearest = kUnknown;       ///< arc to the nearest of them [m]
+  double before = kUnknown;        ///< arc to the nearest of them on the one side [m]
+  double after = kUnknown;         ///< and on the other
 
   bool seen() const { return points > 0; }
   double at(double t, double h) const { return radius + turn_slope * t + bend * t * t + lean * h; }
