@@ -115,7 +115,8 @@ std::string firstError(const DatumOptions& options) {
 
 const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
 
-Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
+Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer,
+                   const NormalStage& normal_stage) {
   const std::vector<Tank> tanks = findTanks(scan, options, observer);
   const auto picked = static_cast<std::size_t>(options.pick);
   if (tanks.empty()) return withoutTank(scan, options);
@@ -123,7 +124,7 @@ Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObs
     return stopped({}, Status::NoTank,
                    "only " + std::to_string(tanks.size()) + " found, no tank " + std::to_string(picked) + " to pick");
   }
-  return extractDatumOf(tanks[picked - 1], scan, options, observer);
+  return extractDatumOf(tanks[picked - 1], scan, options, observer, normal_stage);
 }
 
 std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
@@ -135,7 +136,8 @@ std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, 
   return datums;
 }
 
-Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
+Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options, const StageObserver& observer,
+                     const NormalStage& normal_stage) {
   requireValid(options);
   const auto begin = [&](const char* stage) {
     if (observer) observer(stage);
@@ -152,7 +154,8 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }
   begin("normals");
-  const Normals normals = estimateNormals(ring.search, options.normals, options.threads);
+  const Normals normals = normal_stage ? normal_stage(ring.search, options.normals, options.threads)
+                                       : estimateNormals(ring.search, options.normals, options.threads);
   begin("region_growing");
   const auto candidates = growCandidates(normals, options.growing, options.threads);
   begin("centre_filter");

@@ -74,4 +74,18 @@ Normals estimateNormals(const Points& points, const NormalOptions& options, int 
   return result;
 }
 
+Normals fitNormals(const Points& points, std::vector<std::int32_t> neighbours, int k, int threads) {
+  Normals result;
+  result.k = k;
+  result.neighbours = std::move(neighbours);
+  result.normals.resize(points.size());
+  const auto count = static_cast<std::ptrdiff_t>(points.size());
+#pragma omp parallel for schedule(static) num_threads(threads > 0 ? threads : omp_get_max_threads())
+  for (std::ptrdiff_t row = 0; row < count; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    result.normals[i] = normalOf(points, i, &result.neighbours[i * static_cast<std::size_t>(k)], k);
+  }
+  return result;
+}
+
 }  // namespace tank_datum

@@ -40,18 +40,18 @@ class PcdSource : public Scan::Source {
 
 class ArraySource : public Scan::Source {
  public:
-  explicit ArraySource(Points points) : points_(std::move(points)) {}
+  ArraySource(std::uint64_t rows, Scan::Row row) : rows_(rows), row_(std::move(row)) {}
 
-  std::uint64_t size() const override { return points_.size(); }
+  std::uint64_t size() const override { return rows_; }
 
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     const Frame frame{1.0, origin};
     ScanCounts counts;
     Points block;
-    while (counts.points < points_.size()) {
-      const std::size_t end = std::min<std::size_t>(counts.points + kBlockRows, points_.size());
+    while (counts.points < rows_) {
+      const std::uint64_t end = std::min<std::uint64_t>(counts.points + kBlockRows, rows_);
       block.clear();
-      for (std::size_t i = counts.points; i < end; ++i) appendFinite(points_[i], frame, block);
+      for (std::uint64_t i = counts.points; i < end; ++i) appendFinite(row_(i), frame, block);
       counts.invalid += end - counts.points - block.size();
       counts.points = end;
       if (!block.empty() && !visit(block)) break;
@@ -60,7 +60,8 @@ class ArraySource : public Scan::Source {
   }
 
  private:
-  Points points_;
+  std::uint64_t rows_;
+  Scan::Row row_;
 };
 
 /// The first finite point in whole metres, however many others come before it; zero if there is none.
@@ -93,8 +94,13 @@ Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit) {
 }
 
 Scan Scan::fromPoints(const Points& points) {
+  const auto kept = std::make_shared<const Points>(points);
+  return fromRows(kept->size(), [kept](std::uint64_t i) { return (*kept)[i]; });
+}
+
+Scan Scan::fromRows(std::uint64_t rows, Row row) {
   Scan scan;
-  scan.sources_.push_back(std::make_shared<ArraySource>(points));
+  scan.sources_.push_back(std::make_shared<ArraySource>(rows, std::move(row)));
   scan.origin_ = findOrigin(scan.sources_);
   return scan;
 }

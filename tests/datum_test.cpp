@@ -115,6 +115,24 @@ TEST(ExtractDatum, TellsItsObserverEachStageInOrder) {
   EXPECT_TRUE(std::equal(first.begin(), first.end(), stages.begin()));
 }
 
+TEST(ExtractDatum, TakesItsNormalsFromTheStageGiven) {
+  DatumOptions options;
+  options.method = Method::Paper;
+  options.threads = 1;
+  std::size_t asked = 0;
+  const NormalStage upright = [&](const Points& points, const NormalOptions& normals, int threads) {
+    asked = points.size();
+    EXPECT_EQ(threads, 1);
+    Normals result = estimateNormals(points, normals, threads);
+    for (auto& n : result.normals) n = Eigen::Vector3f::UnitZ();  // no crease
+    return result;
+  };
+  const Datum datum = extractDatum(Scan::fromPoints(tankPoints()), options, {}, upright);
+  EXPECT_GT(asked, 10'000U);
+  EXPECT_EQ(datum.status, Status::FitFailed) << datum.message;
+  EXPECT_TRUE(datum.edge_points.empty());
+}
+
 TEST(ExtractDatum, OptionsReachTheirStages) {
   const Scan scan = Scan::fromPoints(tankPoints());
   const auto with = [&](const std::function<void(DatumOptions&)>& change) {

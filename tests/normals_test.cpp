@@ -179,5 +179,25 @@ TEST(NormalOptions, RefuseFewerThanThreeNeighboursByName) {
 
 TEST(NormalOptions, TheSearchEngineHasAName) { EXPECT_STREQ(nameOf(NormalOptions().search), "flann"); }
 
+TEST(FitNormals, OfTheSameNeighboursAreTheSame) {
+  const Points points = wavySurface(500, 0.001);
+  const Normals both = estimateNormals(points, withK(12));
+  for (const int threads : {1, 2}) {
+    const Normals fitted = fitNormals(points, both.neighbours, 12, threads);
+    EXPECT_EQ(fitted.k, 12);
+    EXPECT_EQ(fitted.neighbours, both.neighbours);
+    EXPECT_EQ(fitted.normals, both.normals);
+  }
+}
+
+TEST(FitNormals, GoByTheNeighboursGiven) {
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Normals fitted = fitNormals(points, {0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3}, 3);
+  const Eigen::Vector3d expected[] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT(angleBetween(fitted.normals[i].cast<double>(), expected[i]), 1e-6) << i;
+  }
+}
+
 }  // namespace
 }  // namespace tank_datum

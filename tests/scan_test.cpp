@@ -208,5 +208,18 @@ TEST(Scan, WrongUse) {
   }
 }
 
+TEST(Scan, FromRowsSeesTheHoldersPointsInEveryPass) {
+  Points held = {{1, 2, 3}, {NAN, 0, 0}, {4, 6, 9}};
+  const Scan scan = Scan::fromRows(held.size(), [&](std::uint64_t i) { return held[i]; });
+  EXPECT_EQ(scan.size(), 3U);
+  EXPECT_EQ(scan.origin(), Eigen::Vector3d(1, 2, 3));
+  Points seen;
+  const auto see = [&](const Points& block) { seen.insert(seen.end(), block.begin(), block.end()); };
+  EXPECT_EQ(scan.forEachBlock(see).invalid, 1U);
+  held[2].z() = 10;
+  scan.forEachBlock(see);
+  EXPECT_EQ(seen, (Points{{0, 0, 0}, {3, 4, 6}, {0, 0, 0}, {3, 4, 7}}));
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -79,16 +79,21 @@ struct Datum {
 /// Told the name of each stage as it begins.
 using StageObserver = std::function<void(const char* stage)>;
 
+/// The stage that gives the ring's points for the search their neighbours and normals.
+using NormalStage = std::function<Normals(const Points& points, const NormalOptions& options, int threads)>;
+
 /// The whole chain: locate, crop, normals, region growing, centre filter, spline, refine, deformation.
 /// Returns the picked tank's datum; what the data lack is said by its status.
+/// @param normal_stage  for a caller who has a search tree or normals already; empty: estimateNormals
 /// @throws Error  a refused option, a file that cannot be read
-Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
+Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {},
+                   const NormalStage& normal_stage = {});
 
 /// The datum of every tank in the scan, best first; one without a tank when there is none.
 std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
 
 /// The same for a tank already located in the scan.
 Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options,
-                     const StageObserver& observer = {});
+                     const StageObserver& observer = {}, const NormalStage& normal_stage = {});
 
 }  // namespace tank_datum

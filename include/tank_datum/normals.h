@@ -41,4 +41,9 @@ struct Normals {
 /// @param threads  0 means all cores
 Normals estimateNormals(const Points& points, const NormalOptions& options, int threads = 0);
 
+/// Step 2 alone, for neighbours found elsewhere.
+/// @param neighbours  points.size() rows of k point indices
+/// @param threads     0 means all cores
+Normals fitNormals(const Points& points, std::vector<std::int32_t> neighbours, int k, int threads = 0);
+
 }  // namespace tank_datum

@@ -29,6 +29,9 @@ class Scan {
   /// Receives the next block of finite points, relative to origin().
   using Visitor = std::function<void(const Points& block)>;
 
+  /// The i-th row of points somebody else holds, in their own frame [m].
+  using Row = std::function<Eigen::Vector3d(std::uint64_t i)>;
+
   /// Opens PCD files (ascii, binary, binary_compressed). Headers are read and checked here, data in forEachBlock.
   /// @param metres_per_unit  scale of the stored coordinates (0.001 for mm)
   /// @throws Error (File) naming the file, the value met and what was expected
@@ -36,6 +39,9 @@ class Scan {
 
   /// Points in memory, in their own frame [m]; not finite ones are dropped and counted like those of a file.
   static Scan fromPoints(const Points& points);
+
+  /// The same without a copy: points of any kind in memory, asked for row by row in every pass.
+  static Scan fromRows(std::uint64_t rows, Row row);
 
   /// Visits every finite point once, in file order. May be called again for another pass.
   /// @throws Error (File) when the data are shorter or other than the header says

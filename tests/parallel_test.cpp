@@ -1,0 +1,48 @@
+#include "tank_datum/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace tank_datum {
+namespace {
+
+TEST(ForEachIndex, DoesEachOnce) {
+  for (const int threads : {0, 1, 3}) {
+    std::vector<int> done(1000, 0);
+    forEachIndex(done.size(), threads, [&](std::size_t i) { ++done[i]; });
+    EXPECT_EQ(done, std::vector<int>(1000, 1));
+  }
+  forEachIndex(0, 0, [](std::size_t) { ADD_FAILURE(); });
+}
+
+TEST(ForEachIndex, UsesAsManyThreadsAsItIsTold) {
+  for (const int threads : {1, 3}) {
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    forEachIndex(300, threads, [&](std::size_t) {
+      const std::lock_guard lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    });
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(threads));
+  }
+}
+
+TEST(ForEachIndex, ThrowsWhatTheWorkThrowsAndStops) {
+  std::atomic<int> calls{0};
+  const auto work = [&](std::size_t i) {
+    ++calls;
+    if (i == 3) throw std::out_of_range("three");
+  };
+  EXPECT_THROW(forEachIndex(1000, 1, work), std::out_of_range);
+  EXPECT_EQ(calls, 4);
+  EXPECT_THROW(forEachIndex(1000, 2, work), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace tank_datum
