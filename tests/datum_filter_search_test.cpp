@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <pcl/register_point_struct.h>
 #include <pcl/search/kdtree.h>
+#include <pcl/search/octree.h>
 
 #include <atomic>
 #include <limits>
@@ -107,6 +108,21 @@ TEST_F(SearchedTank, WhoseRingIsThinnedHasTheSameEdgeThroughATreeOfAllPoints) {
   EXPECT_LT(thinned.size(), expected.size());
   filter.setSearchMethod(tree);
   EXPECT_EQ(run(filter), thinned);
+}
+
+TEST_F(SearchedTank, WithPointsThatAreNotFiniteHasTheSameEdgeThroughATree) {
+  for (std::size_t i = 0; i < cloud->size(); i += 3) (*cloud)[i].x = std::numeric_limits<float>::quiet_NaN();
+  cloud->is_dense = false;
+  filter.setSearchMethod(nullptr);
+  const pcl::Indices own = run(filter);
+  EXPECT_GT(own.size(), 500U);
+  filter.setSearchMethod(tree);
+  EXPECT_EQ(run(filter), own);
+}
+
+TEST_F(SearchedTank, AnySearchOfPclWillDo) {
+  filter.setSearchMethod(std::make_shared<pcl::search::Octree<pcl::PointXYZ>>(0.05));
+  EXPECT_EQ(run(filter), expected);
 }
 
 /// Finds at most five neighbours.

@@ -27,7 +27,7 @@ consumer_test(consumer_install "" COMMAND ${CMAKE_COMMAND} --install ${PROJECT_B
               --prefix ${consumer_prefix} --component library)
 set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP consumer_prefix)
 
-consumer_configure(consumer_configure build -DCMAKE_BUILD_TYPE=Release)
+consumer_configure(consumer_configure build -DCMAKE_BUILD_TYPE=Release -DWANTED_VERSION=${PROJECT_VERSION})
 set_tests_properties(consumer_configure PROPERTIES FIXTURES_SETUP consumer_configured)
 consumer_test(consumer_build consumer_configured COMMAND ${CMAKE_COMMAND} --build ${consumer_dir}/build)
 set_tests_properties(consumer_build PROPERTIES FIXTURES_SETUP consumer_built)
