@@ -148,7 +148,8 @@ TEST_F(SearchedTank, ASearchThatFindsTooFewNeighboursIsRefused) {
 /// The made tank with the normals of a plain cylinder, so that no crease shows in them.
 pcl::PointCloud<pcl::PointNormal>::Ptr creaselessTank() {
   const auto cloud = tankCloud<pcl::PointNormal>();
-  for (auto& p : *cloud) p.getNormalVector3fMap() = Eigen::Vector3f(p.x, p.y, 0.0F);  // of no unit length
+  for (auto& p : *cloud)
+    p.getNormalVector3fMap() = Eigen::Vector3f(0.01F * p.x, 0.01F * p.y, 0.0F);  // of no unit length
   return cloud;
 }
 

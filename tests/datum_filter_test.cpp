@@ -179,7 +179,9 @@ TEST(DatumFilter, KeepsAnOrganizedCloudsShapeWithTheUsersValue) {
     filter.setKeepOrganized(true);
     filter.setUserFilterValue(value);
     Cloud output;
+    testing::internal::CaptureStderr();
     filter.filter(output);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     ASSERT_EQ(output.size(), cloud->size());
     EXPECT_EQ(output.width, cloud->width);
     EXPECT_EQ(output.height, 4U);
