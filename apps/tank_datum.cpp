@@ -9,6 +9,7 @@
 #include "tank_datum/error.h"
 #include "tank_datum/report.h"
 #include "tank_datum/sha256.h"
+#include "terminal.h"
 
 namespace tank_datum {
 namespace {
@@ -36,6 +37,10 @@ std::string partOf(const std::vector<Datum>& datums, std::size_t i) {
   return datums.size() > 1 ? "tank_" + std::to_string(i + 1) : "";
 }
 
+std::string fileToOpen(const Command& command, const std::string& part) {
+  return command.output + "/" + (part.empty() ? "" : part + "/") + "datum.json";
+}
+
 int run(const Command& command) {
   ResultFolder folder(command.output);
   StageClock clock(!command.quiet);
@@ -54,7 +59,8 @@ int run(const Command& command) {
   bool usable = false;
   for (std::size_t i = 0; i < datums.size(); ++i) {
     if (!command.quiet)
-      std::cout << summary(datums[i]) << "results        " << command.output << "/" << partOf(datums, i) << "\n";
+      std::cout << summary(datums[i], showsBlocks()) << "results        " << fileToOpen(command, partOf(datums, i))
+                << "\n";
     usable = usable || datums[i].usable();
     if (!datums[i].usable()) {
       std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << datums[i].message << "\n";

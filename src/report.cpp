@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "sparkline.h"
 #include "tank_datum/error.h"
 #include "tank_datum/pcd_writer.h"
 #include "tank_datum/statistics.h"
@@ -43,6 +44,8 @@ void writeCloud(const std::string& path, const Points& points, const Eigen::Vect
   writer.append(rows);
   writer.commit();
 }
+
+constexpr std::size_t kSparklineColumns = 48;  ///< three bytes each, within the buffer of a line
 
 double medianSigma(const std::vector<Station>& stations) {
   std::vector<double> sigmas;
@@ -115,7 +118,7 @@ std::string stationsCsv(const Datum& datum) {
   return csv;
 }
 
-std::string summary(const Datum& datum) {
+std::string summary(const Datum& datum, bool blocks) {
   std::string result;
   const auto line = [&result](const char* format, auto... values) {
     char buffer[200];
@@ -135,6 +138,9 @@ std::string summary(const Datum& datum) {
   line("%-14s mean %.4f m, lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg", "datum", level.mean + z,
        level.min + z, toDegrees(level.min_azimuth), level.max + z, toDegrees(level.max_azimuth));
   line("%-14s %.1f mm", "range", 1e3 * level.range());
+  if (blocks) {
+    line("%-14s %s from station 0 round", "elevation", sparkline(datum.stations, kSparklineColumns).c_str());
+  }
   if (datum.refined.valid()) {
     line("%-14s shell and %s intersected, standard error %.2f mm (median)", "method",
          nameOf(datum.refined.profile.surface), 1e3 * medianSigma(datum.stations));

@@ -96,6 +96,17 @@ TEST(Summary, IsShortAndSaysWhatCounts) {
   EXPECT_NE(summary(paper).find("millimetres of bias"), std::string::npos);
 }
 
+TEST(Summary, DrawsTheElevationsWhereBlocksShow) {
+  EXPECT_EQ(summary(octagon()).find("elevation"), std::string::npos);
+  const std::string text = summary(octagon(), true);
+  EXPECT_NE(text.find("elevation      ▁▂▃▄▅▆ █ from station 0 round\n"), std::string::npos) << text;
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 13);
+  Datum many = octagon();
+  const auto eight = many.stations;
+  while (many.stations.size() < 360) many.stations.insert(many.stations.end(), eight.begin(), eight.end());
+  EXPECT_NE(summary(many, true).find(" from station 0 round\n"), std::string::npos);  // not cut by the line's buffer
+}
+
 TEST(Summary, OfNothingUsableSaysWhy) {
   Datum none;
   none.status = Status::NoTank;

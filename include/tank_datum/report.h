@@ -35,8 +35,9 @@ std::string stationsCsv(const Datum& datum);
 /// datum.json: two-space indented, unknown values null. Metres, degrees.
 std::string datumJson(const Datum& datum, const Provenance& provenance);
 
-/// The summary for a terminal: at most 15 lines.
-std::string summary(const Datum& datum);
+/// The summary for a terminal: at most 13 lines.
+/// @param blocks  whether to draw the elevations in UTF-8 block characters
+std::string summary(const Datum& datum, bool blocks = false);
 
 /// Writes datum.json, stations.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a folder.
 /// @throws Error (File) naming the path

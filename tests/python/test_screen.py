@@ -67,11 +67,39 @@ def test_summary(run: Runner, synth: Synth, tmp_path: Path) -> None:
     lines = result.stdout.splitlines()
     assert 5 <= len(lines) <= 15
     assert result.stderr == ""
-    assert lines[-1].split() == ["results", f"{out}/"]
+    assert lines[-1].split() == ["results", f"{out}/datum.json"]
     datum = read_datum(out)
     assert f"radius {datum['tank']['radius']:.3f} m" in result.stdout
     assert f"mean {datum['datum']['mean']:.4f} m" in result.stdout
     assert "360 measured, 0 interpolated, 0 missing" in result.stdout
+
+
+def stdout_on_terminal(locale: str, *args: object) -> str:
+    """What a run writes to standard output when that is a terminal."""
+    master, slave = pty.openpty()
+    command = [str(executable("tank_datum")), *map(str, args)]
+    environment = {**os.environ, "LC_ALL": locale}
+    with subprocess.Popen(command, stdout=slave, stderr=subprocess.DEVNULL, env=environment):
+        os.close(slave)
+        text = b""
+        try:
+            while part := os.read(master, 4096):
+                text += part
+        except OSError:  # the other end has closed
+            pass
+    os.close(master)
+    return text.decode()
+
+
+def test_sparkline_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
+    """A row of blocks on a terminal of a UTF-8 locale, and nowhere else; the rest is the same."""
+    args = (synth(), "-o", tmp_path / "out")
+    lines = stdout_on_terminal("C.UTF-8", *args).splitlines()
+    row = next(line for line in lines if line.startswith("elevation"))
+    assert {"▁", "█"} <= set(row)
+    assert len(lines) <= 15
+    plain = stdout_on_terminal("C", *args).splitlines()
+    assert plain == [line for line in lines if line != row]
 
 
 def test_quiet(run: Runner, synth: Synth, tmp_path: Path) -> None:
