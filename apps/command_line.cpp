@@ -9,13 +9,13 @@
 #include "exit_status.h"
 #include "tank_datum/error.h"
 #include "tank_datum/version.h"
+#include "units_of_scans.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-const std::map<std::string, double> kUnits = {{"m", 1.0}, {"mm", 0.001}, {"ft", 0.3048}};
 const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"paper", Method::Paper}};
 const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann}};
 

@@ -1,0 +1,117 @@
+#include <vtkObject.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "exit_status.h"
+#include "tank_datum/error.h"
+#include "tank_datum/version.h"
+#include "units_of_scans.h"
+#include "view/display.h"
+#include "view/window.h"
+
+namespace tank_datum::view {
+namespace {
+
+const std::map<std::string, Colour> kColours = {
+    {"height", Colour::Height}, {"radial", Colour::Radial}, {"distance", Colour::Distance}};
+
+/// What the command line asks for.
+struct ViewCommand {
+  std::string path, colour = "height", units = "m", screenshot, keys;
+  std::vector<std::string> scans;
+  int station = -1;
+  SceneOptions scene;
+};
+
+void addOptions(CLI::App& app, ViewCommand& command) {
+  app.add_option("path", command.path, "a folder of results of tank_datum, or a scan (PCD): its datum is found first")
+      ->required();
+  app.add_option("--scan", command.scans, "the scan(s) of the folder, when no longer where datum.json says");
+  app.add_option("--units", command.units, "units of a scan; a folder knows its own")->check(CLI::IsMember(kUnits));
+  app.add_option("--colour", command.colour, "what the cloud's colour says")->check(CLI::IsMember(kColours));
+  app.add_option("--range", command.scene.range,
+                 "where the colours end [m]; 0: of height 98 % of the points, radial 0.05, distance 1");
+  app.add_option("--exaggeration", command.scene.exaggeration, "of the datum's heights about their mean");
+  app.add_option("--points", command.scene.points, "the cloud is thinned to this many points");
+  app.add_option("--labels", command.scene.label_every, "label every N-th station; 0: none");
+  app.add_option("--station", command.station, "pick this station at the start");
+  app.add_option("--keys", command.keys, "keys pressed at the start, as in the window");
+  app.add_option("--screenshot", command.screenshot, "write this PNG and stop");
+  app.set_version_flag("--version", std::string("tank_datum_view ") + kVersion);
+  app.footer(std::string("Keys in the window:\n") + kKeys);
+}
+
+Error refused(const std::string& what, const std::string& value, const std::string& expected) {
+  return Error(Error::Kind::Option, "command line", what, value, expected);
+}
+
+void requireValid(const ViewCommand& command) {
+  if (const std::string error = firstError(command.scene); !error.empty()) {
+    const auto equals = error.find(" = "), must = error.find(" (must be ");
+    throw refused("--" + error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
+                  error.substr(must + 10, error.size() - must - 11));
+  }
+  if (!command.screenshot.empty() && std::filesystem::path(command.screenshot).extension() != ".png") {
+    throw refused("--screenshot", command.screenshot, "a file name that ends in .png");
+  }
+  if (command.station < -1) throw refused("--station", std::to_string(command.station), "a station's number");
+  if (!displayAnswers()) {
+    const char* name = std::getenv("DISPLAY");
+    throw Error(Error::Kind::Option, "view", "DISPLAY", name == nullptr ? "not set" : name,
+                "an X display that answers (without a screen: xvfb-run tank_datum_view ...)");
+  }
+}
+
+int run(const ViewCommand& command) {
+  requireValid(command);
+  const bool folder = std::filesystem::is_directory(command.path);
+  const ViewedResult result =
+      folder ? readResult(command.path, command.scans) : extractResult(command.path, kUnits.at(command.units));
+  if (!result.usable) {
+    std::cerr << "tank_datum_view: " << result.status << ": " << result.message << "\n";
+    return kNoDatum;
+  }
+  if (command.station >= static_cast<int>(result.stations.size())) {
+    throw refused("--station", std::to_string(command.station),
+                  "less than the " + std::to_string(result.stations.size()) + " stations");
+  }
+  const Points cloud = thinnedCloud(result, command.scene.points);
+  Window window(result, cloud, command.scene, command.screenshot.empty());
+  window.pick(command.station);
+  for (const char key : command.keys) {
+    if (!window.press(key)) throw refused("--keys", std::string(1, key), "keys that h lists");
+  }
+  if (command.screenshot.empty()) {
+    window.run();
+  } else {
+    window.screenshot(command.screenshot);
+  }
+  return kUsable;
+}
+
+}  // namespace
+}  // namespace tank_datum::view
+
+int main(int argc, char** argv) {
+  using namespace tank_datum;
+  vtkObject::GlobalWarningDisplayOff();  // reasons are one line, and ours
+  CLI::App app("A tank's scan and its datum, to look at.", "tank_datum_view");
+  app.option_defaults()->always_capture_default();
+  view::ViewCommand command;
+  view::addOptions(app, command);
+  try {
+    app.parse(argc, argv);
+    command.scene.colour = view::kColours.at(command.colour);
+    return view::run(command);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "tank_datum_view: command line: " << error.what() << ", expected what --help lists\n";
+    return kWrongUse;
+  } catch (const Error& error) {
+    std::cerr << "tank_datum_view: " << error.what() << "\n";
+    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
+  }
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <vector>
+
+#include "view/scene.h"
+
+/// The scene's pieces as VTK draws them.
+namespace tank_datum::view {
+
+using Rgb = std::array<double, 3>;
+
+/// Points coloured by their numbers, blue at the low end over grey to red; NaN in dark grey.
+vtkSmartPointer<vtkActor> cloudActor(const Points& points, const Colouring& colouring);
+
+/// Points of one colour.
+vtkSmartPointer<vtkActor> pointsActor(const Points& points, const Rgb& colour, float pixels);
+
+/// Lines through the pieces.
+vtkSmartPointer<vtkActor> curveActor(const std::vector<Points>& pieces, const Rgb& colour, float pixels);
+
+/// A translucent polygon.
+vtkSmartPointer<vtkActor> planeActor(const Points& polygon, const Rgb& colour);
+
+/// A text that faces the camera.
+vtkSmartPointer<vtkBillboardTextActor3D> labelActor(const Eigen::Vector3d& at, const std::string& text);
+
+}  // namespace tank_datum::view

@@ -1,0 +1,170 @@
+#include "view/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tank_datum/deformation.h"
+
+namespace tank_datum::view {
+namespace {
+
+constexpr double kTwoPi = 2.0 * 3.14159265358979323846;
+constexpr double kRadialRange = 0.05, kDistanceRange = 1.0;  // [m]
+constexpr int kPlaneCorners = 72;
+constexpr double kPlaneMargin = 1.05;  ///< of the tank's radius
+
+double exaggerated(double z, double mean, double exaggeration) { return mean + exaggeration * (z - mean); }
+
+double directionOf(const ViewedResult& result, double x, double y) {
+  const double angle = std::atan2(y - result.circle.center.y(), x - result.circle.center.x());
+  return angle < 0.0 ? angle + kTwoPi : angle;
+}
+
+/// The datum's elevation in any direction, straight between neighbouring known stations.
+class DatumLine {
+ public:
+  explicit DatumLine(const ViewedResult& result) : result_(result) {
+    const double spacing = kTwoPi / static_cast<double>(std::max<std::size_t>(1, result.stations.size()));
+    longest_ = 1.5 * spacing;
+    for (const Station& s : result.stations) {
+      if (std::isfinite(s.z)) knots_.emplace_back(directionOf(result, s.x, s.y), s.z);
+    }
+    std::sort(knots_.begin(), knots_.end());
+  }
+
+  /// NaN in a gap.
+  double at(double x, double y) const {
+    if (knots_.size() < 2) return Station::kUnknown;
+    const double angle = directionOf(result_, x, y);
+    const auto next = std::lower_bound(knots_.begin(), knots_.end(), std::make_pair(angle, -HUGE_VAL));
+    const auto& b = next == knots_.end() ? knots_.front() : *next;
+    const auto& a = next == knots_.begin() ? knots_.back() : *(next - 1);
+    const auto from = [](double to, double start) { return std::fmod(to - start + kTwoPi, kTwoPi); };
+    const double gap = from(b.first, a.first);
+    if (gap > longest_ || gap <= 0.0) return Station::kUnknown;
+    return a.second + (b.second - a.second) * from(angle, a.first) / gap;
+  }
+
+ private:
+  const ViewedResult& result_;
+  std::vector<std::pair<double, double>> knots_;  ///< direction [rad], elevation [m]
+  double longest_ = 0.0;
+};
+
+double share(std::vector<float> values, double part) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+Colouring heights(const Points& cloud, const ViewedResult& result, double range) {
+  Colouring colouring{"height above the datum's mean [m]", {}, -range, range};
+  const double mean = levelOf(result.stations).mean;
+  for (const auto& p : cloud) colouring.values.push_back(static_cast<float>(p.z() - mean));
+  if (range > 0.0 || cloud.empty()) return colouring;
+  colouring.low = share(colouring.values, 0.01);
+  colouring.high = share(colouring.values, 0.99);
+  return colouring;
+}
+
+}  // namespace
+
+std::string firstError(const SceneOptions& options) {
+  const auto refused = [](const char* field, double value, const char* must) {
+    char buffer[120];
+    std::snprintf(buffer, sizeof buffer, "%s = %g (must be %s)", field, value, must);
+    return std::string(buffer);
+  };
+  if (!(options.range >= 0.0 && std::isfinite(options.range))) return refused("range", options.range, ">= 0");
+  if (!(options.exaggeration >= 1.0 && std::isfinite(options.exaggeration))) {
+    return refused("exaggeration", options.exaggeration, ">= 1");
+  }
+  if (options.points < 1000) return refused("points", static_cast<double>(options.points), ">= 1000");
+  if (options.label_every < 0) return refused("labels", options.label_every, ">= 0");
+  return {};
+}
+
+Colouring colouringOf(const Points& cloud, const ViewedResult& result, Colour colour, double range) {
+  if (colour == Colour::Height) return heights(cloud, result, range);
+  const bool radial = colour == Colour::Radial;
+  const double end = range > 0.0 ? range : radial ? kRadialRange : kDistanceRange;
+  Colouring colouring{radial ? "distance from the shell's circle [m]" : "distance from the datum [m]", {}, 0.0, end};
+  if (radial) colouring.low = -end;
+  const DatumLine line(result);
+  for (const auto& p : cloud) {
+    const double residual = result.circle.residual(p.head<2>());
+    const double value = radial ? residual : std::hypot(residual, p.z() - line.at(p.x(), p.y()));
+    colouring.values.push_back(static_cast<float>(value));
+  }
+  return colouring;
+}
+
+std::vector<Points> curvePieces(const ViewedResult& result, double exaggeration) {
+  const auto& stations = result.stations;
+  const double mean = levelOf(stations).mean;
+  const auto known = [](const Station& s) { return std::isfinite(s.z); };
+  const auto gap = std::find_if_not(stations.begin(), stations.end(), known);
+  const auto start = static_cast<std::size_t>(gap == stations.end() ? 0 : gap - stations.begin());
+  std::vector<Points> pieces;
+  bool open = false;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const Station& s = stations[(start + i) % stations.size()];
+    if (known(s)) {
+      if (!open) pieces.emplace_back();
+      pieces.back().emplace_back(s.x, s.y, exaggerated(s.z, mean, exaggeration));
+    }
+    open = known(s);
+  }
+  if (gap == stations.end() && !pieces.empty()) pieces.front().push_back(pieces.front().front());
+  return pieces;
+}
+
+Points tiltPlane(const ViewedResult& result, double exaggeration) {
+  std::vector<Station> stations = result.stations;
+  const Tilt tilt = fitTilt(stations, result.circle.center, StationOptions());
+  if (!tilt.valid()) return {};
+  const double mean = levelOf(stations).mean;
+  Points polygon;
+  for (int i = 0; i < kPlaneCorners; ++i) {
+    const double angle = kTwoPi * i / kPlaneCorners;
+    const Eigen::Vector2d arm = kPlaneMargin * result.circle.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d p = result.circle.center + arm;
+    polygon.emplace_back(p.x(), p.y(), exaggerated(tilt.mean + tilt.gradient.dot(arm), mean, exaggeration));
+  }
+  return polygon;
+}
+
+Eigen::Vector3d markOf(const ViewedResult& result, std::size_t station, double exaggeration) {
+  const Station& s = result.stations.at(station);
+  return {s.x, s.y, exaggerated(s.z, levelOf(result.stations).mean, exaggeration)};
+}
+
+std::string describe(const ViewedResult& result, std::size_t station) {
+  const Station& s = result.stations.at(station);
+  const auto in = [](const char* format, auto... values) {
+    char buffer[160];
+    std::snprintf(buffer, sizeof buffer, format, values...);
+    return std::string(buffer);
+  };
+  std::string text = in("station %zu, azimuth %.4g deg", station, s.azimuth * 360.0 / kTwoPi);
+  if (!std::isfinite(s.z)) return text + "\nmissing";
+  text += in("\nz %.4f m +- %.2f mm", s.z + result.origin.z(), 1e3 * s.sigma_z);
+  text += in("\nx %.3f m, y %.3f m", s.x + result.origin.x(), s.y + result.origin.y());
+  text += in("\nradius %.4f m", s.radius);
+  if (std::isfinite(s.u)) text += in("\nout of plane %+.1f mm", 1e3 * s.u);
+  return text + (s.flag == StationFlag::Interpolated ? "\ninterpolated" : "\nmeasured");
+}
+
+int nearestMark(const std::vector<Eigen::Vector2d>& marks, const Eigen::Vector2d& click, double reach) {
+  int nearest = -1;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const double distance = (marks[i] - click).norm();
+    if (!(distance <= reach)) continue;  // also of a mark that is nowhere
+    nearest = static_cast<int>(i);
+    reach = distance;
+  }
+  return nearest;
+}
+
+}  // namespace tank_datum::view

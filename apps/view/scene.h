@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/viewed_result.h"
+
+namespace tank_datum::view {
+
+/// What the colour of a point says.
+enum class Colour {
+  Height,    ///< above the datum's mean
+  Radial,    ///< distance from the shell's circle, positive outside
+  Distance,  ///< distance from the datum line
+};
+
+/// What is drawn, and how.
+struct SceneOptions {
+  Colour colour = Colour::Height;
+  double range = 0.0;          ///< where the colours end [m]; 0: of height 98 % of the points, radial 0.05, distance 1
+  double exaggeration = 20.0;  ///< of the curve's and plane's heights about the datum's mean, at least 1
+  std::size_t points = 1'000'000;  ///< the most points of the cloud that are drawn, at least 1000
+  int label_every = 10;            ///< every N-th station has a label; 0: none
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const SceneOptions& options);
+
+/// A number for every point of the cloud, and the ends of the colour scale [m].
+struct Colouring {
+  std::string title;
+  std::vector<float> values;  ///< NaN where the datum is not known
+  double low = 0.0, high = 0.0;
+};
+
+/// The numbers behind a colour; of a usable result.
+Colouring colouringOf(const Points& cloud, const ViewedResult& result, Colour colour, double range);
+
+/// The pieces of the datum curve between missing stations, heights exaggerated about the datum's mean; a curve without
+/// missing stations is one closed piece whose last point is its first.
+std::vector<Points> curvePieces(const ViewedResult& result, double exaggeration);
+
+/// The fitted tilt plane as a polygon somewhat wider than the tank, heights exaggerated as the curve's; empty when the
+/// plane was not fitted.
+Points tiltPlane(const ViewedResult& result, double exaggeration);
+
+/// Where a station's mark stands beside the curve; NaN of a missing one.
+Eigen::Vector3d markOf(const ViewedResult& result, std::size_t station, double exaggeration);
+
+/// The values of a station, for people, in the scan's frame.
+std::string describe(const ViewedResult& result, std::size_t station);
+
+/// The index of the mark nearest to a click, both in pixels; -1 when none is within `reach`.
+int nearestMark(const std::vector<Eigen::Vector2d>& marks, const Eigen::Vector2d& click, double reach);
+
+}  // namespace tank_datum::view

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tank_datum/datum.h"
+
+namespace tank_datum::view {
+
+/// A datum to look at and the scan it comes from. Lengths in metres relative to `origin`.
+struct ViewedResult {
+  std::string status, message;  ///< as in datum.json
+  bool usable = false;          ///< whether there is a datum; if not, only the fields above are filled
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Circle circle;
+  std::vector<Station> stations;
+  Points edge_points;
+  std::vector<std::string> scans;
+  double metres_per_unit = 1.0;  ///< of the scans
+};
+
+/// A folder of results as tank_datum writes it.
+/// @param scans  where the scans are now; empty: where datum.json says, or beside the folder
+/// @throws Error (File) naming the file that is missing or is no result
+ViewedResult readResult(const std::string& folder, const std::vector<std::string>& scans);
+
+/// The datum of a scan, extracted with the default options.
+/// @throws Error (File)
+ViewedResult extractResult(const std::string& scan, double metres_per_unit);
+
+/// The cloud to draw, relative to the result's origin: the scans thinned by voxels to at most `budget` points.
+/// @throws Error (File)
+Points thinnedCloud(const ViewedResult& result, std::size_t budget);
+
+}  // namespace tank_datum::view

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vtkProp.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include "view/actors.h"
+
+namespace tank_datum::view {
+
+/// The keys, one per line.
+extern const char* const kKeys;
+
+/// A window on a result. Needs a display that answers.
+class Window {
+ public:
+  /// @param on_screen  false: drawn into memory, for a screenshot
+  Window(const ViewedResult& result, const Points& cloud, const SceneOptions& options, bool on_screen);
+
+  /// Shows it until the user closes it.
+  void run();
+
+  /// Writes what is seen as a PNG.
+  /// @throws Error (File)
+  void screenshot(const std::string& path);
+
+  /// Shows a station's values, as a click on it does; -1: none.
+  void pick(int station);
+
+  /// Does what a key does; false of a key that means nothing.
+  bool press(char key);
+
+  /// The station drawn nearest to a pixel, or -1.
+  int stationAt(int x, int y);
+
+ private:
+  void drawCloud();
+  void drawDatum();
+  void drawLabels();
+  void toggle(std::vector<vtkSmartPointer<vtkProp>>& props);
+  void replace(std::vector<vtkSmartPointer<vtkProp>>& props, std::vector<vtkSmartPointer<vtkProp>> by);
+  void look();
+
+  const ViewedResult& result_;
+  const Points& cloud_;
+  SceneOptions options_;
+  int picked_ = -1;
+  std::vector<vtkSmartPointer<vtkProp>> points_, edge_, curve_, plane_, labels_, mark_;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkRenderWindow> window_;
+  vtkSmartPointer<vtkTextActor> values_, help_, heading_;
+};
+
+}  // namespace tank_datum::view

@@ -1,0 +1,179 @@
+"""The viewer on a virtual display: what it draws, and what it says when it cannot."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import matplotlib.image
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from conftest import ROOT, executable
+from results import Run, write_xyz
+
+Pixels = NDArray[np.float64]
+SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
+RGB = {"curve": (0.2, 1.0, 0.5), "picked": (1.0, 0.2, 1.0), "edge": (1.0, 0.75, 0.1)}
+
+
+@pytest.fixture(scope="module")
+def display() -> Iterator[str]:
+    """A virtual X display."""
+    read, write = os.pipe()
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x900x24"]
+    with subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL) as server:
+        os.close(write)
+        with os.fdopen(read) as number:
+            name = number.readline().strip()
+        yield f":{name}"
+        server.terminate()
+
+
+@pytest.fixture(scope="module")
+def folder(run: Callable[..., Run], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Results of the sample."""
+    out = tmp_path_factory.mktemp("view") / "out"
+    assert run(SAMPLE, "-o", out).returncode == 0
+    return out
+
+
+def view(display: str | None, *args: object) -> Run:
+    environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+    if display is not None:
+        environment["DISPLAY"] = display
+    command = [str(executable("tank_datum_view")), *map(str, args)]
+    return subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120)
+
+
+@pytest.fixture(scope="module")
+def shot(
+    display: str, folder: Path, tmp_path_factory: pytest.TempPathFactory
+) -> Callable[..., Pixels]:
+    """shot(*options, path=folder): the pixels of a screenshot, rows x columns x RGB."""
+
+    png = tmp_path_factory.mktemp("shots") / "shot.png"
+
+    def call(*args: object, path: Path = folder) -> Pixels:
+        result = view(display, path, "--screenshot", png, *args)
+        assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+        pixels = np.asarray(matplotlib.image.imread(png), dtype=np.float64)[:, :, :3]
+        png.unlink()
+        return pixels
+
+    return call
+
+
+@pytest.fixture(scope="module")
+def plain(shot: Callable[..., Pixels]) -> Pixels:
+    """The picture without any option."""
+    return shot()
+
+
+def count(pixels: Pixels, name: str) -> int:
+    return int((np.abs(pixels - RGB[name]).max(axis=2) < 0.02).sum())
+
+
+def changed(a: Pixels, b: Pixels) -> int:
+    return int((np.abs(a - b).max(axis=2) > 0.02).sum())
+
+
+def test_everything_is_drawn(shot: Callable[..., Pixels], plain: Pixels) -> None:
+    pixels = shot("--station", 30)
+    assert pixels.shape == (800, 1280, 3)
+    assert len(np.unique(pixels.reshape(-1, 3), axis=0)) > 200
+    assert count(pixels, "curve") > 300
+    assert count(pixels, "picked") > 50
+    assert count(pixels, "edge") > 300
+    assert changed(pixels, plain) > 500  # the values and the mark
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "least"),
+    [
+        ("--colour", "radial", 5000),
+        ("--colour", "distance", 5000),
+        ("--range", 0.02, 5000),
+        ("--exaggeration", 100, 2000),
+        ("--points", 2000, 5000),
+        ("--labels", 0, 500),
+        ("--station", 200, 500),
+        ("--scan", "thin", 2000),
+        *(("--keys", key, 500) for key in "23+-cedtlh"),
+    ],
+)
+def test_options_and_keys_change_the_picture(
+    shot: Callable[..., Pixels],
+    plain: Pixels,
+    tmp_path: Path,
+    option: str,
+    value: object,
+    least: int,
+) -> None:
+    if value == "thin":
+        value = write_xyz(tmp_path / "thin.pcd", np.array([[5.0, 0, 0], [0, 5.0, 0.3]]))
+    assert changed(plain, shot(option, value)) > least
+
+
+def test_keys_undo(shot: Callable[..., Pixels], plain: Pixels) -> None:
+    """Twice is back; a layer hidden stays hidden when it is drawn anew."""
+    assert changed(plain, shot("--keys", "+-ccddttllhh231r")) == 0
+    assert count(shot("--keys", "d"), "curve") == 0
+    assert count(shot("--keys", "d+"), "curve") == 0
+
+
+def test_a_scan_is_seen_as_its_results_are(shot: Callable[..., Pixels], plain: Pixels) -> None:
+    assert changed(plain, shot(path=SAMPLE)) < 200
+
+
+def test_units_are_those_of_a_scan(display: str, tmp_path: Path) -> None:
+    png = tmp_path / "a.png"
+    result = view(display, SAMPLE, "--units", "mm", "--screenshot", png)  # a tank of 5 mm is none
+    assert result.returncode == 1
+    assert result.stderr.startswith("tank_datum_view: no_tank: ")
+    assert result.stderr.count("\n") == 1
+    assert not png.exists()
+
+
+@pytest.mark.parametrize("name", [None, ":987"])
+def test_without_a_display(folder: Path, tmp_path: Path, name: str | None) -> None:
+    result = view(name, folder, "--screenshot", tmp_path / "a.png")
+    assert result.returncode == 2
+    assert result.stderr.startswith("tank_datum_view: view: DISPLAY, ")
+    assert result.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("args", "status", "part"),
+    [
+        (["--colour", "taste"], 2, "--colour"),
+        (["--units", "cubit"], 2, "--units"),
+        (["--range", -1], 2, "--range, -1"),
+        (["--exaggeration", 0], 2, "--exaggeration, 0"),
+        (["--points", 10], 2, "--points, 10"),
+        (["--labels", -2], 2, "--labels, -2"),
+        (["--station", 360], 2, "--station, 360"),
+        (["--station", -5], 2, "--station, -5"),
+        (["--keys", "?"], 2, "--keys, ?"),
+        (["--scan", "/none.pcd"], 3, "/none.pcd"),
+        (["--screenshot", "a.jpg"], 2, "--screenshot, a.jpg"),
+        (["--screenshot", "/none/a.png"], 3, "/none/a.png"),
+    ],
+)
+def test_refused(
+    display: str, folder: Path, tmp_path: Path, args: list[object], status: int, part: str
+) -> None:
+    shot = [] if "--screenshot" in args else ["--screenshot", tmp_path / "a.png"]
+    result = view(display, folder, *args, *shot)
+    assert result.returncode == status
+    assert part in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_no_results(display: str, tmp_path: Path) -> None:
+    result = view(display, tmp_path)
+    assert result.returncode == 3
+    assert f"{tmp_path}/datum.json" in result.stderr
