@@ -1,0 +1,84 @@
+"""Pictures of a result for documents: the paper's figures 5 to 8 and a PDF report of 6 pages.
+
+Exit status: 0; 1 the result holds no usable datum (then only the cloud and the report's front page
+are written); 2 wrong use; 3 a file could not be read or written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+import plot_figures
+from plot_report import write_report
+from plot_result import PlotError, Result, read_cloud, read_result
+
+FORMATS = ("pdf", "svg", "png")
+METADATA = {"pdf": {"CreationDate": None}, "svg": {"Date": None}, "png": {}}
+
+
+def formats(text: str) -> list[str]:
+    chosen = text.split(",")
+    if not set(chosen) <= set(FORMATS):
+        raise argparse.ArgumentTypeError(f"{text}, expected some of {','.join(FORMATS)}")
+    return chosen
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="plot.py", description=__doc__)
+    parser.add_argument("folder", type=Path, help="results of tank_datum")
+    parser.add_argument("-o", "--output", type=Path, help="folder for the pictures (default: DIR)")
+    parser.add_argument(
+        "--formats", type=formats, default=list(FORMATS), help="some of pdf,svg,png"
+    )
+    parser.add_argument("--scan", type=Path, nargs="+", default=[], help="the scan when it moved")
+    return parser.parse_args()
+
+
+def say(text: str) -> None:
+    print(f"plot.py: {text}", file=sys.stderr)
+
+
+def figures_of(result: Result, folder: Path, scans: list[Path]) -> dict[str, plot_figures.Figure]:
+    """By file name; without the cloud, and a line why, when the scan cannot be read."""
+    pictures = {}
+    try:
+        cloud = read_cloud(result, folder, scans)
+        pictures["cloud"] = plot_figures.cloud(result, cloud)
+    except PlotError as error:
+        if scans:
+            raise
+        say(f"the cloud is left out: {error}")
+    if result.usable:
+        pictures["datum_points"] = plot_figures.datum_points(result)
+        pictures["residuals"] = plot_figures.residuals(result)
+        pictures["elevation"] = plot_figures.elevation(result)
+    return pictures
+
+
+def main() -> int:
+    args = arguments()
+    output = args.output or args.folder
+    try:
+        result = read_result(args.folder)
+        pictures = figures_of(result, args.folder, args.scan)
+        output.mkdir(parents=True, exist_ok=True)
+        for name, figure in pictures.items():
+            for kind in args.formats:
+                figure.savefig(output / f"{name}.{kind}", metadata=METADATA[kind])
+        write_report(output / "report.pdf", result, list(pictures.values()))
+    except PlotError as error:
+        say(str(error))
+        return 3
+    except OSError as error:
+        say(f"{error.filename}, {error.strerror}, expected a folder that can be written to")
+        return 3
+    if not result.usable:
+        say(f"{result.datum['status']}: {result.datum['message']}")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
