@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "spatial_order.h"
+
 namespace tank_datum {
 namespace {
 
@@ -58,14 +60,15 @@ Normals estimateNormals(const Points& points, const NormalOptions& options, int 
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   const auto cloud = toPcl(points);
   tree.setInputCloud(cloud);
+  const auto order = mortonOrder(points);
   const auto count = static_cast<std::ptrdiff_t>(points.size());
 #pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
   {
     pcl::Indices found(k);
     std::vector<float> squared_distances(k);
-#pragma omp for schedule(static)
-    for (std::ptrdiff_t row = 0; row < count; ++row) {
-      const auto i = static_cast<std::size_t>(row);
+#pragma omp for schedule(dynamic, 1024)
+    for (std::ptrdiff_t query = 0; query < count; ++query) {
+      const std::size_t i = order[static_cast<std::size_t>(query)];
       tree.nearestKSearch((*cloud)[i], options.k, found, squared_distances);
       std::copy(found.begin(), found.end(), result.neighbours.begin() + static_cast<std::ptrdiff_t>(i * k));
       result.normals[i] = normalOf(points, i, &result.neighbours[i * k], options.k);
