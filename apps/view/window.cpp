@@ -41,6 +41,8 @@ vtkSmartPointer<vtkTextActor> textAt(double x, double y, bool hangs) {
   text->SetPosition(x, y);
   text->GetTextProperty()->SetFontSize(15);
   text->GetTextProperty()->SetFontFamilyToCourier();
+  text->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
+  text->GetTextProperty()->SetBackgroundOpacity(0.6);
   if (hangs) text->GetTextProperty()->SetVerticalJustificationToTop();
   return text;
 }
@@ -99,9 +101,10 @@ void Window::drawCloud() {
     text->ShadowOff();
   }
   scale->SetOrientationToHorizontal();
-  scale->SetPosition(0.58, 0.02);
+  scale->SetVerticalTitleSeparation(8);
+  scale->SetPosition(0.56, 0.02);
   scale->SetWidth(0.40);
-  scale->SetHeight(0.09);
+  scale->SetHeight(0.12);
   replace(points_, {cloud, scale});
 }
 

@@ -12,12 +12,16 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from conftest import ROOT, executable
+from conftest import ROOT
 from results import Run, write_xyz
 
 Pixels = NDArray[np.float64]
+VIEWER = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin")) / "tank_datum_view"
 SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
 RGB = {"curve": (0.2, 1.0, 0.5), "picked": (1.0, 0.2, 1.0), "edge": (1.0, 0.75, 0.1)}
+
+
+pytestmark = pytest.mark.skipif(not VIEWER.exists(), reason="tank_datum_view is not built")
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +49,7 @@ def view(display: str | None, *args: object) -> Run:
     environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
     if display is not None:
         environment["DISPLAY"] = display
-    command = [str(executable("tank_datum_view")), *map(str, args)]
+    command = [str(VIEWER), *map(str, args)]
     return subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120)
 
 
