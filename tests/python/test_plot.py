@@ -75,18 +75,13 @@ def test_of_a_whole_result(whole: Path, tmp_path: Path) -> None:
     assert pages(tmp_path / "report.pdf") == 6
 
 
-def test_same_bytes_again(whole: Path, tmp_path: Path) -> None:
-    for name in "ab":
-        assert plot(whole, "-o", tmp_path / name, "--formats", "svg").returncode == 0
+def test_same_bytes_beside_the_results_as_in_a_folder(copy: Path, tmp_path: Path) -> None:
+    assert plot(copy, "-o", tmp_path / "a", "--formats", "svg").returncode == 0
+    assert plot(copy, "--formats", "svg").returncode == 0
     names = sorted(p.name for p in (tmp_path / "a").iterdir())
     assert names == sorted([*(f"{name}.svg" for name in PICTURES), "report.pdf"])
     for name in names:
-        assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes()
-
-
-def test_beside_the_results_when_no_folder_is_named(copy: Path) -> None:
-    assert plot(copy, "--formats", "png").returncode == 0
-    assert (copy / "elevation.png").exists()
+        assert (tmp_path / "a" / name).read_bytes() == (copy / name).read_bytes()
 
 
 def test_gaps_are_shaded_and_not_bridged(gap: Path, tmp_path: Path) -> None:
