@@ -1,0 +1,176 @@
+"""Runs tank_datum on scans and compares its results with fixtures.
+
+    python scripts/qa.py CASES.toml [--update] [--junit FILE] [--jobs N] [--command PATH]
+
+CASES.toml lists cases; paths in it are relative to it, and runs start in its folder:
+
+    [tolerance]                     # of every case; absolute, in the value's unit
+    "*sigma*" = 1e-6
+    "input.files.*.path" = "ignore"
+
+    [[case]]
+    name = "tank 7, spring"
+    inputs = ["north.pcd", "south.pcd"]
+    options = ["--stations", "180"]
+    fixture = "tank7"               # folder with datum.json, stations.csv; default: the name
+    status = 0                      # the exit status expected, 0 or 1
+    files = ["datum.json", "stations.csv"]
+    [case.tolerance]                # looked at before the common ones
+    "stations.csv:z" = 0.00005
+
+Prints what moved and by how much. Exit status: 0 all within tolerance; 1 a case failed; 2 wrong
+use, or a file that cannot be written.
+With --update the fixtures are rewritten after the differences have been shown.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from qa_cases import Case, CasesError, read_cases
+from qa_compare import Change, compare
+
+ROOT = Path(__file__).resolve().parents[1]
+PASSED, FAILED, WRONG_USE = 0, 1, 2
+
+
+@dataclass
+class Outcome:
+    """What a case came to."""
+
+    case: Case
+    error: str = ""  # the run itself went wrong
+    changes: list[Change] = field(default_factory=list)
+    updated: list[str] = field(default_factory=list)
+
+    @property
+    def passed(self) -> bool:
+        return not self.error and not any(change.failed for change in self.changes)
+
+
+def default_command() -> str:
+    """The built executable if there is one, else the one on the path."""
+    built = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin")) / "tank_datum"
+    return str(built) if built.exists() else "tank_datum"
+
+
+def run_case(case: Case, command: str, folder: Path, *, update: bool) -> Outcome:
+    """Runs a case into a folder of its own and compares; with `update` the fixture follows."""
+    outcome, results = Outcome(case), folder / "results"
+    call = [command, *case.inputs, *case.options, "--quiet", "-o", str(results)]
+    try:
+        run = subprocess.run(call, cwd=case.fixture.parent, capture_output=True, text=True)
+    except OSError as error:
+        outcome.error = f"{command}: {error.strerror}"
+        return outcome
+    if run.returncode != case.status:
+        said = run.stderr.strip() or "nothing on stderr"
+        outcome.error = f"exit status {run.returncode}, expected {case.status}: {said}"
+        return outcome
+    outcome.changes = compare(case, results)
+    if update and outcome.changes:
+        outcome.updated = rewrite(case, results)
+    return outcome
+
+
+def rewrite(case: Case, results: Path) -> list[str]:
+    """Puts the results in the fixture's place, each file whole or not at all."""
+    case.fixture.mkdir(parents=True, exist_ok=True)
+    written = []
+    for file in case.files:
+        if (results / file).exists():
+            part = case.fixture / f"{file}.part"
+            shutil.copyfile(results / file, part)
+            part.replace(case.fixture / file)
+            written.append(file)
+    return written
+
+
+def print_table(outcomes: list[Outcome]) -> None:
+    """A line per case, and below it what moved."""
+    header = ("file", "key", "what", "values", "largest", "allowed", "where", "verdict")
+    for outcome in outcomes:
+        print(f"{'PASS' if outcome.passed else 'FAIL'}  {outcome.case.name}")
+        if outcome.error:
+            print(f"      {outcome.error}")
+        rows = [change.row() for change in outcome.changes]
+        if rows:
+            widths = [max(len(row[i]) for row in [header, *rows]) for i in range(len(header))]
+            for row in [header, *rows]:
+                cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
+                print("      " + "  ".join(cells).rstrip())
+        if outcome.updated:
+            print(f"      rewritten: {', '.join(outcome.updated)}")
+
+
+def write_junit(path: Path, outcomes: list[Outcome]) -> None:
+    """JUnit XML: a testcase per case, the changes beyond tolerance as its failure."""
+    suite = ElementTree.Element("testsuite", name="tank_datum qa", tests=str(len(outcomes)))
+    suite.set("failures", str(sum(not o.passed for o in outcomes)))
+    for outcome in outcomes:
+        case = ElementTree.SubElement(suite, "testcase", classname="qa", name=outcome.case.name)
+        if not outcome.passed:
+            bad = [" ".join(filter(None, c.row())) for c in outcome.changes if c.failed]
+            failure = ElementTree.SubElement(case, "failure", message=outcome.error or bad[0])
+            failure.text = "\n".join(bad) or outcome.error
+    ElementTree.ElementTree(suite).write(path, encoding="utf-8", xml_declaration=True)
+
+
+def parsed(arguments: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="qa.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("cases", type=Path, help="TOML file")
+    parser.add_argument("--update", action="store_true", help="rewrite fixtures that differ")
+    parser.add_argument("--junit", type=Path, metavar="FILE", help="write JUnit XML")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs at a time")
+    parser.add_argument("--command", default=default_command(), help="the tank_datum to run")
+    options = parser.parse_args(arguments)
+    if options.jobs < 1:
+        parser.error(f"--jobs {options.jobs}, expected at least 1")
+    return options
+
+
+def main(arguments: list[str]) -> int:
+    options = parsed(arguments)
+    try:
+        cases = read_cases(options.cases)
+    except CasesError as error:
+        print(f"qa: cases: {error}", file=sys.stderr)
+        return WRONG_USE
+    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(options.jobs) as pool:
+        jobs = []
+        for number, case in enumerate(cases):
+            folder = Path(scratch) / str(number)
+            folder.mkdir()
+            command = shutil.which(options.command) or options.command
+            jobs.append(
+                pool.submit(run_case, case, os.path.abspath(command), folder, update=options.update)
+            )
+        outcomes = [job.result() for job in jobs]
+    print_table(outcomes)
+    if options.junit:
+        try:
+            write_junit(options.junit, outcomes)
+        except OSError as error:
+            print(
+                f"qa: junit: {options.junit}, {error.strerror}, expected a writable file",
+                file=sys.stderr,
+            )
+            return WRONG_USE
+    if options.update:
+        return FAILED if any(o.error for o in outcomes) else PASSED
+    return PASSED if all(o.passed for o in outcomes) else FAILED
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

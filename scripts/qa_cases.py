@@ -1,0 +1,126 @@
+"""The cases file of qa.py: what to run, and how far results may move."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Any
+
+FILES = ("datum.json", "stations.csv")
+IGNORE = "ignore"
+
+
+class CasesError(Exception):
+    """A cases file that cannot be used; the message has the place, the value, the expectation."""
+
+
+@dataclass(frozen=True)
+class Tolerances:
+    """How far a value may move: rules `pattern = number`, the first that matches, else not at all.
+
+    A pattern is `column`, `key.key` or, with the file before it, `stations.csv:z`; `*` stands for
+    anything, also for the index of a list. The number is absolute, in the value's own unit; the
+    word "ignore" leaves the value out of the comparison.
+    """
+
+    rules: tuple[tuple[str, float | None], ...] = ()
+
+    def of(self, file: str, key: str) -> float | None:
+        """The largest change allowed, or None for a value that is not compared."""
+        for pattern, tolerance in self.rules:
+            if fnmatchcase(key, pattern) or fnmatchcase(f"{file}:{key}", pattern):
+                return tolerance
+        return 0.0
+
+
+@dataclass(frozen=True)
+class Case:
+    """One run, and the fixture of its results; paths are relative to the cases file."""
+
+    name: str
+    inputs: tuple[str, ...]
+    fixture: Path
+    options: tuple[str, ...] = ()
+    status: int = 0
+    files: tuple[str, ...] = FILES
+    tolerances: Tolerances = field(default_factory=Tolerances)
+
+
+def _refuse(where: str, value: object, expected: str) -> CasesError:
+    return CasesError(f"{where}, {value!r}, expected {expected}")
+
+
+def _rules(where: str, table: Any) -> tuple[tuple[str, float | None], ...]:
+    if not isinstance(table, dict):
+        raise _refuse(where, table, "a table of pattern = number")
+    rules: list[tuple[str, float | None]] = []
+    for pattern, value in table.items():
+        number = isinstance(value, int | float) and not isinstance(value, bool) and value >= 0
+        if value != IGNORE and not number:
+            raise _refuse(f"{where}.{pattern}", value, f'a number >= 0 or "{IGNORE}"')
+        rules.append((pattern, None if value == IGNORE else float(value)))
+    return tuple(rules)
+
+
+def _texts(where: str, value: Any, least: int) -> tuple[str, ...]:
+    if not (isinstance(value, list) and all(isinstance(v, str) for v in value)):
+        raise _refuse(where, value, "a list of texts")
+    if len(value) < least:
+        raise _refuse(where, value, f"at least {least}")
+    return tuple(value)
+
+
+def _case(where: str, table: Any, root: Path, common: tuple[tuple[str, float | None], ...]) -> Case:
+    known = {"name", "inputs", "options", "fixture", "status", "files", "tolerance"}
+    if not isinstance(table, dict):
+        raise _refuse(where, table, "a table")
+    for key in table:
+        if key not in known:
+            raise _refuse(where, key, f"one of {', '.join(sorted(known))}")
+    name = table.get("name")
+    if not (isinstance(name, str) and name):
+        raise _refuse(f"{where}.name", name, "a text")
+    status = table.get("status", 0)
+    if status not in (0, 1):
+        raise _refuse(f"{name}.status", status, "0 or 1: other runs leave no results")
+    fixture = table.get("fixture", name)
+    if not isinstance(fixture, str):
+        raise _refuse(f"{name}.fixture", fixture, "the name of a folder")
+    own = _rules(f"{name}.tolerance", table.get("tolerance", {}))
+    return Case(
+        name=name,
+        inputs=_texts(f"{name}.inputs", table.get("inputs"), 1),
+        fixture=root / fixture,
+        options=_texts(f"{name}.options", table.get("options", []), 0),
+        status=status,
+        files=_texts(f"{name}.files", table.get("files", list(FILES)), 1),
+        tolerances=Tolerances(own + common),
+    )
+
+
+def read_cases(path: Path) -> list[Case]:
+    """The cases of a TOML file: tables [[case]], and [tolerance] for all of them.
+
+    Raises CasesError when the file cannot be read or does not say what it must.
+    """
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise _refuse(str(path), error.strerror, "a readable file") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise _refuse(str(path), str(error), "TOML") from error
+    for key in table:
+        if key not in ("case", "tolerance"):
+            raise _refuse(str(path), key, "[[case]] or [tolerance]")
+    common = _rules("tolerance", table.get("tolerance", {}))
+    listed = table.get("case", [])
+    if not isinstance(listed, list) or not listed:
+        raise _refuse(str(path), listed, "at least one [[case]]")
+    cases = [_case(f"case {i + 1}", c, path.parent, common) for i, c in enumerate(listed)]
+    names = [case.name for case in cases]
+    for name in names:
+        if names.count(name) > 1:
+            raise _refuse(str(path), name, "a name of its own for each case")
+    return cases

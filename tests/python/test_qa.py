@@ -1,0 +1,227 @@
+"""The QA script: what moved is named and measured, and only what is allowed to move passes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+from conftest import ROOT, executable
+
+CASES = """
+[tolerance]
+"stations.csv:z" = 0.00001
+"input.files.*.path" = "ignore"
+
+[[case]]
+name = "sample"
+inputs = ["{scan}"]
+options = ["--stations", "36"]
+"""
+
+
+def qa(cases: Path, *args: object) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, ROOT / "scripts" / "qa.py", cases, *args]
+    environment = {**os.environ, "TANK_DATUM_BIN": str(executable("tank_datum").parent)}
+    return subprocess.run(
+        [str(c) for c in command], capture_output=True, text=True, env=environment
+    )
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a cases file whose fixture is as the command writes it today."""
+    folder = tmp_path_factory.mktemp("qa")
+    path = folder / "cases.toml"
+    path.write_text(CASES.format(scan=ROOT / "tests" / "data" / "sample.pcd"))
+    result = qa(path, "--update")
+    assert result.returncode == 0, result.stderr
+    assert "rewritten: datum.json, stations.csv" in result.stdout
+    return folder
+
+
+@pytest.fixture
+def cases(made: Path, tmp_path: Path) -> Path:
+    """The same to change at will."""
+    shutil.copytree(made, tmp_path / "qa")
+    return tmp_path / "qa" / "cases.toml"
+
+
+def stations_of(cases: Path) -> list[list[str]]:
+    with (cases.parent / "sample" / "stations.csv").open(newline="") as file:
+        return list(csv.reader(file))
+
+
+def put_stations(cases: Path, rows: list[list[str]]) -> None:
+    with (cases.parent / "sample" / "stations.csv").open("w", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows(rows)
+
+
+def moved(cases: Path, column: str, by: float) -> None:
+    """Moves the fixture's fifth station in one column."""
+    rows = stations_of(cases)
+    at = rows[0].index(column)
+    rows[5][at] = repr(float(rows[5][at]) + by)
+    put_stations(cases, rows)
+
+
+def test_same_passes(cases: Path) -> None:
+    result = qa(cases)
+    assert result.returncode == 0
+    assert result.stdout == "PASS  sample\n"
+
+
+def test_last_digit_within_tolerance_passes_and_is_shown(cases: Path) -> None:
+    moved(cases, "z", 0.000009)
+    result = qa(cases)
+    assert result.returncode == 0
+    line = next(x for x in result.stdout.splitlines() if "stations.csv" in x)
+    assert line.split() == ["stations.csv", "z", "moved", "1", "9e-06", "1e-05", "row", "5", "ok"]
+
+
+def test_beyond_tolerance_fails(cases: Path) -> None:
+    moved(cases, "z", -0.000011)
+    result = qa(cases)
+    assert result.returncode == 1
+    line = next(x for x in result.stdout.splitlines() if "stations.csv" in x)
+    assert line.split() == [
+        "stations.csv", "z", "moved", "1", "1.1e-05", "1e-05", "row", "5", "FAIL",
+    ]  # fmt: skip
+
+
+def test_without_tolerance_nothing_may_move(cases: Path) -> None:
+    moved(cases, "radius", 1e-12)
+    result = qa(cases)
+    assert result.returncode == 1
+    assert "radius" in result.stdout
+
+
+def test_text_that_changes_is_quoted(cases: Path) -> None:
+    rows = stations_of(cases)
+    rows[3][rows[0].index("flag")] = "missing"
+    put_stations(cases, rows)
+    result = qa(cases)
+    assert result.returncode == 1
+    assert '"missing" became "measured"' in result.stdout
+
+
+def test_columns_are_named(cases: Path) -> None:
+    rows = [row[:-1] + ["0"] for row in stations_of(cases)]
+    rows[0][-1] = "torsion"
+    put_stations(cases, rows)
+    result = qa(cases)
+    assert result.returncode == 1
+    lines = [line.split() for line in result.stdout.splitlines()]
+    assert ["stations.csv", "torsion", "is", "missing", "FAIL"] in lines
+    assert ["stations.csv", "curvature", "is", "new", "FAIL"] in lines
+
+
+def test_rows_are_counted(cases: Path) -> None:
+    put_stations(cases, stations_of(cases)[:-2])
+    result = qa(cases)
+    assert result.returncode == 1
+    assert "34 rows became 36" in result.stdout
+
+
+def test_keys_are_named(cases: Path) -> None:
+    path = cases.parent / "sample" / "datum.json"
+    datum = json.loads(path.read_text())
+    datum["tilt"]["twist"] = 1
+    del datum["tank"]["radius"]
+    path.write_text(json.dumps(datum))
+    lines = [line.split() for line in qa(cases).stdout.splitlines()]
+    assert ["datum.json", "tilt.twist", "is", "missing", "FAIL"] in lines
+    assert ["datum.json", "tank.radius", "is", "new", "FAIL"] in lines
+
+
+def test_missing_file_is_named(cases: Path) -> None:
+    cases.write_text(cases.read_text() + 'files = ["datum.json", "levels.csv"]\n')
+    result = qa(cases)
+    assert result.returncode == 1
+    assert ["levels.csv", "is", "missing", "FAIL"] in [
+        line.split() for line in result.stdout.splitlines()
+    ]
+
+
+def test_missing_fixture_is_named(cases: Path) -> None:
+    (cases.parent / "sample" / "stations.csv").unlink()
+    result = qa(cases)
+    assert result.returncode == 1
+    assert "has no fixture" in result.stdout
+
+
+def test_update_shows_then_rewrites(cases: Path) -> None:
+    before = stations_of(cases)
+    moved(cases, "z", 0.5)
+    result = qa(cases, "--update")
+    assert result.returncode == 0
+    assert "0.5" in result.stdout
+    assert stations_of(cases) == before
+    assert not list(cases.parent.glob("**/*.part"))
+
+
+def test_status_is_compared(cases: Path) -> None:
+    cases.write_text(cases.read_text().replace('"36"]', '"36", "--min-radius", "50"]'))
+    result = qa(cases)
+    assert result.returncode == 1
+    assert "exit status 1, expected 0: tank_datum: no_tank" in result.stdout
+
+
+def test_ignored_key_may_differ(cases: Path) -> None:
+    path = cases.parent / "sample" / "datum.json"
+    datum = json.loads(path.read_text())
+    datum["input"]["files"][0]["path"] = "elsewhere.pcd"
+    path.write_text(json.dumps(datum))
+    assert qa(cases).returncode == 0
+
+
+def test_junit(cases: Path, tmp_path: Path) -> None:
+    moved(cases, "z", 0.25)
+    assert qa(cases, "--junit", tmp_path / "junit.xml").returncode == 1
+    suite = ElementTree.parse(tmp_path / "junit.xml").getroot()
+    assert (suite.get("tests"), suite.get("failures")) == ("1", "1")
+    failure = suite.find("testcase/failure")
+    assert failure is not None and "stations.csv z moved 1 0.25" in (failure.text or "")
+
+
+def test_command_that_is_not_there(cases: Path) -> None:
+    result = qa(cases, "--command", "/nowhere/tank_datum")
+    assert result.returncode == 1
+    assert "/nowhere/tank_datum: No such file" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "at least one [[case]]"),
+        ("[[case]]\n", "case 1.name, None, expected a text"),
+        ('[[case]]\nname = "a"\n', "a.inputs, None, expected a list of texts"),
+        ('[[case]]\nname = "a"\ninputs = []\n', "a.inputs, [], expected at least 1"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\nopts = 1\n', "case 1, 'opts', expected one of"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\nstatus = 3\n', "a.status, 3, expected 0 or 1"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\ntolerance = {z = -1}\n', "a.tolerance.z, -1,"),
+        ('[tolerance]\nz = "much"\n[[case]]\n', "tolerance.z, 'much', expected a number >= 0"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\n' * 2, "a name of its own"),
+        ("[[case", "expected TOML"),
+    ],
+)
+def test_wrong_cases_are_refused(tmp_path: Path, text: str, said: str) -> None:
+    cases = tmp_path / "cases.toml"
+    cases.write_text(text)
+    result = qa(cases)
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_no_cases_file(tmp_path: Path) -> None:
+    result = qa(tmp_path / "none.toml")
+    assert result.returncode == 2
+    assert "No such file" in result.stderr
