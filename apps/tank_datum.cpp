@@ -8,22 +8,10 @@
 #include "stage_clock.h"
 #include "tank_datum/error.h"
 #include "tank_datum/report.h"
-#include "tank_datum/sha256.h"
 #include "terminal.h"
 
 namespace tank_datum {
 namespace {
-
-Provenance provenanceOf(const Command& command, const Datum& datum) {
-  Provenance provenance;
-  for (const std::string& path : command.scans) {
-    provenance.files.push_back({path, sha256OfFile(path), Scan::open({path}).size()});
-  }
-  provenance.units = command.units;
-  provenance.invalid_points = datum.counts.invalid;
-  provenance.options = command.options;
-  return provenance;
-}
 
 void writeTimings(const std::string& path, const StageClock& clock) {
   std::ofstream out(path);
@@ -51,7 +39,8 @@ int run(const Command& command) {
                                   : std::vector<Datum>{extractDatum(scan, command.options, observer)};
   clock.begin("report");
   for (std::size_t i = 0; i < datums.size(); ++i) {
-    writeResults(folder.stage(partOf(datums, i)), datums[i], provenanceOf(command, datums[i]));
+    writeResults(folder.stage(partOf(datums, i)), datums[i],
+                 provenanceOf(command.scans, command.units, command.options, datums[i]));
   }
   folder.commit();
   clock.end();

@@ -40,3 +40,14 @@ python_environment() {
   "$root/.venv/bin/pip" install --quiet --disable-pip-version-check -r "$wanted" >&2
   cp "$wanted" "$stamp"
 }
+
+# python_module: the package tank_datum in .venv/, built anew when a source is newer than the last one.
+python_module() {
+  local stamp="$root/.venv/tank_datum.installed" sources=(CMakeLists.txt src include apps scripts/pyproject.toml)
+  [ -f "$stamp" ] && [ -z "$(cd "$root" && find "${sources[@]}" -newer "$stamp" -print -quit)" ] && return
+  apt_install python3-dev
+  say "building the Python module into .venv/"
+  touch "$stamp.begun"
+  "$root/.venv/bin/pip" install --quiet --disable-pip-version-check --force-reinstall --no-deps "$root/scripts" >&2
+  mv "$stamp.begun" "$stamp"
+}

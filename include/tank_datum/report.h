@@ -24,6 +24,12 @@ struct Provenance {
   DatumOptions options;
 };
 
+/// The record of a datum read from files: their hashes and rows.
+/// @param units  of the files, "m", "mm" or "ft"
+/// @throws Error (File) naming the file that cannot be read
+Provenance provenanceOf(const std::vector<std::string>& paths, const std::string& units, const DatumOptions& options,
+                        const Datum& datum);
+
 /// The names used in files: "measured", "interpolated", "missing".
 const char* nameOf(StationFlag flag);
 /// The names used in files: "ok", "partial", "no_tank", ...

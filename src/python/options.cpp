@@ -1,0 +1,141 @@
+#include "options.h"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "tank_datum/error.h"
+#include "units.h"
+#include "units_of_scans.h"
+
+namespace py = pybind11;
+
+namespace tank_datum::python {
+namespace {
+
+/// One keyword: how it is read from the options and how it is put into them.
+struct Keyword {
+  const char* name;
+  std::function<py::object(const Options&)> get;
+  std::function<void(Options&, const py::handle&)> set;
+};
+
+template <typename Value, typename Place>
+Keyword plain(const char* name, Place place) {
+  return {name, [place](const Options& o) { return py::cast(Value(place(const_cast<Options&>(o)))); },
+          [place](Options& o, const py::handle& value) { place(o) = value.cast<Value>(); }};
+}
+
+template <typename Place>
+Keyword degrees(const char* name, Place place) {
+  return {name, [place](const Options& o) { return py::cast(toDegrees(place(const_cast<Options&>(o)))); },
+          [place](Options& o, const py::handle& value) { place(o) = value.cast<double>() * kPi / 180.0; }};
+}
+
+/// A name out of a few.
+template <typename Value>
+Value named(const char* keyword, const py::handle& value, const std::vector<Value>& values) {
+  const auto name = value.cast<std::string>();
+  std::string known;
+  for (const Value v : values) {
+    if (name == nameOf(v)) return v;
+    known += (known.empty() ? "" : " or ") + std::string(nameOf(v));
+  }
+  throw Error(Error::Kind::Option, "options", keyword, name, known);
+}
+
+Keyword method() {
+  return {"method", [](const Options& o) { return py::cast(nameOf(o.datum.method)); },
+          [](Options& o, const py::handle& value) {
+            o.datum.method = named<Method>("method", value, {Method::Refined, Method::Paper});
+          }};
+}
+
+Keyword search() {
+  return {"search", [](const Options& o) { return py::cast(nameOf(o.datum.normals.search)); },
+          [](Options& o, const py::handle& value) {
+            o.datum.normals.search = named<SearchEngine>("search", value, {SearchEngine::Flann});
+          }};
+}
+
+Keyword tank() {
+  return {"tank", [](const Options&) { return py::object(py::none()); },
+          [](Options& o, const py::handle& value) {
+            if (value.is_none()) return;
+            const auto [x, y, radius] = value.cast<std::tuple<double, double, double>>();
+            o.datum.tank = Circle{{x, y}, radius};
+          }};
+}
+
+Keyword units() {
+  return {"units", [](const Options& o) { return py::cast(o.units); },
+          [](Options& o, const py::handle& value) {
+            o.units = value.cast<std::string>();
+            if (kUnits.count(o.units) == 0) {
+              throw Error(Error::Kind::Option, "options", "units", o.units, "m, mm or ft");
+            }
+          }};
+}
+
+const std::vector<Keyword>& keywords() {
+  static const std::vector<Keyword> all = {
+      method(),
+      plain<int>(
+          "k", [](Options & o) -> auto& { return o.datum.normals.k; }),
+      degrees(
+          "angle_deg", [](Options & o) -> auto& { return o.datum.growing.angle; }),
+      plain<double>(
+          "centre_tolerance", [](Options & o) -> auto& { return o.datum.centre_filter.tolerance; }),
+      plain<int>(
+          "control_points", [](Options & o) -> auto& { return o.datum.spline.control_points; }),
+      search(),
+      plain<int>(
+          "stations", [](Options & o) -> auto& { return o.datum.stations.count; }),
+      degrees(
+          "zero_azimuth_deg", [](Options & o) -> auto& { return o.datum.stations.zero_azimuth; }),
+      plain<bool>(
+          "clockwise", [](Options & o) -> auto& { return o.datum.stations.clockwise; }),
+      tank(),
+      plain<int>(
+          "pick", [](Options & o) -> auto& { return o.datum.pick; }),
+      plain<std::size_t>(
+          "search_points", [](Options & o) -> auto& { return o.datum.crop.search_points; }),
+      plain<double>(
+          "min_radius", [](Options & o) -> auto& { return o.datum.locate.min_radius; }),
+      units(),
+      plain<int>(
+          "threads", [](Options & o) -> auto& { return o.datum.threads; }),
+  };
+  return all;
+}
+
+}  // namespace
+
+double Options::metresPerUnit() const { return kUnits.at(units); }
+
+Options optionsFrom(const py::dict& given) {
+  Options options;
+  for (const auto& [name, value] : given) {
+    const auto text = name.cast<std::string>();
+    const Keyword* found = nullptr;
+    for (const Keyword& keyword : keywords()) {
+      if (text == keyword.name) found = &keyword;
+    }
+    if (!found) throw py::type_error("extract_datum() got an unexpected keyword argument '" + text + "'");
+    try {
+      found->set(options, value);
+    } catch (const py::cast_error&) {
+      const auto shown = py::repr(value).cast<std::string>();
+      throw py::type_error(text + " = " + shown + ", expected the type of its default");
+    }
+  }
+  return options;
+}
+
+py::dict defaults() {
+  py::dict all;
+  for (const Keyword& keyword : keywords()) all[keyword.name] = keyword.get({});
+  return all;
+}
+
+}  // namespace tank_datum::python

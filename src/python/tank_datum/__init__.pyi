@@ -1,0 +1,61 @@
+from collections.abc import Callable, Sequence
+from os import PathLike
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+class OptionError(ValueError): ...
+class FileError(OSError): ...
+
+_Points = NDArray[np.float32] | NDArray[np.float64]
+_Path = str | PathLike[str]
+
+class Datum:
+    stations: NDArray[Any]
+    edge_points: NDArray[np.float64]
+    @property
+    def status(
+        self,
+    ) -> Literal[
+        "ok", "partial", "no_tank", "no_crease", "too_few_points", "fit_failed"
+    ]: ...
+    @property
+    def message(self) -> str: ...
+    @property
+    def usable(self) -> bool: ...
+    @property
+    def tank(self) -> dict[str, Any] | None: ...
+    @property
+    def tilt(self) -> dict[str, Any] | None: ...
+    @property
+    def antipodal(self) -> dict[str, Any] | None: ...
+    @property
+    def harmonics(self) -> list[dict[str, Any]]: ...
+    @property
+    def checks(self) -> list[dict[str, Any]]: ...
+    def to_dict(self) -> dict[str, Any]: ...
+    def to_json(self) -> str: ...
+    def summary(self) -> str: ...
+
+def defaults() -> dict[str, Any]: ...
+def extract_datum(
+    points: _Points | _Path | Sequence[_Points] | Sequence[_Path],
+    *,
+    progress: Callable[[str], object] | None = ...,
+    method: Literal["refined", "paper"] = ...,
+    k: int = ...,
+    angle_deg: float = ...,
+    centre_tolerance: float = ...,
+    control_points: int = ...,
+    search: Literal["flann"] = ...,
+    stations: int = ...,
+    zero_azimuth_deg: float = ...,
+    clockwise: bool = ...,
+    tank: tuple[float, float, float] | None = ...,
+    pick: int = ...,
+    search_points: int = ...,
+    min_radius: float = ...,
+    units: Literal["m", "mm", "ft"] = ...,
+    threads: int = ...,
+) -> Datum: ...
