@@ -225,3 +225,9 @@ def test_no_cases_file(tmp_path: Path) -> None:
     result = qa(tmp_path / "none.toml")
     assert result.returncode == 2
     assert "No such file" in result.stderr
+
+
+def test_own_fixtures() -> None:
+    """This project's own results are what they were."""
+    result = qa(ROOT / "tests" / "data" / "qa" / "cases.toml")
+    assert result.returncode == 0, result.stdout

@@ -1,6 +1,6 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 class OptionError(ValueError): ...
 class FileError(OSError): ...
 
-_Points = NDArray[np.float32] | NDArray[np.float64]
-_Path = str | PathLike[str]
+_Points: TypeAlias = NDArray[np.float32] | NDArray[np.float64]
+_Path: TypeAlias = str | PathLike[str]
 
 class Datum:
     stations: NDArray[Any]
