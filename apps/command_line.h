@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tank_datum/datum.h"
+#include "tank_datum/movement.h"
 
 namespace tank_datum {
 
@@ -12,6 +13,8 @@ struct Command {
   std::vector<std::string> scans;
   std::string output;  ///< folder for the results
   std::string units = "m";
+  std::string baseline;  ///< datum.json or folder of an earlier survey, or empty
+  MovementOptions movement;
   std::string timings;  ///< file for the seconds of each stage, or empty
   bool quiet = false;
   bool all = false;  ///< every tank, each in a folder of its own

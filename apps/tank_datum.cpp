@@ -30,6 +30,10 @@ std::string fileToOpen(const Command& command, const std::string& part) {
 }
 
 int run(const Command& command) {
+  const std::string error = firstError(command.movement);
+  if (!error.empty()) throw Error(Error::Kind::Option, "options", "movement", error, "what the option must be");
+  std::optional<Epoch> baseline;  // read before an earlier result in the same folder is moved
+  if (!command.baseline.empty()) baseline = readEpoch(command.baseline);
   ResultFolder folder(command.output);
   StageClock clock(!command.quiet);
   const auto observer = [&clock](const char* stage) { clock.begin(stage); };
@@ -39,8 +43,12 @@ int run(const Command& command) {
                                   : std::vector<Datum>{extractDatum(scan, command.options, observer)};
   clock.begin("report");
   for (std::size_t i = 0; i < datums.size(); ++i) {
-    writeResults(folder.stage(partOf(datums, i)), datums[i],
-                 provenanceOf(command.scans, command.units, command.options, datums[i]));
+    Provenance provenance = provenanceOf(command.scans, command.units, command.options, datums[i]);
+    if (baseline && datums[i].usable()) {
+      provenance.movement =
+          compareEpochs(*baseline, epochOf(datums[i], command.options.method, "this survey"), command.movement);
+    }
+    writeResults(folder.stage(partOf(datums, i)), datums[i], provenance);
   }
   folder.commit();
   clock.end();

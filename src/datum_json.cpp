@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "movement_json.h"
 #include "tank_datum/report.h"
 #include "tank_datum/version.h"
 #include "units.h"
@@ -114,6 +115,8 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
     json["datum"] = datumSection(datum);
     json["tilt"] = tiltJson(datum.tilt);
     json["antipodal"] = antipodalJson(datum.antipodal);
+    json["stations"] = stationsSection(datum);
+    if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
   }
   // a path that is no UTF-8 must not lose the result
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

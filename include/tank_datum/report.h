@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tank_datum/datum.h"
 #include "tank_datum/export.h"
+#include "tank_datum/movement.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -22,6 +24,7 @@ struct Provenance {
   std::string units = "m";
   std::uint64_t invalid_points = 0;
   DatumOptions options;
+  std::optional<Movement> movement;  ///< since an earlier survey
 };
 
 /// The record of a datum read from files: their hashes and rows.

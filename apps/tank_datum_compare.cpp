@@ -1,0 +1,115 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include "exit_status.h"
+#include "movement_files.h"
+#include "tank_datum/error.h"
+#include "tank_datum/version.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+const std::map<std::string, Removal> kRemovals = {
+    {"none", Removal::Nothing}, {"mean", Removal::Mean}, {"tilt", Removal::Tilt}};
+
+struct CompareCommand {
+  std::vector<std::string> epochs;  ///< datum.json or result folders, the baseline first
+  std::string output = "movement";
+  std::string removal = "none";
+  std::string offset = "0";  ///< degrees, or "estimate"
+  double registration_mm = 0.0, correlation_deg = MovementOptions{}.correlation / kDegree;
+  MovementOptions options;
+};
+
+bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& status) {
+  CLI::App app("Movement of a tank's datum since the first of its surveys.", "tank_datum_compare");
+  app.option_defaults()->always_capture_default();
+  app.add_option("epoch", command.epochs, "datum.json or folder of each survey, in time order")
+      ->required()
+      ->expected(2, -1);
+  app.add_option("-o,--output", command.output, "folder for movement.json and movement.csv");
+  app.add_option("--remove", command.removal, "what is taken from the differences")->check(CLI::IsMember(kRemovals));
+  app.add_option("--registration-mm", command.registration_mm, "1 sigma of the height left between two surveys");
+  app.add_option("--azimuth-offset-deg", command.offset, "turn of the later surveys' frames, or estimate");
+  app.add_option("--correlation-deg", command.correlation_deg, "arc over which stations' errors fall to 1/e");
+  app.add_option("--radius-tolerance", command.options.radius_tolerance, "largest difference of the radii [m]");
+  app.add_option("--centre-tolerance", command.options.centre_tolerance, "largest distance of the centres [m]");
+  app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    status = app.exit(asked);
+    return false;
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "tank_datum_compare: command line: " << error.what()
+              << ", expected what tank_datum_compare --help lists\n";
+    status = kWrongUse;
+    return false;
+  }
+  return true;
+}
+
+MovementOptions optionsOf(const CompareCommand& command) {
+  MovementOptions options = command.options;
+  options.removal = kRemovals.at(command.removal);
+  options.registration_error = 1e-3 * command.registration_mm;
+  options.correlation = command.correlation_deg * kDegree;
+  options.estimate_offset = command.offset == "estimate";
+  if (!options.estimate_offset) {
+    char* end = nullptr;
+    options.azimuth_offset = std::strtod(command.offset.c_str(), &end) * kDegree;
+    if (command.offset.empty() || *end != '\0') {
+      throw Error(Error::Kind::Option, "command line", "--azimuth-offset-deg", command.offset, "degrees or estimate");
+    }
+  }
+  return options;
+}
+
+void print(const std::vector<Movement>& movements, const std::vector<Epoch>& epochs) {
+  std::printf("baseline %s, removed: %s\n", epochs.front().name.c_str(), nameOf(movements.front().removal));
+  std::printf("%-32s %8s %8s %8s %8s %8s %12s\n", "survey", "matched", "rms_mm", "max_mm", "at_deg", "lod95_mm",
+              "significant");
+  for (std::size_t i = 0; i < movements.size(); ++i) {
+    const Movement& m = movements[i];
+    std::printf("%-32s %8zu %8.2f %8.2f %8.1f %8.2f %12zu\n", epochs[i + 1].name.c_str(), m.matched, 1e3 * m.rms,
+                1e3 * m.max, m.max_azimuth / kDegree, 1e3 * medianLod(m), m.significant);
+  }
+}
+
+int run(const CompareCommand& command) {
+  const MovementOptions options = optionsOf(command);
+  std::vector<Epoch> epochs;
+  for (const std::string& path : command.epochs) epochs.push_back(readEpoch(path));
+  std::vector<Movement> movements;
+  for (std::size_t i = 1; i < epochs.size(); ++i) {
+    movements.push_back(compareEpochs(epochs.front(), epochs[i], options));
+    if (movements.back().valid()) continue;
+    std::cerr << "tank_datum_compare: movement: " << movements.back().message << "\n";
+    return kNoDatum;
+  }
+  writeMovement(command.output, movements, epochs);
+  print(movements, epochs);
+  return kUsable;
+}
+
+}  // namespace
+}  // namespace tank_datum
+
+int main(int argc, char** argv) {
+  using namespace tank_datum;
+  CompareCommand command;
+  int status = kUsable;
+  if (!parseCommandLine(argc, argv, command, status)) return status;
+  try {
+    return run(command);
+  } catch (const Error& error) {
+    std::cerr << "tank_datum_compare: " << error.what() << "\n";
+    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
+  }
+}

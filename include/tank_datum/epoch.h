@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tank_datum/circle.h"
+#include "tank_datum/datum.h"
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// A measured elevation of the datum.
+struct Elevation {
+  double azimuth = Station::kUnknown;    ///< as the survey counts it [rad]
+  double direction = Station::kUnknown;  ///< counter-clockwise from +x about the fitted centre [rad]
+  double z = Station::kUnknown;          ///< in the scan's own frame [m]
+  double sigma_z = Station::kUnknown;    ///< standard error [m]
+};
+
+/// One survey of a tank, as far as surveys are compared.
+struct Epoch {
+  std::string name;                 ///< where it was read from
+  std::string status;               ///< "ok", "partial": usable
+  std::string method;               ///< what z is
+  std::string surface;              ///< the foundation surface that was intersected; empty with the paper's method
+  Circle circle;                    ///< in the scan's own frame [m]
+  std::vector<Elevation> stations;  ///< every one in order; z is NaN where it was not measured
+
+  bool usable() const { return status == "ok" || status == "partial"; }
+};
+
+/// The survey in a result.
+Epoch epochOf(const Datum& datum, Method method, const std::string& name);
+
+/// Reads a datum.json, or the one in a result folder.
+/// @throws Error (File) what cannot be read, or is no datum.json with its stations
+Epoch readEpoch(const std::string& path);
+
+}  // namespace tank_datum

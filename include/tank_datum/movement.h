@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/epoch.h"
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// What is taken from the differences before they are judged.
+enum class Removal {
+  Nothing,  ///< both surveys hang on the same benchmarks
+  Mean,     ///< the common height: settlement of the whole is not seen
+  Tilt,     ///< height and tilt: neither is seen, whatever the scanners' levels
+};
+
+/// The names used at the command line and in files: "none", "mean", "tilt".
+const char* nameOf(Removal removal);
+
+struct MovementOptions {
+  Removal removal = Removal::Nothing;
+  double registration_error = 0.0;          ///< 1 sigma of a height common to all stations, left after the removal [m]
+  double azimuth_offset = 0.0;              ///< of the current survey's frame: added to its directions [rad]
+  bool estimate_offset = false;             ///< find the azimuth offset by the datum's shape instead
+  double correlation = 0.0349065850398866;  ///< arc over which errors of stations fall to 1/e [rad], 2 degrees
+  double radius_tolerance = 0.05;           ///< surveys whose radii differ by more are of different tanks [m]
+  double centre_tolerance = 0.25;           ///< the same of the centres, in a common frame [m]
+};
+
+/// One line naming the first refused field, its value and what it must be; or empty.
+std::string firstError(const MovementOptions& options);
+
+/// The movement of one station, those of the current survey in order.
+struct StationMovement {
+  double azimuth = Station::kUnknown;  ///< as the current survey counts it [rad]
+  double dz = Station::kUnknown;     ///< current less baseline, after the removal [m]; NaN where either is not measured
+  double sigma = Station::kUnknown;  ///< standard error of dz, the registration's included [m]
+  bool significant = false;          ///< moved: false anywhere on an unmoved tank in at most 5 % of comparisons
+
+  double lod95() const { return 1.959963984540054 * sigma; }  ///< 95 % level of detection of this station alone [m]
+};
+
+/// Movement of a tank's datum between two surveys.
+struct Movement {
+  std::string baseline;  ///< name of the earlier survey
+  Removal removal = Removal::Nothing;
+  double registration_error = 0.0;       ///< as given [m]
+  double azimuth_offset = 0.0;           ///< as given or estimated [rad]
+  double sigma_azimuth_offset = 0.0;     ///< its standard error; 0 when given [rad]
+  double threshold = Station::kUnknown;  ///< of the largest standardised window mean on an unmoved tank, 95 %
+  std::vector<StationMovement> stations;
+  std::size_t matched = 0;  ///< stations measured in both
+  std::size_t significant = 0;
+  double max = Station::kUnknown;          ///< dz of the largest magnitude [m]
+  double max_azimuth = Station::kUnknown;  ///< where [rad]
+  double rms = Station::kUnknown;          ///< of dz [m]
+  std::string message;                     ///< why there is none
+
+  bool valid() const { return matched > 0 && message.empty(); }
+};
+
+/// Compares two surveys of one tank. Elevations of the baseline are interpolated between neighbours at most 2 degrees
+/// apart; stations without such neighbours are not compared.
+/// @throws Error (Option) a refused option; surveys of different tanks, units, methods or foundation surfaces
+Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
+
+/// The `movement` of datum.json by itself. Metres, degrees; unknown values null.
+std::string movementJson(const Movement& movement);
+
+}  // namespace tank_datum

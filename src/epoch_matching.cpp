@@ -1,0 +1,134 @@
+#include "epoch_matching.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "tank_datum/error.h"
+#include "units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kWidestBracket = 2.0 * kPi / 180.0;  ///< neighbours between which an elevation is interpolated
+constexpr double kSamePlace = 1e-6;                   ///< [rad], 0.03 mm at 30 m
+
+double turn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
+
+std::vector<Elevation> byDirection(const Epoch& epoch) {
+  std::vector<Elevation> known;
+  for (Elevation e : epoch.stations) {
+    e.direction = turn(e.direction);
+    if (std::isfinite(e.z) && e.sigma_z > 0.0) known.push_back(e);
+  }
+  std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
+  return known;
+}
+
+/// The known elevation at a direction, or NaN.
+Elevation elevationAt(const std::vector<Elevation>& known, double direction, double& slope) {
+  Elevation at;
+  const auto after = std::upper_bound(known.begin(), known.end(), direction + kSamePlace,
+                                      [](double value, const Elevation& e) { return value < e.direction; });
+  const Elevation& a = after == known.begin() ? known.back() : *(after - 1);
+  const Elevation& b = after == known.end() ? known.front() : *after;
+  const double width = turn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
+  if (std::abs(along) <= kSamePlace) {
+    at = a;
+    slope = width <= kWidestBracket + kSamePlace && width > 0.0 ? (b.z - a.z) / width : 0.0;
+  } else if (width <= kWidestBracket + kSamePlace) {
+    const double share = along / width;
+    slope = (b.z - a.z) / width;
+    at.z = a.z + share * (b.z - a.z);
+    // as if the neighbours' errors were the same one: they share points
+    at.sigma_z = (1.0 - share) * a.sigma_z + share * b.sigma_z;
+  }
+  return at;
+}
+
+/// Mean squared standardised difference at a turn; NaN with too few stations.
+double misfitAt(const Epoch& baseline, const Epoch& current, double offset, Removal removal) {
+  std::vector<MatchedStation> matched = matchStations(baseline, current, offset);
+  removeCommon(matched, removal);
+  double sum = 0;
+  for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
+  return 2 * matched.size() < current.stations.size() ? std::nan("") : sum / static_cast<double>(matched.size());
+}
+
+}  // namespace
+
+std::vector<MatchedStation> matchStations(const Epoch& baseline, const Epoch& current, double offset) {
+  const std::vector<Elevation> known = byDirection(baseline);
+  std::vector<MatchedStation> matched;
+  if (known.empty()) return matched;
+  for (std::size_t i = 0; i < current.stations.size(); ++i) {
+    const Elevation& now = current.stations[i];
+    if (!std::isfinite(now.z) || !(now.sigma_z > 0.0)) continue;
+    MatchedStation m;
+    m.station = i;
+    m.direction = turn(now.direction + offset);
+    const Elevation then = elevationAt(known, m.direction, m.slope);
+    if (!std::isfinite(then.z)) continue;
+    m.dz = now.z - then.z;
+    m.sigma = std::hypot(now.sigma_z, then.sigma_z);
+    matched.push_back(m);
+  }
+  std::sort(matched.begin(), matched.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
+  return matched;
+}
+
+void removeCommon(std::vector<MatchedStation>& stations, Removal removal) {
+  if (removal == Removal::Nothing) return;
+  const Eigen::Index terms = removal == Removal::Mean ? 1 : 3;
+  const auto rowOf = [terms](const MatchedStation& m) {
+    return Eigen::Vector3d(1.0, std::cos(m.direction), std::sin(m.direction)).head(terms).eval();
+  };
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(terms, terms);
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(terms);
+  for (const MatchedStation& m : stations) {
+    const Eigen::VectorXd row = rowOf(m);
+    const double weight = 1.0 / (m.sigma * m.sigma);
+    normal += weight * row * row.transpose();
+    rhs += weight * m.dz * row;
+  }
+  const Eigen::VectorXd common = normal.ldlt().solve(rhs);
+  for (MatchedStation& m : stations) m.dz -= common.dot(rowOf(m));
+}
+
+AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  constexpr int kSteps = 720;
+  constexpr double kStep = kTwoPi / kSteps, kElsewhere = 10.0 * kPi / 180.0;
+  const Removal removal = options.removal == Removal::Nothing ? Removal::Mean : options.removal;
+  const auto at = [&](double offset) { return misfitAt(baseline, current, offset, removal); };
+  std::vector<double> misfits;
+  int best = -1;
+  for (int i = 0; i < kSteps; ++i) {
+    misfits.push_back(at(i * kStep));
+    if (std::isfinite(misfits.back()) && (best < 0 || misfits.back() < misfits[static_cast<std::size_t>(best)]))
+      best = i;
+  }
+  double second = std::nan("");
+  for (int i = 0; i < kSteps && best >= 0; ++i) {
+    const double away = std::abs(std::remainder((i - best) * kStep, kTwoPi));
+    if (away > kElsewhere && !(misfits[static_cast<std::size_t>(i)] >= second)) {
+      if (std::isfinite(misfits[static_cast<std::size_t>(i)])) second = misfits[static_cast<std::size_t>(i)];
+    }
+  }
+  // the parabola through three turns two degrees apart
+  constexpr double kReach = 4 * kStep;
+  const double middle = best < 0 ? std::nan("") : misfits[static_cast<std::size_t>(best)];
+  const double before = at(best * kStep - kReach), after = at(best * kStep + kReach);
+  const double curvature = (before - 2.0 * middle + after) / (kReach * kReach);
+  if (!(curvature > 0.0) || !(second > 2.0 * std::max(middle, 1.0))) {
+    throw Error(Error::Kind::Option, "movement", "azimuth offset", "the datum's shape fits more than one turn",
+                "an azimuth offset that is given");
+  }
+  AzimuthOffset offset;
+  offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);
+  // neighbours share errors: as many independent differences as correlation lengths fit into the turn
+  const double independent = std::max(8.0, kTwoPi / std::max(options.correlation * 2.0, kStep));
+  offset.sigma = std::sqrt(2.0 * std::max(middle, 1.0) / (independent * curvature));
+  return offset;
+}
+
+}  // namespace tank_datum

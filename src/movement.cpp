@@ -1,0 +1,127 @@
+#include "tank_datum/movement.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "epoch_matching.h"
+#include "movement_significance.h"
+#include "tank_datum/error.h"
+#include "units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kFewest = 8;  ///< stations in common
+
+std::string text(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& value, const std::string& expected) {
+  throw Error(Error::Kind::Option, "movement", what, value, expected);
+}
+
+/// What one survey's lengths must be multiplied by, if a wrong unit explains the ratio; or nothing.
+std::string unitBehind(double ratio) {
+  if (ratio < 1.0) ratio = 1.0 / ratio;
+  for (const auto& [factor, name] : {std::pair{1000.0, "mm and m"}, {304.8, "mm and ft"}, {1.0 / 0.3048, "ft and m"}}) {
+    if (std::abs(ratio / factor - 1.0) < 0.01) return std::string(" (as ") + name + " taken for each other)";
+  }
+  return {};
+}
+
+void requireSameTank(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  const double from = baseline.circle.radius, to = current.circle.radius;
+  if (!(std::abs(to - from) <= options.radius_tolerance)) {
+    refuse("radius of " + current.name, text(to) + " m",
+           "within " + text(options.radius_tolerance) + " m of the baseline's " + text(from) + unitBehind(to / from));
+  }
+  const double apart = (current.circle.center - baseline.circle.center).norm();
+  const bool turned = options.estimate_offset || options.azimuth_offset != 0.0;
+  if (!turned && !(apart <= options.centre_tolerance)) {
+    refuse("centre of " + current.name, text(apart) + " m from the baseline's",
+           "within " + text(options.centre_tolerance) + " m, the same tank in the same frame");
+  }
+  if (baseline.method != current.method) {
+    refuse("method of " + current.name, current.method, "the baseline's, " + baseline.method);
+  }
+  if (baseline.surface != current.surface) {
+    refuse("foundation surface of " + current.name, current.surface, "the baseline's, " + baseline.surface);
+  }
+}
+
+void summarise(Movement& movement) {
+  double squares = 0.0;
+  for (const StationMovement& s : movement.stations) {
+    if (!std::isfinite(s.dz)) continue;
+    squares += s.dz * s.dz;
+    movement.significant += s.significant ? 1 : 0;
+    if (!(std::abs(s.dz) <= std::abs(movement.max))) movement.max = s.dz, movement.max_azimuth = s.azimuth;
+  }
+  movement.rms = std::sqrt(squares / static_cast<double>(movement.matched));
+}
+
+}  // namespace
+
+const char* nameOf(Removal removal) {
+  return removal == Removal::Nothing ? "none" : removal == Removal::Mean ? "mean" : "tilt";
+}
+
+std::string firstError(const MovementOptions& options) {
+  const std::pair<const char*, double> lengths[] = {{"movement.registration_error", options.registration_error},
+                                                    {"movement.correlation", options.correlation}};
+  for (const auto& [name, value] : lengths) {
+    if (!(value >= 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be >= 0)";
+  }
+  const std::pair<const char*, double> tolerances[] = {{"movement.radius_tolerance", options.radius_tolerance},
+                                                       {"movement.centre_tolerance", options.centre_tolerance}};
+  for (const auto& [name, value] : tolerances) {
+    if (!(value > 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be > 0)";
+  }
+  if (!std::isfinite(options.azimuth_offset)) return "movement.azimuth_offset = not finite (must be an angle)";
+  if (options.estimate_offset && options.azimuth_offset != 0.0) {
+    return "movement.azimuth_offset = " + text(options.azimuth_offset) + " (must be 0 when it is estimated)";
+  }
+  return {};
+}
+
+Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  const std::string error = firstError(options);
+  if (!error.empty()) refuse("options", error, "what the option must be");
+  Movement movement;
+  movement.baseline = baseline.name;
+  movement.removal = options.removal;
+  movement.registration_error = options.registration_error;
+  for (const Epoch* epoch : {&baseline, &current}) {
+    if (epoch->usable()) continue;
+    movement.message = epoch->name + " holds no usable datum: " + epoch->status;
+    return movement;
+  }
+  requireSameTank(baseline, current, options);
+  const AzimuthOffset offset =
+      options.estimate_offset ? estimateOffset(baseline, current, options) : AzimuthOffset{options.azimuth_offset, 0.0};
+  movement.azimuth_offset = offset.value;
+  movement.sigma_azimuth_offset = offset.sigma;
+  for (const Elevation& e : current.stations) movement.stations.push_back({e.azimuth});
+
+  std::vector<MatchedStation> matched = matchStations(baseline, current, offset.value);
+  movement.matched = matched.size();
+  if (matched.size() < kFewest) {
+    movement.message = "only " + std::to_string(matched.size()) + " stations are measured in both surveys";
+    return movement;
+  }
+  for (MatchedStation& m : matched) m.sigma = std::hypot(m.sigma, m.slope * offset.sigma);
+  removeCommon(matched, options.removal);
+  const Significance found = findMoved(matched, options);
+  movement.threshold = found.threshold;
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    StationMovement& s = movement.stations[matched[i].station];
+    s.dz = matched[i].dz, s.sigma = found.sigmas[i], s.significant = found.moved[i];
+  }
+  summarise(movement);
+  return movement;
+}
+
+}  // namespace tank_datum

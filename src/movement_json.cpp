@@ -1,0 +1,57 @@
+#include "movement_json.h"
+
+#include <cmath>
+
+#include "tank_datum/report.h"
+#include "units.h"
+
+namespace tank_datum {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+}  // namespace
+
+Json stationsSection(const Datum& datum) {
+  Json stations = Json::array();
+  for (const Station& s : datum.stations) {
+    stations.push_back({{"azimuth_deg", toDegrees(s.azimuth)},
+                        {"direction_deg", toDegrees(s.direction)},
+                        {"z", number(s.z + datum.origin.z())},
+                        {"sigma_z", number(s.sigma_z)},
+                        {"flag", nameOf(s.flag)}});
+  }
+  return stations;
+}
+
+Json movementSection(const Movement& movement) {
+  Json stations = Json::array();
+  for (const StationMovement& s : movement.stations) {
+    stations.push_back({{"azimuth_deg", toDegrees(s.azimuth)},
+                        {"dz", number(s.dz)},
+                        {"lod95", number(s.lod95())},
+                        {"significant", s.significant}});
+  }
+  return {{"baseline", movement.baseline},
+          {"removed", nameOf(movement.removal)},
+          {"registration_error", movement.registration_error},
+          {"azimuth_offset_deg", toDegrees(movement.azimuth_offset)},
+          {"sigma_azimuth_offset_deg", toDegrees(movement.sigma_azimuth_offset)},
+          {"message", movement.message},
+          {"matched", movement.matched},
+          {"significant", movement.significant},
+          {"threshold", number(movement.threshold)},
+          {"max", number(movement.max)},
+          {"max_azimuth_deg", number(toDegrees(movement.max_azimuth))},
+          {"rms", number(movement.rms)},
+          {"stations", stations}};
+}
+
+std::string movementJson(const Movement& movement) {
+  return movementSection(movement).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tank_datum

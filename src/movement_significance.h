@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "epoch_matching.h"
+
+namespace tank_datum {
+
+/// Which stations moved, and the threshold that says so.
+struct Significance {
+  double threshold = 0.0;      ///< of |window mean| in its standard deviations
+  std::vector<bool> moved;     ///< one per matched station
+  std::vector<double> sigmas;  ///< standard error of each dz [m]
+};
+
+/// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
+/// standard deviation on an unmoved tank. The threshold is the 95 % point of the largest of them all in 2000 simulated
+/// comparisons with the stations' own sigmas, neighbours' errors correlated by exp(-arc / correlation), the removal
+/// applied, so false alarms are at most 5 % for the whole tank (max-statistic; Westfall and Young 1993).
+/// @param stations  by direction, dz after the removal
+Significance findMoved(const std::vector<MatchedStation>& stations, const MovementOptions& options);
+
+}  // namespace tank_datum

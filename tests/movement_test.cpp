@@ -1,0 +1,199 @@
+#include "tank_datum/movement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tank_datum/error.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+/// A survey of a 30 m tank: its shape, errors of `sigma` whose neighbours correlate over 2 degrees, then a dip.
+struct Survey {
+  std::size_t count = 360;
+  unsigned seed = 0;  ///< 0: no errors
+  double sigma = 0.0003, dip = 0.0, lift = 0.0, tilt = 0.0, turned = 0.0;
+
+  Epoch epoch() const {
+    Epoch epoch{"survey", "ok", "refined", "foundation", {{10.0, -5.0}, 30.0}, {}};
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> normal;
+    const double step = 360.0 / static_cast<double>(count), kept = std::exp(-step / 2.0);
+    double error = normal(generator);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double a = static_cast<double>(i) * step * kDegree, b = a + turned;
+      error = kept * error + std::sqrt(1.0 - kept * kept) * normal(generator);
+      const double off = std::remainder(b - 100 * kDegree, 360 * kDegree) / (5 * kDegree);
+      double z = 1.0 + 0.006 * std::cos(2 * b) + 0.004 * std::sin(3 * b) + lift + tilt * std::cos(b);
+      if (std::abs(off) < 1.0) z -= dip * 0.5 * (1.0 + std::cos(3.14159265358979 * off));
+      epoch.stations.push_back({a, a, z + (seed > 0 ? sigma * error : 0.0), sigma});
+    }
+    return epoch;
+  }
+};
+
+Survey with(double Survey::*field, double value, unsigned seed = 0) {
+  Survey survey;
+  survey.seed = seed;
+  survey.*field = value;
+  return survey;
+}
+
+std::string refusal(const Epoch& a, const Epoch& b, const MovementOptions& options = {}) {
+  try {
+    compareEpochs(a, b, options);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::Option);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CompareEpochs, AnUnmovedTankRaisesAFalseAlarmInAtMostFivePerCent) {
+  int alarms = 0;
+  for (unsigned run = 1; run <= 100; ++run) {
+    alarms +=
+        compareEpochs(with(&Survey::lift, 0, run).epoch(), with(&Survey::lift, 0, 1000 + run).epoch(), {}).significant >
+        0;
+  }
+  EXPECT_LE(alarms, 11);  // binomial(100, 0.05) exceeds it once in 200 seeds
+  EXPECT_GE(alarms, 1);   // and has none once in 170: a threshold far too high
+}
+
+TEST(CompareEpochs, FindsADipOfTwoMillimetresWhereItIs) {
+  int found = 0;
+  for (unsigned run = 1; run <= 20; ++run) {
+    Survey before = with(&Survey::sigma, 0.0002, run), after = with(&Survey::sigma, 0.0002, 100 + run);
+    after.dip = 0.002;
+    const Movement m = compareEpochs(before.epoch(), after.epoch(), {});
+    bool inside = false;
+    for (std::size_t i = 95; i <= 105; ++i) inside = inside || m.stations[i].significant;
+    found += inside ? 1 : 0;
+    EXPECT_FALSE(m.stations[200].significant && m.stations[300].significant) << run;
+  }
+  EXPECT_GE(found, 19);
+}
+
+TEST(CompareEpochs, KnowsAnExactMovementAndItsLevelOfDetection) {
+  const Movement m = compareEpochs(Survey().epoch(), with(&Survey::dip, 0.002).epoch(), {});
+  EXPECT_NEAR(m.stations[100].dz, -0.002, 1e-12);
+  EXPECT_NEAR(m.stations[200].dz, 0.0, 1e-12);
+  EXPECT_NEAR(m.stations[0].lod95(), 1.96 * 0.0003 * std::sqrt(2.0), 1e-7);
+  EXPECT_EQ(m.matched, 360U);
+  EXPECT_NEAR(m.max, -0.002, 1e-12);
+  EXPECT_NEAR(m.max_azimuth, 100 * kDegree, 1e-9);
+}
+
+TEST(CompareEpochs, RemovesWhatIsAskedFor) {
+  Survey later = with(&Survey::lift, 0.01);
+  later.tilt = 0.004;
+  const auto rms = [&](Removal removal) {
+    MovementOptions options;
+    options.removal = removal;
+    return compareEpochs(Survey().epoch(), later.epoch(), options).rms;
+  };
+  EXPECT_NEAR(rms(Removal::Nothing), std::sqrt(1e-4 + 8e-6), 1e-9);
+  EXPECT_NEAR(rms(Removal::Mean), std::sqrt(8e-6), 1e-9);
+  EXPECT_NEAR(rms(Removal::Tilt), 0.0, 1e-9);
+}
+
+TEST(CompareEpochs, ARegistrationErrorWidensTheLevelOfDetection) {
+  MovementOptions options;
+  options.registration_error = 0.004;
+  const Movement m = compareEpochs(Survey().epoch(), with(&Survey::lift, 0.002).epoch(), options);
+  EXPECT_NEAR(m.stations[0].sigma, std::hypot(0.004, 0.0003 * std::sqrt(2.0)), 1e-12);
+  EXPECT_EQ(m.significant, 0U);
+  EXPECT_EQ(compareEpochs(Survey().epoch(), with(&Survey::lift, 0.002).epoch(), {}).significant, 360U);
+}
+
+TEST(CompareEpochs, NeighboursThatShareErrorsProveLess) {
+  MovementOptions apart, together;
+  apart.correlation = 0.0;
+  together.correlation = 20 * kDegree;
+  const auto found = [](const MovementOptions& o) {
+    return compareEpochs(Survey().epoch(), with(&Survey::lift, 0.0006).epoch(), o).significant;
+  };
+  EXPECT_EQ(found(apart), 360U);
+  EXPECT_EQ(found(together), 0U);
+}
+
+TEST(CompareEpochs, EstimatesTheTurnFromTheShapeWithItsUncertainty) {
+  MovementOptions options;
+  options.estimate_offset = true;
+  const Movement m =
+      compareEpochs(with(&Survey::lift, 0, 1).epoch(), with(&Survey::turned, 37.25 * kDegree, 2).epoch(), options);
+  EXPECT_GT(m.sigma_azimuth_offset, 0.01 * kDegree);
+  EXPECT_LT(m.sigma_azimuth_offset, 2 * kDegree);
+  EXPECT_NEAR(m.azimuth_offset, 37.25 * kDegree, 3 * m.sigma_azimuth_offset);
+  MovementOptions given;
+  given.azimuth_offset = 37.25 * kDegree;
+  EXPECT_NEAR(compareEpochs(Survey().epoch(), with(&Survey::turned, 37.25 * kDegree).epoch(), given).rms, 0, 1e-5);
+  EXPECT_GT(compareEpochs(Survey().epoch(), with(&Survey::turned, 37.25 * kDegree).epoch(), {}).rms, 0.003);
+  Epoch level = Survey().epoch();
+  for (Elevation& e : level.stations) e.z = 1.0;
+  EXPECT_NE(refusal(level, level, options).find("azimuth offset"), std::string::npos);
+}
+
+TEST(CompareEpochs, ComparesSurveysOfOtherStationCountsWhereBothWereMeasured) {
+  Survey coarse, fine;
+  coarse.count = 36, fine.count = 720;
+  const Movement m = compareEpochs(Survey().epoch(), fine.epoch(), {});
+  EXPECT_EQ(m.matched, 720U);
+  EXPECT_LT(m.rms, 2e-6);  // the baseline's interpolation
+  EXPECT_EQ(compareEpochs(coarse.epoch(), Survey().epoch(), {}).matched, 36U);
+  Epoch gap = Survey().epoch();
+  for (std::size_t i = 40; i < 80; ++i) gap.stations[i].z = NAN;
+  const Movement partly = compareEpochs(Survey().epoch(), gap, {});
+  EXPECT_EQ(partly.matched, 320U);
+  EXPECT_TRUE(std::isnan(partly.stations[50].dz));
+  EXPECT_FALSE(partly.stations[50].significant);
+  for (std::size_t i = 5; i < 360; ++i) gap.stations[i].z = NAN;
+  EXPECT_FALSE(compareEpochs(Survey().epoch(), gap, {}).valid());
+  gap.status = "no_tank";
+  EXPECT_NE(compareEpochs(Survey().epoch(), gap, {}).message.find("no_tank"), std::string::npos);
+}
+
+TEST(CompareEpochs, RefusesOtherTanksUnitsMethodsAndSurfaces) {
+  const Epoch one = Survey().epoch();
+  Epoch other = one;
+  other.circle.radius = 30.06;
+  EXPECT_NE(refusal(one, other).find("radius"), std::string::npos);
+  MovementOptions wide;
+  wide.radius_tolerance = 0.1;
+  EXPECT_EQ(refusal(one, other, wide), "");
+  other.circle.radius = 30.0 / 0.3048;
+  EXPECT_NE(refusal(one, other).find("ft and m"), std::string::npos);
+  other = one, other.circle.center.x() += 0.3;
+  EXPECT_NE(refusal(one, other).find("centre"), std::string::npos);
+  wide.centre_tolerance = 0.5;
+  EXPECT_EQ(refusal(one, other, wide), "");
+  other = one, other.method = "paper";
+  EXPECT_NE(refusal(one, other).find("method"), std::string::npos);
+  other = one, other.surface = "ringwall";
+  EXPECT_NE(refusal(one, other).find("ringwall"), std::string::npos);
+}
+
+TEST(MovementOptions, AreRefusedByName) {
+  const auto refused = [](double MovementOptions::*field, double value) {
+    MovementOptions options;
+    options.*field = value;
+    return firstError(options);
+  };
+  EXPECT_EQ(firstError(MovementOptions{}), "");
+  EXPECT_NE(refused(&MovementOptions::registration_error, -1).find("registration_error"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::correlation, NAN).find("correlation"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::radius_tolerance, 0).find("radius_tolerance"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::centre_tolerance, 0).find("centre_tolerance"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::azimuth_offset, INFINITY).find("azimuth_offset"), std::string::npos);
+  MovementOptions both;
+  both.estimate_offset = true, both.azimuth_offset = 1.0;
+  EXPECT_NE(firstError(both).find("azimuth_offset"), std::string::npos);
+  EXPECT_NE(refusal(Survey().epoch(), Survey().epoch(), both), "");
+}
+
+}  // namespace
+}  // namespace tank_datum
