@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "exit_status.h"
+#include "movement_options.h"
 #include "tank_datum/error.h"
 #include "tank_datum/version.h"
 #include "units_of_scans.h"
@@ -17,15 +18,14 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"paper", Method::Paper}};
-const std::map<std::string, Removal> kRemovals = {
-    {"none", Removal::Nothing}, {"mean", Removal::Mean}, {"tilt", Removal::Tilt}};
 const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann}};
 
 /// The figures as a person types them, in degrees; the options hold radians.
 struct Typed {
   double angle_deg, zero_azimuth_deg;
   std::string tank;
-  std::string search, method, removal;
+  std::string search, method;
+  TypedMovement movement{MovementOptions{}};
 };
 
 void addOptions(CLI::App& app, Command& command, Typed& typed) {
@@ -54,9 +54,7 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
   app.add_option("--units", command.units, "units of the input")->check(CLI::IsMember(kUnits));
   app.add_option("--baseline", command.baseline, "datum.json of an earlier survey: movement since then");
-  app.add_option("--remove", typed.removal, "what is taken from the movement")->check(CLI::IsMember(kRemovals));
-  app.add_option("--registration-error", command.movement.registration_error,
-                 "1 sigma of the height left between the surveys [m]");
+  addMovementOptions(app, command.movement, typed.movement);
   app.add_option("--threads", o.threads, "threads; 0: all cores; the result does not depend on it");
   app.add_flag("--quiet", command.quiet, "no summary, no progress");
   app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage")->configurable(false);
@@ -91,7 +89,6 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   typed.angle_deg = command.options.growing.angle / kDegree;
   typed.zero_azimuth_deg = command.options.stations.zero_azimuth / kDegree;
   typed.method = nameOf(command.options.method);
-  typed.removal = nameOf(command.movement.removal);
   typed.search = nameOf(command.options.normals.search);
   addOptions(app, command, typed);
   bool print_config = false;
@@ -114,7 +111,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   o.growing.angle = typed.angle_deg * kDegree;
   o.stations.zero_azimuth = typed.zero_azimuth_deg * kDegree;
   o.method = kMethods.at(typed.method);
-  command.movement.removal = kRemovals.at(typed.removal);
+  typed.movement.putInto(command.movement);
   o.normals.search = kEngines.at(typed.search);
   if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);
   if (command.output.empty()) command.output = stemOf(command.scans.front());

@@ -1,4 +1,5 @@
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -6,6 +7,7 @@
 #include "exit_status.h"
 #include "result_folder.h"
 #include "stage_clock.h"
+#include "tank_datum/baseline.h"
 #include "tank_datum/error.h"
 #include "tank_datum/report.h"
 #include "terminal.h"
@@ -29,26 +31,60 @@ std::string fileToOpen(const Command& command, const std::string& part) {
   return command.output + "/" + (part.empty() ? "" : part + "/") + "datum.json";
 }
 
-int run(const Command& command) {
-  const std::string error = firstError(command.movement);
-  if (!error.empty()) throw Error(Error::Kind::Option, "options", "movement", error, "what the option must be");
-  std::optional<Epoch> baseline;  // read before an earlier result in the same folder is moved
-  if (!command.baseline.empty()) baseline = readEpoch(command.baseline);
-  ResultFolder folder(command.output);
-  StageClock clock(!command.quiet);
+/// Refuses a baseline that this run would write over.
+void requireElsewhere(const std::string& baseline, const std::string& output) {
+  const std::filesystem::path file(baseline), folder = std::filesystem::is_directory(file) ? file : file.parent_path();
+  std::error_code missing;
+  if (!std::filesystem::equivalent(folder.empty() ? "." : folder, output, missing)) return;
+  throw Error(Error::Kind::Option, "movement", "baseline", baseline, "a result outside of the output folder " + output);
+}
+
+std::vector<Datum> extract(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
   const auto observer = [&clock](const char* stage) { clock.begin(stage); };
   clock.begin("open");
   const Scan scan = Scan::open(command.scans, command.metresPerUnit());
-  const auto datums = command.all ? extractDatums(scan, command.options, observer)
-                                  : std::vector<Datum>{extractDatum(scan, command.options, observer)};
+  const std::vector<Tank> tanks = findTanks(scan, command.options, observer);
+  if (baseline) requireAmong(tanks, scan.origin(), *baseline);
+  if (command.all) return extractDatumsOf(tanks, scan, command.options, observer);
+  return {extractDatumAmong(tanks, scan, command.options, observer)};
+}
+
+/// The movement of one of several tanks; of those that are not the baseline's it says so.
+Movement movementOf(const Datum& datum, const Baseline& baseline, const Command& command) {
+  try {
+    return movementSince(baseline, datum, command.options);
+  } catch (const Error& error) {
+    if (!command.all) throw;
+    Movement none;
+    none.baseline = baseline.epoch.name;
+    none.message = error.what();
+    return none;
+  }
+}
+
+Provenance recordOf(const Datum& datum, const std::optional<Baseline>& baseline, const Command& command) {
+  Provenance provenance = provenanceOf(command.scans, command.units, command.options, datum);
+  provenance.baseline = command.baseline;
+  provenance.movement_options = command.movement;
+  if (!baseline || !datum.usable()) return provenance;
+  provenance.movement = movementOf(datum, *baseline, command);
+  if (!provenance.movement->message.empty()) {
+    std::cerr << "tank_datum: no movement: " << provenance.movement->message << "\n";
+  }
+  return provenance;
+}
+
+int run(const Command& command) {
+  if (!command.baseline.empty()) requireElsewhere(command.baseline, command.output);
+  ResultFolder folder(command.output);
+  std::optional<Baseline> baseline;
+  if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.options);
+  requireValid(command.movement);
+  StageClock clock(!command.quiet);
+  const std::vector<Datum> datums = extract(command, baseline, clock);
   clock.begin("report");
   for (std::size_t i = 0; i < datums.size(); ++i) {
-    Provenance provenance = provenanceOf(command.scans, command.units, command.options, datums[i]);
-    if (baseline && datums[i].usable()) {
-      provenance.movement =
-          compareEpochs(*baseline, epochOf(datums[i], command.options.method, "this survey"), command.movement);
-    }
-    writeResults(folder.stage(partOf(datums, i)), datums[i], provenance);
+    writeResults(folder.stage(partOf(datums, i)), datums[i], recordOf(datums[i], baseline, command));
   }
   folder.commit();
   clock.end();

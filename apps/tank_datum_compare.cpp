@@ -7,6 +7,7 @@
 
 #include "exit_status.h"
 #include "movement_files.h"
+#include "movement_options.h"
 #include "tank_datum/error.h"
 #include "tank_datum/version.h"
 
@@ -15,15 +16,9 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-const std::map<std::string, Removal> kRemovals = {
-    {"none", Removal::Nothing}, {"mean", Removal::Mean}, {"tilt", Removal::Tilt}};
-
 struct CompareCommand {
   std::vector<std::string> epochs;  ///< datum.json or result folders, the baseline first
   std::string output = "movement";
-  std::string removal = "none";
-  std::string offset = "0";  ///< degrees, or "estimate"
-  double registration_mm = 0.0, correlation_deg = MovementOptions{}.correlation / kDegree;
   MovementOptions options;
 };
 
@@ -34,12 +29,8 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
       ->required()
       ->expected(2, -1);
   app.add_option("-o,--output", command.output, "folder for movement.json and movement.csv");
-  app.add_option("--remove", command.removal, "what is taken from the differences")->check(CLI::IsMember(kRemovals));
-  app.add_option("--registration-mm", command.registration_mm, "1 sigma of the height left between two surveys");
-  app.add_option("--azimuth-offset-deg", command.offset, "turn of the later surveys' frames, or estimate");
-  app.add_option("--correlation-deg", command.correlation_deg, "arc over which stations' errors fall to 1/e");
-  app.add_option("--radius-tolerance", command.options.radius_tolerance, "largest difference of the radii [m]");
-  app.add_option("--centre-tolerance", command.options.centre_tolerance, "largest distance of the centres [m]");
+  TypedMovement typed(command.options);
+  addMovementOptions(app, command.options, typed);
   app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
   try {
     app.parse(argc, argv);
@@ -52,23 +43,8 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
     status = kWrongUse;
     return false;
   }
+  typed.putInto(command.options);
   return true;
-}
-
-MovementOptions optionsOf(const CompareCommand& command) {
-  MovementOptions options = command.options;
-  options.removal = kRemovals.at(command.removal);
-  options.registration_error = 1e-3 * command.registration_mm;
-  options.correlation = command.correlation_deg * kDegree;
-  options.estimate_offset = command.offset == "estimate";
-  if (!options.estimate_offset) {
-    char* end = nullptr;
-    options.azimuth_offset = std::strtod(command.offset.c_str(), &end) * kDegree;
-    if (command.offset.empty() || *end != '\0') {
-      throw Error(Error::Kind::Option, "command line", "--azimuth-offset-deg", command.offset, "degrees or estimate");
-    }
-  }
-  return options;
 }
 
 void print(const std::vector<Movement>& movements, const std::vector<Epoch>& epochs) {
@@ -83,12 +59,12 @@ void print(const std::vector<Movement>& movements, const std::vector<Epoch>& epo
 }
 
 int run(const CompareCommand& command) {
-  const MovementOptions options = optionsOf(command);
+  requireValid(command.options);
   std::vector<Epoch> epochs;
   for (const std::string& path : command.epochs) epochs.push_back(readEpoch(path));
   std::vector<Movement> movements;
   for (std::size_t i = 1; i < epochs.size(); ++i) {
-    movements.push_back(compareEpochs(epochs.front(), epochs[i], options));
+    movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
     if (movements.back().valid()) continue;
     std::cerr << "tank_datum_compare: movement: " << movements.back().message << "\n";
     return kNoDatum;

@@ -35,15 +35,6 @@ Datum withoutTank(const Scan& scan, const DatumOptions& options) {
   return stopped(datum, Status::NoTank, "no vertical cylinder of the smallest radius or more stands in the scan");
 }
 
-std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
-  requireValid(options);
-  if (observer) observer("locate");
-  if (!options.tank) return locateTanks(scan, options.locate);
-  const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
-  const std::optional<Tank> tank = describeTank(scan, circle, options.locate);
-  return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
-}
-
 void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
   datum.refined = refineStations(datum.stations, ring, datum.tank, options.refine, options.stations);
   datum.circle = datum.refined.circle;
@@ -115,9 +106,26 @@ std::string firstError(const DatumOptions& options) {
 
 const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
 
+std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
+  requireValid(options);
+  if (observer) observer("locate");
+  if (!options.tank) return locateTanks(scan, options.locate);
+  const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
+  const std::optional<Tank> tank = describeTank(scan, circle, options.locate);
+  return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
+}
+
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer,
                    const NormalStage& normal_stage) {
-  const std::vector<Tank> tanks = findTanks(scan, options, observer);
+  return extractDatumAmong(findTanks(scan, options, observer), scan, options, observer, normal_stage);
+}
+
+std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
+  return extractDatumsOf(findTanks(scan, options, observer), scan, options, observer);
+}
+
+Datum extractDatumAmong(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
+                        const StageObserver& observer, const NormalStage& normal_stage) {
   const auto picked = static_cast<std::size_t>(options.pick);
   if (tanks.empty()) return withoutTank(scan, options);
   if (picked > tanks.size()) {
@@ -127,11 +135,10 @@ Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObs
   return extractDatumOf(tanks[picked - 1], scan, options, observer, normal_stage);
 }
 
-std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
+std::vector<Datum> extractDatumsOf(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
+                                   const StageObserver& observer) {
   std::vector<Datum> datums;
-  for (const Tank& tank : findTanks(scan, options, observer)) {
-    datums.push_back(extractDatumOf(tank, scan, options, observer));
-  }
+  for (const Tank& tank : tanks) datums.push_back(extractDatumOf(tank, scan, options, observer));
   if (datums.empty()) datums.push_back(withoutTank(scan, options));
   return datums;
 }

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json optionsJson(const DatumOptions& o) {
+Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
   Json json;
   json["method"] = nameOf(o.method);
   json["locate"] = {{"min_radius", o.locate.min_radius},
@@ -34,6 +34,7 @@ Json optionsJson(const DatumOptions& o) {
                       {"longest_bridge_deg", toDegrees(o.stations.longest_bridge)}};
   json["pick"] = o.pick;
   json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
+  json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
   return json;
 }
 
@@ -107,7 +108,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
   json["schema"] = 1;
   json["version"] = kVersion;
   json["input"] = inputJson(provenance, datum.origin);
-  json["options"] = optionsJson(provenance.options);
+  json["options"] = optionsJson(provenance.options, provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
   json["tank"] = tankJson(datum);

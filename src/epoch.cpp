@@ -26,7 +26,7 @@ Epoch epochFrom(const Json& json, const std::string& path) {
   const Json& tank = json.at("tank");
   epoch.circle.center = {tank.at("center").at(0).get<double>(), tank.at("center").at(1).get<double>()};
   epoch.circle.radius = tank.at("radius").get<double>();
-  for (const Json& station : json.at("stations")) {
+  for (const Json& station : json.at("stations").get_ref<const Json::array_t&>()) {
     Elevation e;
     e.azimuth = toRadians(station.at("azimuth_deg").get<double>());
     e.direction = toRadians(station.at("direction_deg").get<double>());

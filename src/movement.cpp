@@ -32,18 +32,7 @@ std::string unitBehind(double ratio) {
   return {};
 }
 
-void requireSameTank(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
-  const double from = baseline.circle.radius, to = current.circle.radius;
-  if (!(std::abs(to - from) <= options.radius_tolerance)) {
-    refuse("radius of " + current.name, text(to) + " m",
-           "within " + text(options.radius_tolerance) + " m of the baseline's " + text(from) + unitBehind(to / from));
-  }
-  const double apart = (current.circle.center - baseline.circle.center).norm();
-  const bool turned = options.estimate_offset || options.azimuth_offset != 0.0;
-  if (!turned && !(apart <= options.centre_tolerance)) {
-    refuse("centre of " + current.name, text(apart) + " m from the baseline's",
-           "within " + text(options.centre_tolerance) + " m, the same tank in the same frame");
-  }
+void requireSameKind(const Epoch& baseline, const Epoch& current) {
   if (baseline.method != current.method) {
     refuse("method of " + current.name, current.method, "the baseline's, " + baseline.method);
   }
@@ -71,12 +60,13 @@ const char* nameOf(Removal removal) {
 
 std::string firstError(const MovementOptions& options) {
   const std::pair<const char*, double> lengths[] = {{"movement.registration_error", options.registration_error},
+                                                    {"movement.registration_tilt", options.registration_tilt},
                                                     {"movement.correlation", options.correlation}};
   for (const auto& [name, value] : lengths) {
     if (!(value >= 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be >= 0)";
   }
-  const std::pair<const char*, double> tolerances[] = {{"movement.radius_tolerance", options.radius_tolerance},
-                                                       {"movement.centre_tolerance", options.centre_tolerance}};
+  const std::pair<const char*, double> tolerances[] = {{"movement.radius_difference", options.radius_difference},
+                                                       {"movement.centre_distance", options.centre_distance}};
   for (const auto& [name, value] : tolerances) {
     if (!(value > 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be > 0)";
   }
@@ -87,19 +77,43 @@ std::string firstError(const MovementOptions& options) {
   return {};
 }
 
-Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+void requireValid(const MovementOptions& options) {
   const std::string error = firstError(options);
-  if (!error.empty()) refuse("options", error, "what the option must be");
+  const auto equals = error.find(" = "), must = error.find(" (must be ");
+  if (error.empty()) return;
+  throw Error(Error::Kind::Option, "options", error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
+              error.substr(must + 10, error.size() - must - 11));
+}
+
+void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
+                     const MovementOptions& options) {
+  const double from = baseline.circle.radius, to = circle.radius;
+  if (!(std::abs(to - from) <= options.radius_difference)) {
+    refuse("radius of " + name, text(to) + " m",
+           "within " + text(options.radius_difference) + " m of the baseline's " + text(from) + unitBehind(to / from));
+  }
+  const double apart = (circle.center - baseline.circle.center).norm();
+  const bool turned = options.estimate_offset || options.azimuth_offset != 0.0;
+  if (!turned && !(apart <= options.centre_distance)) {
+    refuse("centre of " + name, text(apart) + " m from the baseline's",
+           "within " + text(options.centre_distance) + " m, the same tank in the same frame");
+  }
+}
+
+Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  requireValid(options);
   Movement movement;
   movement.baseline = baseline.name;
   movement.removal = options.removal;
   movement.registration_error = options.registration_error;
+  movement.registration_tilt = options.registration_tilt;
   for (const Epoch* epoch : {&baseline, &current}) {
     if (epoch->usable()) continue;
     movement.message = epoch->name + " holds no usable datum: " + epoch->status;
     return movement;
   }
-  requireSameTank(baseline, current, options);
+  requireSameTank(baseline, current.name, current.circle, options);
+  requireSameKind(baseline, current);
   const AzimuthOffset offset =
       options.estimate_offset ? estimateOffset(baseline, current, options) : AzimuthOffset{options.azimuth_offset, 0.0};
   movement.azimuth_offset = offset.value;
@@ -112,9 +126,9 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
     movement.message = "only " + std::to_string(matched.size()) + " stations are measured in both surveys";
     return movement;
   }
-  for (MatchedStation& m : matched) m.sigma = std::hypot(m.sigma, m.slope * offset.sigma);
   removeCommon(matched, options.removal);
-  const Significance found = findMoved(matched, options);
+  const Significance found = findMoved(
+      matched, {options.registration_error, options.registration_tilt * current.circle.radius, offset.sigma}, options);
   movement.threshold = found.threshold;
   for (std::size_t i = 0; i < matched.size(); ++i) {
     StationMovement& s = movement.stations[matched[i].station];

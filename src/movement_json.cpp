@@ -27,6 +27,18 @@ Json stationsSection(const Datum& datum) {
   return stations;
 }
 
+Json movementOptionsSection(const std::string& baseline, const MovementOptions& o) {
+  return {{"baseline", baseline.empty() ? Json(nullptr) : Json(baseline)},
+          {"remove", nameOf(o.removal)},
+          {"registration_error", o.registration_error},
+          {"registration_tilt_arcsec", toArcSeconds(o.registration_tilt)},
+          {"azimuth_offset_deg", toDegrees(o.azimuth_offset)},
+          {"estimate_azimuth_offset", o.estimate_offset},
+          {"correlation_deg", toDegrees(o.correlation)},
+          {"radius_difference", o.radius_difference},
+          {"centre_distance", o.centre_distance}};
+}
+
 Json movementSection(const Movement& movement) {
   Json stations = Json::array();
   for (const StationMovement& s : movement.stations) {
@@ -38,6 +50,7 @@ Json movementSection(const Movement& movement) {
   return {{"baseline", movement.baseline},
           {"removed", nameOf(movement.removal)},
           {"registration_error", movement.registration_error},
+          {"registration_tilt_arcsec", toArcSeconds(movement.registration_tilt)},
           {"azimuth_offset_deg", toDegrees(movement.azimuth_offset)},
           {"sigma_azimuth_offset_deg", toDegrees(movement.sigma_azimuth_offset)},
           {"message", movement.message},

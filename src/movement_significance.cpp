@@ -72,31 +72,33 @@ class Deviates {
 
 /// The stations with errors alone for dz, as an unmoved tank would show.
 std::vector<MatchedStation> unmoved(std::vector<MatchedStation> stations, const MovementOptions& options,
-                                    Deviates& normal) {
+                                    const CommonErrors& common, Deviates& normal) {
   double error = normal();
+  const double turn = common.turn * normal();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (i > 0) {
       const double arc = stations[i].direction - stations[i - 1].direction;
       const double kept = options.correlation > 0.0 ? std::exp(-arc / options.correlation) : 0.0;
       error = kept * error + std::sqrt(1.0 - kept * kept) * normal();
     }
-    stations[i].dz = stations[i].sigma * error;
+    stations[i].dz = stations[i].sigma * error + stations[i].slope * turn;
   }
   removeCommon(stations, options.removal);
-  const double common = options.registration_error * normal();
-  for (MatchedStation& m : stations) m.dz += common;
+  const double height = common.height * normal(), east = common.rim * normal(), north = common.rim * normal();
+  for (MatchedStation& m : stations) m.dz += height + east * std::cos(m.direction) + north * std::sin(m.direction);
   return stations;
 }
 
 }  // namespace
 
-Significance findMoved(const std::vector<MatchedStation>& stations, const MovementOptions& options) {
+Significance findMoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
+                       const MovementOptions& options) {
   const std::vector<Window> windows = windowsOver(stations);
   std::vector<std::vector<double>> draws;
   std::vector<double> sigmas(windows.size(), 0.0);
   Deviates normal;
   for (int draw = 0; draw < kDraws; ++draw) {
-    draws.push_back(meansOf(unmoved(stations, options, normal), windows));
+    draws.push_back(meansOf(unmoved(stations, options, common, normal), windows));
     for (std::size_t w = 0; w < windows.size(); ++w) sigmas[w] += draws.back()[w] * draws.back()[w] / kDraws;
   }
   for (double& sigma : sigmas) sigma = std::sqrt(sigma);
@@ -115,7 +117,10 @@ Significance findMoved(const std::vector<MatchedStation>& stations, const Moveme
   for (std::size_t w = 0; w < windows.size(); ++w) {
     if (std::abs(means[w]) > result.threshold * sigmas[w]) result.moved[w % stations.size()] = true;
   }
-  for (const MatchedStation& m : stations) result.sigmas.push_back(std::hypot(m.sigma, options.registration_error));
+  for (const MatchedStation& m : stations) {
+    result.sigmas.push_back(
+        std::hypot(std::hypot(m.sigma, m.slope * common.turn), std::hypot(common.height, common.rim)));
+  }
   return result;
 }
 

@@ -6,6 +6,13 @@
 
 namespace tank_datum {
 
+/// Errors that all stations share, 1 sigma.
+struct CommonErrors {
+  double height = 0.0;  ///< left after the removal [m]
+  double rim = 0.0;     ///< height at the shell by a tilt about either level axis, left after the removal [m]
+  double turn = 0.0;    ///< of the azimuth offset [rad]
+};
+
 /// Which stations moved, and the threshold that says so.
 struct Significance {
   double threshold = 0.0;      ///< of |window mean| in its standard deviations
@@ -15,9 +22,11 @@ struct Significance {
 
 /// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
 /// standard deviation on an unmoved tank. The threshold is the 95 % point of the largest of them all in 2000 simulated
-/// comparisons with the stations' own sigmas, neighbours' errors correlated by exp(-arc / correlation), the removal
-/// applied, so false alarms are at most 5 % for the whole tank (max-statistic; Westfall and Young 1993).
+/// comparisons with the stations' own sigmas, neighbours' errors correlated by exp(-arc / correlation), the common
+/// errors, and the removal applied, so false alarms are at most 5 % for the whole tank (max-statistic; Westfall and
+/// Young 1993).
 /// @param stations  by direction, dz after the removal
-Significance findMoved(const std::vector<MatchedStation>& stations, const MovementOptions& options);
+Significance findMoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
+                       const MovementOptions& options);
 
 }  // namespace tank_datum

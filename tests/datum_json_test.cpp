@@ -24,7 +24,7 @@ Json parsed(const Datum& datum) { return Json::parse(datumJson(datum, provenance
 TEST(DatumJson, HasTheContractsKeys) {
   const Json json = parsed(octagon());
   EXPECT_EQ(keysOf(json), (std::vector<std::string>{"schema", "version", "input", "options", "status", "message",
-                                                    "tank", "datum", "tilt", "antipodal"}));
+                                                    "tank", "datum", "tilt", "antipodal", "stations"}));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["status"], "partial");
   EXPECT_EQ(json["message"], octagon().message);
@@ -39,6 +39,19 @@ TEST(DatumJson, HasTheContractsKeys) {
             (std::vector<std::string>{"slope", "angle_arcsec", "direction_deg", "sigma_slope", "r2", "p_value"}));
   EXPECT_EQ(keysOf(json["antipodal"]),
             (std::vector<std::string>{"max_h", "diameter", "angle_deg", "angle_arcsec", "azimuth_deg"}));
+  EXPECT_EQ(keysOf(json["stations"][0]),
+            (std::vector<std::string>{"azimuth_deg", "direction_deg", "z", "sigma_z", "flag"}));
+}
+
+TEST(DatumJson, HoldsEveryStationInTheScansFrame) {
+  const Json stations = parsed(octagon())["stations"];
+  ASSERT_EQ(stations.size(), 8U);
+  EXPECT_NEAR(stations[3]["azimuth_deg"], 135.0, 1e-9);
+  EXPECT_NEAR(stations[3]["direction_deg"], 135.0, 1e-9);
+  EXPECT_NEAR(stations[3]["z"], 100.628, 1e-9);
+  EXPECT_EQ(stations[3]["sigma_z"], 0.00025);
+  EXPECT_EQ(stations[5]["flag"], "interpolated");
+  EXPECT_TRUE(stations[6]["z"].is_null());
 }
 
 TEST(DatumJson, IsInTheScansFrameInMetresAndDegrees) {
@@ -80,7 +93,7 @@ TEST(DatumJson, OfNoTankHoldsNoNumbersOfOne) {
   const Json json = parsed(none);
   EXPECT_EQ(json["status"], "no_tank");
   EXPECT_TRUE(json["tank"].is_null());
-  for (const char* key : {"datum", "tilt", "antipodal"}) EXPECT_FALSE(json.contains(key)) << key;
+  for (const char* key : {"datum", "tilt", "antipodal", "stations"}) EXPECT_FALSE(json.contains(key)) << key;
 }
 
 TEST(DatumJson, SaysWhatWentInAndEveryOption) {
@@ -99,7 +112,7 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
   EXPECT_EQ(json["options"]["stations"]["clockwise"], true);
   EXPECT_EQ(keysOf(json["options"]),
             (std::vector<std::string>{"method", "locate", "crop", "normals", "growing", "centre_filter", "spline",
-                                      "refine", "stations", "pick", "tank"}));
+                                      "refine", "stations", "pick", "tank", "movement"}));
 }
 
 }  // namespace

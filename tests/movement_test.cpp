@@ -110,6 +110,16 @@ TEST(CompareEpochs, ARegistrationErrorWidensTheLevelOfDetection) {
   EXPECT_EQ(compareEpochs(Survey().epoch(), with(&Survey::lift, 0.002).epoch(), {}).significant, 360U);
 }
 
+TEST(CompareEpochs, ARegistrationTiltWidensItByTheHeightAtTheShell) {
+  Survey later = with(&Survey::tilt, 0.002);
+  MovementOptions options;
+  options.registration_tilt = 0.0001;  // 3 mm at 30 m
+  const Movement m = compareEpochs(Survey().epoch(), later.epoch(), options);
+  EXPECT_NEAR(m.stations[0].sigma, std::hypot(0.003, 0.0003 * std::sqrt(2.0)), 1e-12);
+  EXPECT_EQ(m.significant, 0U);
+  EXPECT_GT(compareEpochs(Survey().epoch(), later.epoch(), {}).significant, 200U);
+}
+
 TEST(CompareEpochs, NeighboursThatShareErrorsProveLess) {
   MovementOptions apart, together;
   apart.correlation = 0.0;
@@ -163,13 +173,13 @@ TEST(CompareEpochs, RefusesOtherTanksUnitsMethodsAndSurfaces) {
   other.circle.radius = 30.06;
   EXPECT_NE(refusal(one, other).find("radius"), std::string::npos);
   MovementOptions wide;
-  wide.radius_tolerance = 0.1;
+  wide.radius_difference = 0.1;
   EXPECT_EQ(refusal(one, other, wide), "");
   other.circle.radius = 30.0 / 0.3048;
   EXPECT_NE(refusal(one, other).find("ft and m"), std::string::npos);
   other = one, other.circle.center.x() += 0.3;
   EXPECT_NE(refusal(one, other).find("centre"), std::string::npos);
-  wide.centre_tolerance = 0.5;
+  wide.centre_distance = 0.5;
   EXPECT_EQ(refusal(one, other, wide), "");
   other = one, other.method = "paper";
   EXPECT_NE(refusal(one, other).find("method"), std::string::npos);
@@ -185,9 +195,10 @@ TEST(MovementOptions, AreRefusedByName) {
   };
   EXPECT_EQ(firstError(MovementOptions{}), "");
   EXPECT_NE(refused(&MovementOptions::registration_error, -1).find("registration_error"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::registration_tilt, -1).find("registration_tilt"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::correlation, NAN).find("correlation"), std::string::npos);
-  EXPECT_NE(refused(&MovementOptions::radius_tolerance, 0).find("radius_tolerance"), std::string::npos);
-  EXPECT_NE(refused(&MovementOptions::centre_tolerance, 0).find("centre_tolerance"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::radius_difference, 0).find("radius_difference"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::centre_distance, 0).find("centre_distance"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::azimuth_offset, INFINITY).find("azimuth_offset"), std::string::npos);
   MovementOptions both;
   both.estimate_offset = true, both.azimuth_offset = 1.0;

@@ -89,6 +89,16 @@ using NormalStage = std::function<Normals(const Points& points, const NormalOpti
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {},
                    const NormalStage& normal_stage = {});
 
+/// The tanks of a scan, best first; or the one that options.tank gives.
+/// @throws Error  a refused option, a file that cannot be read
+std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
+
+/// The rest of the chain for tanks already found: the picked one, or every one.
+Datum extractDatumAmong(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
+                        const StageObserver& observer = {}, const NormalStage& normal_stage = {});
+std::vector<Datum> extractDatumsOf(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
+                                   const StageObserver& observer = {});
+
 /// The datum of every tank in the scan, best first; one without a tank when there is none.
 std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
 

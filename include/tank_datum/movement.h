@@ -22,15 +22,24 @@ const char* nameOf(Removal removal);
 struct MovementOptions {
   Removal removal = Removal::Nothing;
   double registration_error = 0.0;          ///< 1 sigma of a height common to all stations, left after the removal [m]
+  double registration_tilt = 0.0;           ///< 1 sigma of a tilt about either level axis, left after it [rad]
   double azimuth_offset = 0.0;              ///< of the current survey's frame: added to its directions [rad]
   bool estimate_offset = false;             ///< find the azimuth offset by the datum's shape instead
   double correlation = 0.0349065850398866;  ///< arc over which errors of stations fall to 1/e [rad], 2 degrees
-  double radius_tolerance = 0.05;           ///< surveys whose radii differ by more are of different tanks [m]
-  double centre_tolerance = 0.25;           ///< the same of the centres, in a common frame [m]
+  double radius_difference = 0.05;          ///< surveys whose radii differ by more are of different tanks [m]
+  double centre_distance = 0.25;            ///< the same of the centres, in a common frame [m]
 };
 
 /// One line naming the first refused field, its value and what it must be; or empty.
 std::string firstError(const MovementOptions& options);
+
+/// @throws Error (Option) naming the first refused field
+void requireValid(const MovementOptions& options);
+
+/// Refuses a circle that is not that of the baseline's tank.
+/// @throws Error (Option) naming radius or centre, and the units that may have been confused
+void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
+                     const MovementOptions& options);
 
 /// The movement of one station, those of the current survey in order.
 struct StationMovement {
@@ -47,6 +56,7 @@ struct Movement {
   std::string baseline;  ///< name of the earlier survey
   Removal removal = Removal::Nothing;
   double registration_error = 0.0;       ///< as given [m]
+  double registration_tilt = 0.0;        ///< as given [rad]
   double azimuth_offset = 0.0;           ///< as given or estimated [rad]
   double sigma_azimuth_offset = 0.0;     ///< its standard error; 0 when given [rad]
   double threshold = Station::kUnknown;  ///< of the largest standardised window mean on an unmoved tank, 95 %

@@ -24,7 +24,9 @@ struct Provenance {
   std::string units = "m";
   std::uint64_t invalid_points = 0;
   DatumOptions options;
-  std::optional<Movement> movement;  ///< since an earlier survey
+  std::string baseline;  ///< the earlier survey compared with, or empty
+  MovementOptions movement_options;
+  std::optional<Movement> movement;  ///< since the baseline
 };
 
 /// The record of a datum read from files: their hashes and rows.

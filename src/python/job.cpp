@@ -9,6 +9,8 @@
 #include <mutex>
 #include <thread>
 
+#include "tank_datum/baseline.h"
+
 namespace py = pybind11;
 
 namespace tank_datum::python {
@@ -72,20 +74,34 @@ struct Job {
 
   void work() {
     try {
-      const Scan scan = scanOf(points, rows, options);
-      result.datum = extractDatum(scan, options.datum, [this](const char* stage) {
-        if (given_up) throw GivenUp();
-        const std::lock_guard<std::mutex> lock(mutex);
-        stages.emplace_back(stage);
-        told.notify_one();
-      });
-      result.provenance = provenanceOf(points.paths, options.units, options.datum, result.datum);
+      requireValid(options.movement);
+      std::optional<Baseline> baseline;
+      if (!options.baseline.empty()) baseline = readBaseline(options.baseline, options.movement, options.datum);
+      extract(scanOf(points, rows, options), baseline);
     } catch (...) {
       error = std::current_exception();
     }
     const std::lock_guard<std::mutex> lock(mutex);
     done = true;
     told.notify_one();
+  }
+
+  void extract(const Scan& scan, const std::optional<Baseline>& baseline) {
+    const auto tell = [this](const char* stage) {
+      if (given_up) throw GivenUp();
+      const std::lock_guard<std::mutex> lock(mutex);
+      stages.emplace_back(stage);
+      told.notify_one();
+    };
+    const std::vector<Tank> tanks = findTanks(scan, options.datum, tell);
+    if (baseline) requireAmong(tanks, scan.origin(), *baseline);
+    result.datum = extractDatumAmong(tanks, scan, options.datum, tell);
+    result.provenance = provenanceOf(points.paths, options.units, options.datum, result.datum);
+    result.provenance.baseline = options.baseline;
+    result.provenance.movement_options = options.movement;
+    if (baseline && result.datum.usable()) {
+      result.provenance.movement = movementSince(*baseline, result.datum, options.datum);
+    }
   }
 };
 

@@ -32,6 +32,12 @@ Keyword degrees(const char* name, Place place) {
           [place](Options& o, const py::handle& value) { place(o) = value.cast<double>() * kPi / 180.0; }};
 }
 
+template <typename Place>
+Keyword arcSeconds(const char* name, Place place) {
+  return {name, [place](const Options& o) { return py::cast(toArcSeconds(place(const_cast<Options&>(o)))); },
+          [place](Options& o, const py::handle& value) { place(o) = value.cast<double>() / toArcSeconds(1.0); }};
+}
+
 /// A name out of a few.
 template <typename Value>
 Value named(const char* keyword, const py::handle& value, const std::vector<Value>& values) {
@@ -77,6 +83,20 @@ Keyword units() {
           }};
 }
 
+Keyword baseline() {
+  return {"baseline", [](const Options& o) { return py::cast(o.baseline); },
+          [](Options& o, const py::handle& value) {
+            o.baseline = py::module_::import("os").attr("fspath")(value).cast<std::string>();
+          }};
+}
+
+Keyword removal() {
+  return {"remove", [](const Options& o) { return py::cast(nameOf(o.movement.removal)); },
+          [](Options& o, const py::handle& value) {
+            o.movement.removal = named<Removal>("remove", value, {Removal::Nothing, Removal::Mean, Removal::Tilt});
+          }};
+}
+
 const std::vector<Keyword>& keywords() {
   static const std::vector<Keyword> all = {
       method(),
@@ -103,6 +123,22 @@ const std::vector<Keyword>& keywords() {
       plain<double>(
           "min_radius", [](Options & o) -> auto& { return o.datum.locate.min_radius; }),
       units(),
+      baseline(),
+      removal(),
+      plain<double>(
+          "registration_error", [](Options & o) -> auto& { return o.movement.registration_error; }),
+      arcSeconds(
+          "registration_tilt_arcsec", [](Options & o) -> auto& { return o.movement.registration_tilt; }),
+      degrees(
+          "azimuth_offset_deg", [](Options & o) -> auto& { return o.movement.azimuth_offset; }),
+      plain<bool>(
+          "estimate_azimuth_offset", [](Options & o) -> auto& { return o.movement.estimate_offset; }),
+      degrees(
+          "correlation_deg", [](Options & o) -> auto& { return o.movement.correlation; }),
+      plain<double>(
+          "radius_difference", [](Options & o) -> auto& { return o.movement.radius_difference; }),
+      plain<double>(
+          "centre_distance", [](Options & o) -> auto& { return o.movement.centre_distance; }),
       plain<int>(
           "threads", [](Options & o) -> auto& { return o.datum.threads; }),
   };

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tank_datum/datum.h"
+#include "tank_datum/movement.h"
 
 namespace tank_datum::python {
 
@@ -12,6 +13,8 @@ namespace tank_datum::python {
 struct Options {
   DatumOptions datum;
   std::string units = "m";
+  std::string baseline;  ///< datum.json or folder of an earlier survey, or empty
+  MovementOptions movement;
 
   double metresPerUnit() const;
 };

@@ -2,13 +2,14 @@
 
 import json
 import math
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from conftest import executable
+from conftest import ROOT, executable
+
+SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
 
 
 def epoch(path: Path, dip: float = 0.0, **changes: object) -> Path:
@@ -58,7 +59,7 @@ def test_options_change_the_outcome(tmp_path: Path) -> None:
         return json.loads((tmp_path / "m/movement.json").read_text())["movements"][0]["significant"]
 
     assert significant() > 0
-    assert significant("--registration-mm", "5") == 0
+    assert significant("--registration-error", "0.005") == 0
     assert significant("--correlation-deg", "0") > significant("--correlation-deg", "3")
     assert significant("--azimuth-offset-deg", "45") > 100
     compare(*surveys, "-o", tmp_path / "m", "--remove", "mean")
@@ -72,10 +73,12 @@ def test_options_change_the_outcome(tmp_path: Path) -> None:
     [
         (["--remove", "all"], 2, "--remove"),
         (["--azimuth-offset-deg", "north"], 2, "--azimuth-offset-deg"),
-        (["--registration-mm", "-1"], 2, "registration_error"),
+        (["--azimuth-offset-deg", "9", "--estimate-azimuth-offset"], 2, "azimuth_offset"),
+        (["--registration-tilt-arcsec", "-1"], 2, "registration_tilt"),
+        (["--registration-error", "-1"], 2, "registration_error"),
         (["--correlation-deg", "-1"], 2, "correlation"),
-        (["--radius-tolerance", "0"], 2, "radius_tolerance"),
-        (["--centre-tolerance", "0"], 2, "centre_tolerance"),
+        (["--radius-difference", "0"], 2, "radius_difference"),
+        (["--centre-distance", "0"], 2, "centre_distance"),
     ],
 )
 def test_bad_options_are_refused_by_name(
@@ -99,8 +102,7 @@ def test_what_is_no_comparison_is_refused(tmp_path: Path) -> None:
 
 
 def test_baseline_is_the_same_comparison(tmp_path: Path) -> None:
-    sample = Path(__file__).parents[1] / "data/sample.pcd"
-    run = [executable("tank_datum"), sample, "--quiet", "-o"]
+    run = [executable("tank_datum"), SAMPLE, "--quiet", "-o"]
     subprocess.run([*run, tmp_path / "a"], check=True)
     again = [*run, tmp_path / "b", "--baseline", tmp_path / "a", "--remove", "mean"]
     subprocess.run([*again, "--registration-error", "0.002"], check=True)
@@ -108,9 +110,65 @@ def test_baseline_is_the_same_comparison(tmp_path: Path) -> None:
     assert (movement["matched"], movement["significant"], movement["removed"]) == (360, 0, "mean")
     assert movement["max"] == pytest.approx(0, abs=1e-9)
     assert movement["registration_error"] == 0.002
-    shutil.rmtree(tmp_path / "b")
+    options = json.loads((tmp_path / "b/datum.json").read_text())["options"]["movement"]
+    assert (options["baseline"], options["remove"]) == (str(tmp_path / "a"), "mean")
     refused = subprocess.run(
         [*run, tmp_path / "b", "--registration-error", "-1"], capture_output=True, text=True
     )
     assert refused.returncode == 2
     assert "registration_error" in refused.stderr
+
+
+@pytest.fixture(scope="module")
+def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
+    out = tmp_path_factory.mktemp("sample") / "a"
+    subprocess.run([executable("tank_datum"), SAMPLE, "--quiet", "-o", out], check=True)
+    return json.loads((out / "datum.json").read_text())
+
+
+@pytest.mark.parametrize(
+    ("changes", "status", "reason"),
+    [
+        ("not JSON", 3, "a datum.json with its stations"),
+        ({"stations": None}, 3, "a datum.json with its stations"),
+        ({"status": "no_tank"}, 2, "of status no_tank, expected a result with a usable datum"),
+        ({"options": {"method": "paper"}}, 2, "of method paper, expected the method"),
+        ({"tank": {"center": [0, 0], "radius": 6}}, 2, "radius of the tank in the scan"),
+        ({"tank": {"center": [0, 0], "radius": 5000}}, 2, "as mm and m taken for each other"),
+        ({"tank": {"center": [9, 0], "radius": 5}}, 2, "centre of the tank in the scan"),
+    ],
+)
+def test_unusable_baselines_are_refused_before_the_extraction(
+    tmp_path: Path, of_the_sample: dict, changes: dict | str, status: int, reason: str
+) -> None:
+    """Nothing is written, and what an earlier run left is set aside."""
+    baseline, out = tmp_path / "baseline.json", tmp_path / "out"
+    text = changes if isinstance(changes, str) else json.dumps(of_the_sample | changes)
+    baseline.write_text(text)
+    out.mkdir()
+    (out / "datum.json").write_text("of an earlier run")
+    command = [executable("tank_datum"), SAMPLE, "-o", out, "--baseline", baseline]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == status, done.stderr
+    assert done.stderr.startswith("tank_datum: ") and reason in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert [p.name for p in out.iterdir()] == ["previous"]
+
+
+def test_a_missing_baseline_is_a_file_error(tmp_path: Path) -> None:
+    command = [executable("tank_datum"), SAMPLE, "-o", tmp_path / "out"]
+    done = subprocess.run([*command, "--baseline", tmp_path / "no"], capture_output=True, text=True)
+    assert done.returncode == 3
+    assert "datum.json or a folder with one" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_baseline_is_not_written_over(tmp_path: Path) -> None:
+    run = [executable("tank_datum"), SAMPLE, "--quiet", "-o", tmp_path / "a"]
+    subprocess.run(run, check=True)
+    before = (tmp_path / "a/datum.json").read_bytes()
+    for baseline in (tmp_path / "a", tmp_path / "a/datum.json"):
+        done = subprocess.run([*run, "--baseline", baseline], capture_output=True, text=True)
+        assert done.returncode == 2
+        assert "outside of the output folder" in done.stderr
+    assert (tmp_path / "a/datum.json").read_bytes() == before

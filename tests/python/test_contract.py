@@ -71,6 +71,7 @@ KEYS: dict[str, Any] = {
     "antipodal": dict.fromkeys(
         ["max_h", "diameter", "angle_deg", "angle_arcsec", "azimuth_deg"], NUMBER
     ),
+    "stations": LIST,
 }
 
 

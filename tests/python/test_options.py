@@ -213,3 +213,21 @@ def test_all_of_one_tank(run: Runner, synth: Synth, tmp_path: Path, default: Pat
     assert run(synth(), "-o", tmp_path / "out", "--all").returncode == 0
     for name in RESULTS:
         assert (tmp_path / "out" / name).read_bytes() == (default / name).read_bytes()
+
+
+def test_all_with_a_baseline_of_one(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
+    """The baseline's tank has a movement; the other says why it has none."""
+    assert run(two_tanks, "-o", tmp_path / "a", "--pick", 2).returncode == 0
+    result = run(two_tanks, "-o", tmp_path / "b", "--all", "--baseline", tmp_path / "a")
+    assert result.returncode == 0, result.stderr
+    assert "no movement: movement: radius of this survey" in result.stderr
+    first, second = (read_datum(tmp_path / "b" / n) for n in ("tank_1", "tank_2"))
+    assert first["status"] == "ok"
+    assert first["movement"]["stations"] == [] and "radius" in first["movement"]["message"]
+    assert second["movement"]["message"] == ""
+    assert second["movement"]["rms"] == pytest.approx(0.0, abs=1e-12)
+    result = run(
+        two_tanks, "-o", tmp_path / "c", "--baseline", tmp_path / "a"
+    )  # the best seen is the other
+    assert result.returncode == 2
+    assert list((tmp_path / "c").iterdir()) == [] if (tmp_path / "c").exists() else True

@@ -33,6 +33,15 @@ PLACES = {
     "pick": "pick",
     "search-points": "crop/search_points",
     "min-radius": "locate/min_radius",
+    "baseline": "movement/baseline",
+    "remove": "movement/remove",
+    "registration-error": "movement/registration_error",
+    "registration-tilt-arcsec": "movement/registration_tilt_arcsec",
+    "azimuth-offset-deg": "movement/azimuth_offset_deg",
+    "estimate-azimuth-offset": "movement/estimate_azimuth_offset",
+    "correlation-deg": "movement/correlation_deg",
+    "radius-difference": "movement/radius_difference",
+    "centre-distance": "movement/centre_distance",
 }
 CHOSEN = {
     "method": "paper",
@@ -45,6 +54,13 @@ CHOSEN = {
     "tank": "0.01,0,4.01",
     "search-points": 50_000,
     "min-radius": 1.5,
+    "remove": "tilt",
+    "registration-error": 0.001,
+    "registration-tilt-arcsec": 5.0,
+    "azimuth-offset-deg": 12.0,
+    "correlation-deg": 3.0,
+    "radius-difference": 0.1,
+    "centre-distance": 0.5,
     "threads": 1,
 }
 
@@ -166,8 +182,10 @@ def test_printed_options_are_those_used(
     assert datum["input"]["units"] == printed["units"]
     for name, place in PLACES.items():
         used = at(datum["options"], place)
-        if name == "tank":
-            used = "" if used is None else ",".join(f"{v:g}" for v in used)
+        if used is None:
+            used = ""
+        if isinstance(used, list):
+            used = ",".join(f"{v:g}" for v in used)
         assert printed[name] == (used if isinstance(used, str) else pytest.approx(used)), name
 
 

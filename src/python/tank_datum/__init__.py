@@ -92,6 +92,12 @@ class Datum:
         return found
 
     @property
+    def movement(self) -> dict[str, Any] | None:
+        """Per station dz, lod95 [m] and significance since the baseline; None without one."""
+        found: dict[str, Any] | None = self._dict.get("movement")
+        return found
+
+    @property
     def harmonics(self) -> list[dict[str, Any]]:
         """n, amplitude [m], phase_deg, sigma [m]; empty when they were not fitted."""
         found: list[dict[str, Any]] = self._dict.get("harmonics", [])

@@ -31,6 +31,8 @@ class Datum:
     @property
     def antipodal(self) -> dict[str, Any] | None: ...
     @property
+    def movement(self) -> dict[str, Any] | None: ...
+    @property
     def harmonics(self) -> list[dict[str, Any]]: ...
     @property
     def checks(self) -> list[dict[str, Any]]: ...
@@ -57,5 +59,14 @@ def extract_datum(
     search_points: int = ...,
     min_radius: float = ...,
     units: Literal["m", "mm", "ft"] = ...,
+    baseline: str | PathLike[str] = ...,
+    remove: Literal["none", "mean", "tilt"] = ...,
+    registration_error: float = ...,
+    registration_tilt_arcsec: float = ...,
+    azimuth_offset_deg: float = ...,
+    estimate_azimuth_offset: bool = ...,
+    correlation_deg: float = ...,
+    radius_difference: float = ...,
+    centre_distance: float = ...,
     threads: int = ...,
 ) -> Datum: ...
