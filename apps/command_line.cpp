@@ -18,7 +18,8 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"paper", Method::Paper}};
-const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann}};
+const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann},
+                                                      {"buckets", SearchEngine::Buckets}};
 
 /// The figures as a person types them, in degrees; the options hold radians.
 struct Typed {
@@ -42,7 +43,8 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--centre-tolerance", o.centre_filter.tolerance,
                  "distance from the circle within which edge points are kept [m]; 0: 0.1 m or a tenth of the radius");
   app.add_option("--control-points", o.spline.control_points, "control points of the B-spline; 0: the data choose");
-  app.add_option("--search", typed.search, "kNN engine; flann is pcl::KdTreeFLANN")->check(CLI::IsMember(kEngines));
+  app.add_option("--search", typed.search, "kNN engine: pcl::KdTreeFLANN, or the own tree, which finds the same faster")
+      ->check(CLI::IsMember(kEngines));
   app.add_option("--stations", o.stations.count, "stations round the tank");
   app.add_option("--zero-azimuth-deg", typed.zero_azimuth_deg, "where station 0 is, counter-clockwise from +x");
   app.add_flag("--clockwise,!--no-clockwise", o.stations.clockwise, "stations run clockwise seen from above");

@@ -1,24 +1,13 @@
 #include "tank_datum/normals.h"
 
 #include <omp.h>
-#include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/point_types.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "spatial_order.h"
+#include "neighbour_rows.h"
 
 namespace tank_datum {
 namespace {
-
-pcl::PointCloud<pcl::PointXYZ>::Ptr toPcl(const Points& points) {
-  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  cloud->reserve(points.size());
-  for (const auto& p : points) {
-    cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())));
-  }
-  return cloud;
-}
 
 Eigen::Vector3f normalOf(const Points& points, std::size_t i, const std::int32_t* neighbours, int k) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -40,6 +29,8 @@ const char* nameOf(SearchEngine engine) {
   switch (engine) {
     case SearchEngine::Flann:
       return "flann";
+    case SearchEngine::Buckets:
+      return "buckets";
   }
   return "";
 }
@@ -57,23 +48,13 @@ Normals estimateNormals(const Points& points, const NormalOptions& options, int 
   result.normals.resize(points.size());
   if (points.empty()) return result;
 
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  const auto cloud = toPcl(points);
-  tree.setInputCloud(cloud);
-  const auto order = mortonOrder(points);
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
-  {
-    pcl::Indices found(k);
-    std::vector<float> squared_distances(k);
-#pragma omp for schedule(dynamic, 1024)
-    for (std::ptrdiff_t query = 0; query < count; ++query) {
-      const std::size_t i = order[static_cast<std::size_t>(query)];
-      tree.nearestKSearch((*cloud)[i], options.k, found, squared_distances);
-      std::copy(found.begin(), found.end(), result.neighbours.begin() + static_cast<std::ptrdiff_t>(i * k));
-      result.normals[i] = normalOf(points, i, &result.neighbours[i * k], options.k);
+  const NeighbourRows rows{options.k, threads, result.neighbours.data()};
+  // while its points are still in the cache
+  findRows(options.search, points, rows, [&](const std::uint32_t* found, std::size_t count) {
+    for (std::size_t j = 0; j < count; ++j) {
+      result.normals[found[j]] = normalOf(points, found[j], &result.neighbours[found[j] * k], options.k);
     }
-  }
+  });
   return result;
 }
 

@@ -177,7 +177,31 @@ TEST(NormalOptions, RefuseFewerThanThreeNeighboursByName) {
   EXPECT_EQ(firstError(withK(-5)), "normals.k = -5 (must be >= 3)");
 }
 
-TEST(NormalOptions, TheSearchEngineHasAName) { EXPECT_STREQ(nameOf(NormalOptions().search), "flann"); }
+TEST(NormalOptions, TheSearchEngineHasAName) {
+  EXPECT_STREQ(nameOf(SearchEngine::Flann), "flann");
+  EXPECT_STREQ(nameOf(SearchEngine::Buckets), "buckets");
+}
+
+/// Points in pairs at one place, the later one first in FLANN's tree as often as not.
+TEST(Normals, AreTheSameByBothEnginesButForThoseEquallyFar) {
+  NormalOptions flann = withK(20), buckets = withK(20);
+  flann.search = SearchEngine::Flann;
+  buckets.search = SearchEngine::Buckets;
+  Points points = wavySurface(20000, 0.001);
+  const Normals by_flann = estimateNormals(points, flann), by_buckets = estimateNormals(points, buckets);
+  EXPECT_EQ(by_flann.neighbours, by_buckets.neighbours);
+  EXPECT_TRUE(by_flann.normals == by_buckets.normals);
+
+  points.resize(200);
+  const Points once = points;
+  points.insert(points.end(), once.begin(), once.end());
+  const Normals doubled = estimateNormals(points, buckets);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(doubled.neighbours[20 * i], static_cast<std::int32_t>(i % 200));
+    EXPECT_EQ(doubled.neighbours[20 * i + 1], static_cast<std::int32_t>(i % 200 + 200));
+  }
+  EXPECT_NE(estimateNormals(points, flann).neighbours, doubled.neighbours);
+}
 
 TEST(FitNormals, OfTheSameNeighboursAreTheSame) {
   const Points points = wavySurface(500, 0.001);

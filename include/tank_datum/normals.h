@@ -11,10 +11,11 @@
 namespace TANK_DATUM_API tank_datum {
 
 enum class SearchEngine {
-  Flann,  ///< pcl::KdTreeFLANN, the reference
+  Flann,    ///< pcl::KdTreeFLANN, the reference
+  Buckets,  ///< BucketTree: the same neighbours, found for a bucket of points at a time
 };
 
-/// The name used at the command line and in files: "flann".
+/// The name used at the command line and in files: "flann", "buckets".
 const char* nameOf(SearchEngine engine);
 
 struct NormalOptions {

@@ -60,7 +60,7 @@ Keyword method() {
 Keyword search() {
   return {"search", [](const Options& o) { return py::cast(nameOf(o.datum.normals.search)); },
           [](Options& o, const py::handle& value) {
-            o.datum.normals.search = named<SearchEngine>("search", value, {SearchEngine::Flann});
+            o.datum.normals.search = named<SearchEngine>("search", value, {SearchEngine::Flann, SearchEngine::Buckets});
           }};
 }
 

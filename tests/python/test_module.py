@@ -173,8 +173,9 @@ def test_options_are_the_commands(
 
 
 def test_threads_and_search_change_nothing(datum: Any) -> None:
-    other = tank_datum.extract_datum(SAMPLE, threads=1, search="flann")
-    same(other.stations["z"], datum.stations["z"])
+    for search in ("flann", "buckets"):
+        other = tank_datum.extract_datum(SAMPLE, threads=1, search=search)
+        same(other.stations["z"], datum.stations["z"])
 
 
 def test_stub_lists_the_options() -> None:
@@ -192,7 +193,7 @@ def test_stub_lists_the_options() -> None:
     [
         ({"k": 2}, "options: normals.k, 2, expected >= 3"),
         ({"method": "exact"}, "options: method, exact, expected refined or paper"),
-        ({"search": "slow"}, "options: search, slow, expected flann"),
+        ({"search": "slow"}, "options: search, slow, expected flann or buckets"),
         ({"units": "inch"}, "options: units, inch, expected m, mm or ft"),
         ({"stations": 4}, "options: stations.count, 4"),
         ({"min_radius": -1.0}, "options: locate.min_radius, -1"),

@@ -90,6 +90,15 @@ def test_search_points(run: Runner, synth: Synth, tmp_path: Path, default: Path)
     assert_same_place(s, read_stations(default), np.arange(360), 0.001)
 
 
+@pytest.mark.parametrize("engine", ["flann", "buckets"])
+def test_search(run: Runner, synth: Synth, tmp_path: Path, default: Path, engine: str) -> None:
+    """Either engine gives the same bytes, and says which it was."""
+    run(synth(), "-o", tmp_path, "--search", engine)
+    assert read_datum(tmp_path)["options"]["normals"]["search"] == engine
+    for name in ("stations.csv", "datum_points.pcd", "datum_curve.pcd"):
+        assert (tmp_path / name).read_bytes() == (default / name).read_bytes()
+
+
 def test_tank_given(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
     """A circle of the user's, centimetres off, gives the datum of the search."""
     s = stations_of(run, synth(), tmp_path / "out", "--tank", "0.02,-0.01,4.01")

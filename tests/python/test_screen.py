@@ -49,6 +49,7 @@ CHOSEN = {
     "angle-deg": 50.0,
     "centre-tolerance": 0.2,
     "control-points": 12,
+    "search": "buckets",
     "stations": 72,
     "zero-azimuth-deg": 15.0,
     "tank": "0.01,0,4.01",

@@ -50,7 +50,7 @@ def extract_datum(
     angle_deg: float = ...,
     centre_tolerance: float = ...,
     control_points: int = ...,
-    search: Literal["flann"] = ...,
+    search: Literal["flann", "buckets"] = ...,
     stations: int = ...,
     zero_azimuth_deg: float = ...,
     clockwise: bool = ...,
