@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "analysis_options.h"
 #include "exit_status.h"
 #include "movement_options.h"
 #include "tank_datum/error.h"
@@ -27,13 +28,13 @@ struct Typed {
   std::string tank;
   std::string search, method;
   TypedMovement movement{MovementOptions{}};
+  TypedAnalysis analysis;
 };
 
 void addOptions(CLI::App& app, Command& command, Typed& typed) {
   DatumOptions& o = command.options;
-  app.add_option("scan", command.scans, "PCD file(s): scan stations of one tank, in one frame")
-      ->required()
-      ->configurable(false);
+  CLI::Option* scan = app.add_option("scan", command.scans, "PCD file(s): scan stations of one tank, in one frame");
+  scan->configurable(false);
   app.add_option("-o,--output", command.output, "folder for the results (default: the first scan's stem + .datum)")
       ->configurable(false);
   app.add_option("--method", typed.method, "what z is: two surfaces intersected, or the paper's curve")
@@ -48,9 +49,9 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--stations", o.stations.count, "stations round the tank");
   app.add_option("--zero-azimuth-deg", typed.zero_azimuth_deg, "where station 0 is, counter-clockwise from +x");
   app.add_flag("--clockwise,!--no-clockwise", o.stations.clockwise, "stations run clockwise seen from above");
-  app.add_option("--tank", typed.tank, "X,Y,R of the tank [m]: do not search for it");
+  CLI::Option* tank = app.add_option("--tank", typed.tank, "X,Y,R of the tank [m]: do not search for it");
   app.add_option("--pick", o.pick, "which of the tanks found, the longest seen arc first");
-  app.add_flag("--all", command.all, "every tank found, in DIR/tank_1, DIR/tank_2, ...");
+  CLI::Option* all = app.add_flag("--all", command.all, "every tank found, in DIR/tank_1, DIR/tank_2, ...");
   app.add_option("--search-points", o.crop.search_points, "thin the ring to this many points for the edge search")
       ->check(CLI::PositiveNumber);
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
@@ -60,6 +61,12 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--threads", o.threads, "threads; 0: all cores; the result does not depend on it");
   app.add_flag("--quiet", command.quiet, "no summary, no progress");
   app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage")->configurable(false);
+  addAnalysisOptions(app, typed.analysis);
+  CLI::Option* diameter = app.add_option("--diameter", command.diameter, "of the tank of --stations-csv [m]");
+  CLI::Option* levelling = app.add_option("--stations-csv", command.levelling,
+                                          "stations typed in, in place of a scan: azimuth_deg,elevation[,sigma]");
+  levelling->needs(diameter)->excludes(scan)->excludes(tank)->excludes(all)->configurable(false);
+  diameter->needs(levelling)->configurable(false);
   app.set_config("--config", "", "file with options, as --print-config writes it");
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.set_version_flag("--version", std::string("tank_datum ") + kVersion);
@@ -95,8 +102,12 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   addOptions(app, command, typed);
   bool print_config = false;
   app.add_flag("--print-config", print_config, "print the options as a --config file and stop")->configurable(false);
+  bool print_limits = false;
+  app.add_flag("--print-limits", print_limits, "print the limits of the code checks as a --limits file and stop")
+      ->configurable(false);
   try {
     app.parse(argc, argv);
+    if (command.inputs().empty() && !print_limits) throw CLI::RequiredError("scan");
   } catch (const CLI::Success& asked) {  // --help, --version
     status = app.exit(asked);
     return false;
@@ -116,8 +127,11 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   typed.movement.putInto(command.movement);
   o.normals.search = kEngines.at(typed.search);
   if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);
-  if (command.output.empty()) command.output = stemOf(command.scans.front());
   status = kUsable;
+  if (print_limits) std::cout << standardLimitsText();
+  if (print_limits) return false;
+  o.analysis = analysisOptions(typed.analysis);
+  if (command.output.empty()) command.output = stemOf(command.inputs().front());
   if (print_config) std::cout << app.config_to_str(true, true);
   return !print_config;
 }

@@ -11,7 +11,9 @@ namespace tank_datum {
 /// What the command line of tank_datum asks for.
 struct Command {
   std::vector<std::string> scans;
-  std::string output;  ///< folder for the results
+  std::string levelling;  ///< file of stations typed in, in place of scans
+  double diameter = 0.0;  ///< of their tank [m]
+  std::string output;     ///< folder for the results
   std::string units = "m";
   std::string baseline;  ///< datum.json or folder of an earlier survey, or empty
   MovementOptions movement;
@@ -21,6 +23,8 @@ struct Command {
   DatumOptions options;
 
   double metresPerUnit() const;
+  /// The files that go in: scans, or stations typed in.
+  std::vector<std::string> inputs() const { return levelling.empty() ? scans : std::vector<std::string>{levelling}; }
 };
 
 /// Reads the arguments; --help, --version and --print-config print and exit.

@@ -9,6 +9,7 @@
 #include "stage_clock.h"
 #include "tank_datum/baseline.h"
 #include "tank_datum/error.h"
+#include "tank_datum/levelling.h"
 #include "tank_datum/report.h"
 #include "terminal.h"
 
@@ -42,7 +43,9 @@ void requireElsewhere(const std::string& baseline, const std::string& output) {
 std::vector<Datum> extract(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
   const auto observer = [&clock](const char* stage) { clock.begin(stage); };
   clock.begin("open");
-  const Scan scan = Scan::open(command.scans, command.metresPerUnit());
+  const double metres = command.metresPerUnit();
+  if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.options)};
+  const Scan scan = Scan::open(command.scans, metres);
   const std::vector<Tank> tanks = findTanks(scan, command.options, observer);
   if (baseline) requireAmong(tanks, scan.origin(), *baseline);
   if (command.all) return extractDatumsOf(tanks, scan, command.options, observer);
@@ -63,7 +66,9 @@ Movement movementOf(const Datum& datum, const Baseline& baseline, const Command&
 }
 
 Provenance recordOf(const Datum& datum, const std::optional<Baseline>& baseline, const Command& command) {
-  Provenance provenance = provenanceOf(command.scans, command.units, command.options, datum);
+  Provenance provenance = datum.levelled
+                              ? provenanceOfLevelling(command.levelling, command.units, command.options, datum)
+                              : provenanceOf(command.scans, command.units, command.options, datum);
   provenance.baseline = command.baseline;
   provenance.movement_options = command.movement;
   if (!baseline || !datum.usable()) return provenance;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datum_stages.h"
 #include "tank_datum/error.h"
 
 namespace tank_datum {
@@ -13,14 +14,6 @@ Datum stopped(Datum datum, Status status, const std::string& message) {
   datum.message = message;
   datum.stations.clear();
   return datum;
-}
-
-void requireValid(const DatumOptions& options) {
-  const std::string error = firstError(options);
-  const auto equals = error.find(" = "), must = error.find(" (must be ");
-  if (error.empty()) return;
-  throw Error(Error::Kind::Option, "options", error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
-              error.substr(must + 10, error.size() - must - 11));
 }
 
 /// Why there is no tank: no points to speak of, or none that stand like one.
@@ -76,8 +69,23 @@ Datum described(Datum datum, const DatumOptions& options) {
     return stopped(datum, Status::NoCrease, "the shell meets one and the same surface at fewer than 8 stations");
   }
   blankMissing(datum);
+  return meant(std::move(datum), options);
+}
+
+}  // namespace
+
+void requireValid(const DatumOptions& options) {
+  const std::string error = firstError(options);
+  const auto equals = error.find(" = "), must = error.find(" (must be ");
+  if (error.empty()) return;
+  throw Error(Error::Kind::Option, "options", error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
+              error.substr(must + 10, error.size() - must - 11));
+}
+
+Datum meant(Datum datum, const DatumOptions& options) {
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);
   datum.antipodal = antipodalOf(datum.stations);
+  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
@@ -86,13 +94,11 @@ Datum described(Datum datum, const DatumOptions& options) {
   return datum;
 }
 
-}  // namespace
-
 std::string firstError(const DatumOptions& options) {
   for (const std::string& error :
        {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
         firstError(options.centre_filter), firstError(options.spline), firstError(options.refine),
-        firstError(options.stations)}) {
+        firstError(options.stations), firstError(options.analysis)}) {
     if (!error.empty()) return error;
   }
   if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
@@ -129,7 +135,7 @@ Datum extractDatumAmong(const std::vector<Tank>& tanks, const Scan& scan, const 
   const auto picked = static_cast<std::size_t>(options.pick);
   if (tanks.empty()) return withoutTank(scan, options);
   if (picked > tanks.size()) {
-    return stopped({}, Status::NoTank,
+    return stopped(Datum(), Status::NoTank,
                    "only " + std::to_string(tanks.size()) + " found, no tank " + std::to_string(picked) + " to pick");
   }
   return extractDatumOf(tanks[picked - 1], scan, options, observer, normal_stage);

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis_json.h"
 #include "movement_json.h"
 #include "tank_datum/report.h"
 #include "tank_datum/version.h"
@@ -32,18 +33,20 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
                       {"zero_azimuth_deg", toDegrees(o.stations.zero_azimuth)},
                       {"clockwise", o.stations.clockwise},
                       {"longest_bridge_deg", toDegrees(o.stations.longest_bridge)}};
+  json["analysis"] = analysisOptionsJson(o.analysis);
   json["pick"] = o.pick;
   json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
   json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
   return json;
 }
 
-Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin) {
+Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool levelled) {
   Json files = Json::array();
   for (const InputRecord& file : provenance.files) {
     files.push_back({{"path", file.path}, {"sha256", file.sha256}, {"points", file.points}});
   }
   return {{"files", files},
+          {"kind", levelled ? "levelling" : "scan"},
           {"units", provenance.units},
           {"origin", {origin.x(), origin.y(), origin.z()}},
           {"invalid_points", provenance.invalid_points}};
@@ -55,9 +58,9 @@ Json tankJson(const Datum& datum) {
   return {{"center", {circle.center.x() + datum.origin.x(), circle.center.y() + datum.origin.y()}},
           {"radius", circle.radius},
           {"sigma_radius", number(datum.refined.sigma_radius)},
-          {"rms", number(datum.tank.rms)},
-          {"coverage_deg", toDegrees(datum.tank.coverage)},
-          {"side", datum.tank.side == Side::Inside ? "inside" : "outside"}};
+          {"rms", number(datum.levelled ? Level::kUnknown : datum.tank.rms)},
+          {"coverage_deg", datum.levelled ? Json(nullptr) : Json(toDegrees(datum.tank.coverage))},
+          {"side", datum.levelled ? Json(nullptr) : Json(datum.tank.side == Side::Inside ? "inside" : "outside")}};
 }
 
 Json datumSection(const Datum& datum) {
@@ -89,16 +92,22 @@ Json tiltJson(const Tilt& tilt) {
           {"angle_arcsec", toArcSeconds(std::atan(tilt.slope()))},
           {"direction_deg", toDegrees(tilt.direction)},
           {"sigma_slope", number(tilt.sigma_slope)},
+          {"standard_error", number(tilt.standard_error)},
           {"r2", number(tilt.r2)},
           {"p_value", number(tilt.p_value)}};
 }
 
-Json antipodalJson(const Antipodal& antipodal) {
+/// The paper's inclination, and its table: h of every diameter.
+Json antipodalJson(const Datum& datum) {
+  const Antipodal& antipodal = datum.antipodal;
+  Json heights = Json::array();
+  for (const double h : antipodalHeights(datum.stations)) heights.push_back(number(h));
   return {{"max_h", number(antipodal.max_h)},
           {"diameter", number(antipodal.diameter)},
           {"angle_deg", number(toDegrees(antipodal.angle()))},
           {"angle_arcsec", number(toArcSeconds(antipodal.angle()))},
-          {"azimuth_deg", number(toDegrees(antipodal.azimuth))}};
+          {"azimuth_deg", number(toDegrees(antipodal.azimuth))},
+          {"h", heights}};
 }
 
 }  // namespace
@@ -107,7 +116,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
   Json json;
   json["schema"] = 1;
   json["version"] = kVersion;
-  json["input"] = inputJson(provenance, datum.origin);
+  json["input"] = inputJson(provenance, datum.origin, datum.levelled);
   json["options"] = optionsJson(provenance.options, provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
@@ -115,7 +124,8 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
   if (datum.usable()) {
     json["datum"] = datumSection(datum);
     json["tilt"] = tiltJson(datum.tilt);
-    json["antipodal"] = antipodalJson(datum.antipodal);
+    json["antipodal"] = antipodalJson(datum);
+    if (datum.analysis.valid()) addAnalysis(json, datum.analysis, datum.stations, datum.origin.z());
     json["stations"] = stationsSection(datum);
     if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datum_waves.h"
 #include "units.h"
 
 namespace tank_datum {
@@ -31,34 +32,47 @@ Level levelOf(const std::vector<Station>& stations) {
   return level;
 }
 
-Antipodal antipodalOf(const std::vector<Station>& stations) {
-  Antipodal result;
-  if (stations.size() % 2 == 1) return result;
+std::vector<double> antipodalHeights(const std::vector<Station>& stations) {
+  std::vector<double> heights;
+  if (stations.size() % 2 == 1) return heights;
   const std::size_t half = stations.size() / 2;
   for (std::size_t i = 0; i < half; ++i) {
-    const Station& a = stations[i];
-    const Station& b = stations[i + half];
-    if (!known(a) || !known(b) || std::abs(a.z - b.z) <= result.max_h) continue;
-    result.max_h = std::abs(a.z - b.z);
+    const Station &a = stations[i], &b = stations[i + half];
+    const bool opposite = std::abs(std::remainder(b.azimuth - a.azimuth - kPi, kTwoPi)) < 1e-6;
+    heights.push_back(opposite && known(a) && known(b) ? a.z - b.z : Station::kUnknown);
+  }
+  return heights;
+}
+
+Antipodal antipodalOf(const std::vector<Station>& stations) {
+  Antipodal result;
+  const std::vector<double> heights = antipodalHeights(stations);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (std::isnan(heights[i]) || std::abs(heights[i]) <= result.max_h) continue;
+    const Station &a = stations[i], &b = stations[i + heights.size()];
+    result.max_h = std::abs(heights[i]);
     result.diameter = std::hypot(a.x - b.x, a.y - b.y);
-    result.azimuth = a.z >= b.z ? a.azimuth : b.azimuth;
+    result.azimuth = heights[i] >= 0.0 ? a.azimuth : b.azimuth;
   }
   return result;
 }
 
 Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options) {
   Tilt tilt;
+  const std::vector<double> weights = waveData(stations, 1).weights;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
-  double n = 0, sum = 0;
+  double sum = 0, total_weight = 0;
+  auto weight = weights.begin();
   for (const Station& s : stations) {
     if (s.flag != StationFlag::Measured) continue;
     const Eigen::Vector3d row(1.0, s.x - center.x(), s.y - center.y());
-    normal += row * row.transpose();
-    rhs += s.z * row;
-    sum += s.z;
-    n += 1;
+    normal += *weight * row * row.transpose();
+    rhs += *weight * s.z * row;
+    sum += *weight * s.z;
+    total_weight += *weight++;
   }
+  const auto n = static_cast<double>(weights.size());
   const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
   if (n < 4 || !lu.isInvertible()) return tilt;
   const Eigen::Vector3d plane = lu.solve(rhs);
@@ -66,13 +80,14 @@ Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, cons
   tilt.gradient = plane.tail<2>();
 
   double residual = 0, total = 0;
+  weight = weights.begin();
   for (Station& s : stations) {
     if (!known(s)) continue;
     s.z_tilt = plane[0] + plane[1] * (s.x - center.x()) + plane[2] * (s.y - center.y());
     s.u = s.z - s.z_tilt;
     if (s.flag != StationFlag::Measured) continue;
-    residual += s.u * s.u;
-    total += (s.z - sum / n) * (s.z - sum / n);
+    residual += *weight * s.u * s.u;
+    total += *weight++ * std::pow(s.z - sum / total_weight, 2);
   }
   const double up = std::atan2(plane[2], plane[1]);
   const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
@@ -80,8 +95,9 @@ Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, cons
   const Eigen::Matrix3d covariance = residual / (n - 3.0) * lu.inverse();
   const Eigen::Vector2d along(std::cos(up), std::sin(up));
   tilt.sigma_slope = std::sqrt(along.dot(covariance.bottomRightCorner<2, 2>() * along));
+  tilt.standard_error = std::sqrt(residual / (n - 3.0) * n / total_weight);
   constexpr double kNanometre = 1e-9;  // a datum level to within rounding has no variance to explain
-  tilt.r2 = total > n * kNanometre * kNanometre ? std::max(0.0, 1.0 - residual / total) : Tilt::kUnknown;
+  tilt.r2 = total > total_weight * kNanometre * kNanometre ? std::max(0.0, 1.0 - residual / total) : Tilt::kUnknown;
   // P(F > f) for 2 and m degrees of freedom is (1 + 2 f / m)^(-m/2), and f = (r2/2) / ((1-r2)/m), hence:
   tilt.p_value = std::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
   return tilt;

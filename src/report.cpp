@@ -3,14 +3,11 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 
-#include "sparkline.h"
 #include "tank_datum/error.h"
 #include "tank_datum/pcd_writer.h"
-#include "tank_datum/statistics.h"
 #include "units.h"
 
 namespace tank_datum {
@@ -43,16 +40,6 @@ void writeCloud(const std::string& path, const Points& points, const Eigen::Vect
   }
   writer.append(rows);
   writer.commit();
-}
-
-constexpr std::size_t kSparklineColumns = 48;  ///< three bytes each, within the buffer of a line
-
-double medianSigma(const std::vector<Station>& stations) {
-  std::vector<double> sigmas;
-  for (const Station& s : stations) {
-    if (s.flag == StationFlag::Measured) sigmas.push_back(s.sigma_z);
-  }
-  return median(std::move(sigmas));
 }
 
 }  // namespace
@@ -109,57 +96,13 @@ std::string stationsCsv(const Datum& datum) {
                                  text(s.z_paper + o.z()),
                                  text(s.z_tilt + o.z()),
                                  text(s.u),
-                                 "",
-                                 ""};
+                                 text(s.u_fit),
+                                 text(s.curvature)};
     csv += std::to_string(i);
     for (const std::string& cell : cells) csv += "," + cell;
     csv += "\n";
   }
   return csv;
-}
-
-std::string summary(const Datum& datum, bool blocks) {
-  std::string result;
-  const auto line = [&result](const char* format, auto... values) {
-    char buffer[200];
-    std::snprintf(buffer, sizeof buffer, format, values...);
-    result += std::string(buffer) + "\n";
-  };
-  line("%-14s %s", "status", nameOf(datum.status));
-  if (!datum.message.empty()) result += "               " + datum.message + "\n";
-  if (!datum.usable()) return result;
-  const Level& level = datum.level;
-  const double z = datum.origin.z();
-  line("%-14s radius %.3f m, centre %.3f, %.3f, shell seen over %.0f deg", "tank", datum.circle.radius,
-       datum.circle.center.x() + datum.origin.x(), datum.circle.center.y() + datum.origin.y(),
-       toDegrees(datum.tank.coverage));
-  line("%-14s %zu measured, %zu interpolated, %zu missing", "stations", level.measured, level.interpolated,
-       level.missing);
-  line("%-14s mean %.4f m, lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg", "datum", level.mean + z,
-       level.min + z, toDegrees(level.min_azimuth), level.max + z, toDegrees(level.max_azimuth));
-  line("%-14s %.1f mm", "range", 1e3 * level.range());
-  if (blocks) {
-    line("%-14s %s from station 0 round", "elevation", sparkline(datum.stations, kSparklineColumns).c_str());
-  }
-  if (datum.refined.valid()) {
-    line("%-14s shell and %s intersected, standard error %.2f mm (median)", "method",
-         nameOf(datum.refined.profile.surface), 1e3 * medianSigma(datum.stations));
-  } else {
-    line("%-14s the paper's curve through edge points: expect millimetres of bias", "method");
-  }
-  line("%-14s RMS %.1f mm, largest %.1f mm over %zu points not used in the fit (%td control points)", "paper's curve",
-       1e3 * datum.curve.rms, 1e3 * datum.curve.max_residual, datum.curve.check_points,
-       datum.curve.control_points.rows());
-  if (datum.tilt.valid()) {
-    line("%-14s %.1f arc-seconds towards %.0f deg", "tilt", toArcSeconds(std::atan(datum.tilt.slope())),
-         toDegrees(datum.tilt.direction));
-  }
-  if (std::isfinite(datum.antipodal.max_h)) {
-    line("%-14s h %.1f mm over D %.3f m: %.5f deg, %.1f arc-seconds, azimuth %.0f deg", "antipodal",
-         1e3 * datum.antipodal.max_h, datum.antipodal.diameter, toDegrees(datum.antipodal.angle()),
-         toArcSeconds(datum.antipodal.angle()), toDegrees(datum.antipodal.azimuth));
-  }
-  return result;
 }
 
 void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance) {
@@ -170,7 +113,7 @@ void writeResults(const std::string& folder, const Datum& datum, const Provenanc
   for (const Station& s : datum.stations) {
     if (s.flag != StationFlag::Missing) curve.emplace_back(s.x, s.y, s.z);
   }
-  writeCloud(folder + "/datum_points.pcd", datum.edge_points, datum.origin);
+  if (!datum.levelled) writeCloud(folder + "/datum_points.pcd", datum.edge_points, datum.origin);
   writeCloud(folder + "/datum_curve.pcd", curve, datum.origin);
 }
 

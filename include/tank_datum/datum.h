@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/analysis.h"
 #include "tank_datum/centre_filter.h"
 #include "tank_datum/crop.h"
 #include "tank_datum/deformation.h"
@@ -39,6 +40,7 @@ struct DatumOptions {
   SplineOptions spline;
   RefineOptions refine;
   StationOptions stations;
+  AnalysisOptions analysis;
   std::optional<Circle> tank;  ///< the tank's circle in the scan's frame [m], when it need not be searched
   int pick = 1;                ///< which of the tanks found, best first, counted from 1
   int threads = 0;             ///< 0: all cores; the result does not depend on it
@@ -63,6 +65,7 @@ struct Datum {
   std::string message;                               ///< why there is none, or what is missing
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< add it for the scan's own frame
   ScanCounts counts;
+  bool levelled = false;  ///< stations typed in, not found in a scan: only they and what they mean are known
   Tank tank;
   Points edge_points;  ///< in order round the tank
   Circle circle;       ///< about whose centre the stations stand
@@ -72,6 +75,7 @@ struct Datum {
   Level level;
   Tilt tilt;
   Antipodal antipodal;
+  Analysis analysis;
 
   bool usable() const { return status == Status::Ok || status == Status::Partial; }
 };

@@ -30,7 +30,11 @@ struct Antipodal {
   double angle() const;        ///< alpha = atan(h / D) [rad]
 };
 
-/// Over all pairs of opposite stations whose z is known; needs an even number of stations, else NaN.
+/// The difference of height across every diameter, in the stations' order over half a turn: positive when the first
+/// end is the higher one, NaN where an end is not known. Empty for an odd number of stations.
+std::vector<double> antipodalHeights(const std::vector<Station>& stations);
+
+/// The largest of them. An upper bound of the tilt: a bump or an error of one station counts in full.
 Antipodal antipodalOf(const std::vector<Station>& stations);
 
 /// z = mean + slope_x (x - x0) + slope_y (y - y0), fitted by least squares; NaN until fitted.
@@ -39,6 +43,7 @@ struct Tilt {
   double mean = kUnknown;                                          ///< elevation of the plane at the centre [m]
   Eigen::Vector2d gradient = Eigen::Vector2d::Constant(kUnknown);  ///< [m/m]
   double sigma_slope = kUnknown;                                   ///< standard error of the slope [m/m]
+  double standard_error = kUnknown;                                ///< of the regression, what a station departs by [m]
   double direction = kUnknown;  ///< towards the highest point, as the user counts azimuths [rad]
   double r2 = kUnknown;         ///< share of the variance that the plane explains
   double p_value = kUnknown;    ///< F test on 2 and N - 3 degrees of freedom
@@ -48,7 +53,9 @@ struct Tilt {
 };
 
 /// Linear regression of z on 1, cos, sin (STANDARDS: tilt plane) over the measured stations, about `center`; at least
-/// four of them. Fills z_tilt and u of every station whose z is known.
+/// four of them. Weighted by the stations' standard errors, those widened by what the stations scatter about the plane
+/// beyond them, so that out-of-plane settlement does not leave the fit to the few best stations. Fills z_tilt and u of
+/// every station whose z is known.
 Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options);
 
 }  // namespace tank_datum

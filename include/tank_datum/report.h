@@ -46,7 +46,7 @@ std::string stationsCsv(const Datum& datum);
 /// datum.json: two-space indented, unknown values null. Metres, degrees.
 std::string datumJson(const Datum& datum, const Provenance& provenance);
 
-/// The summary for a terminal: at most 13 lines.
+/// The summary for a terminal: at most 14 lines.
 /// @param blocks  whether to draw the elevations in UTF-8 block characters
 std::string summary(const Datum& datum, bool blocks = false);
 

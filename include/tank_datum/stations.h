@@ -39,9 +39,11 @@ struct Station {
   double radius = kUnknown, sigma_radius = kUnknown;  ///< distance from the centre and its standard error [m]
   std::optional<std::size_t> n_shell, n_foundation;   ///< points behind z; none with the paper's method
   StationFlag flag = StationFlag::Missing;
-  double z_paper = kUnknown;  ///< the paper's B-spline [m]
-  double z_tilt = kUnknown;   ///< the fitted plane here [m]
-  double u = kUnknown;        ///< z - z_tilt [m]
+  double z_paper = kUnknown;                                ///< the paper's B-spline [m]
+  double z_tilt = kUnknown;                                 ///< the fitted plane here [m]
+  double u = kUnknown;                                      ///< z - z_tilt [m]
+  double u_fit = kUnknown, sigma_u_fit = kUnknown;          ///< trigonometric regression of u, its standard error [m]
+  double curvature = kUnknown, sigma_curvature = kUnknown;  ///< second derivative of its bending along the shell [1/m]
 };
 
 /// Stations with their azimuths and nothing else.

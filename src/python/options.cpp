@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <vector>
@@ -73,12 +74,47 @@ Keyword tank() {
           }};
 }
 
+/// A figure that may not be known.
+template <typename Place>
+Keyword fact(const char* name, Place place) {
+  return {name,
+          [place](const Options& o) {
+            const double value = place(const_cast<Options&>(o));
+            return std::isnan(value) ? py::object(py::none()) : py::cast(value);
+          },
+          [place](Options& o, const py::handle& value) {
+            place(o) = value.is_none() ? Station::kUnknown : value.cast<double>();
+          }};
+}
+
+/// A word that may not be known.
+template <typename Place>
+Keyword word(const char* name, Place place) {
+  return {name,
+          [place](const Options& o) {
+            const std::string& text = place(const_cast<Options&>(o));
+            return text.empty() ? py::object(py::none()) : py::cast(text);
+          },
+          [place](Options& o, const py::handle& value) {
+            place(o) = value.is_none() ? std::string() : value.cast<std::string>();
+          }};
+}
+
+Keyword limits() {
+  return {"limits", [](const Options&) { return py::object(py::none()); },
+          [](Options& o, const py::handle& value) {
+            if (value.is_none()) return;
+            o.datum.analysis.limits_file = py::str(value).cast<std::string>();
+            o.datum.analysis.limits = readLimits(o.datum.analysis.limits_file);
+          }};
+}
+
 Keyword units() {
   return {"units", [](const Options& o) { return py::cast(o.units); },
           [](Options& o, const py::handle& value) {
             o.units = value.cast<std::string>();
             if (kUnits.count(o.units) == 0) {
-              throw Error(Error::Kind::Option, "options", "units", o.units, "m, mm or ft");
+              throw Error(Error::Kind::Option, "options", "units", o.units, "m, mm, ft or in");
             }
           }};
 }
@@ -123,6 +159,19 @@ const std::vector<Keyword>& keywords() {
       plain<double>(
           "min_radius", [](Options & o) -> auto& { return o.datum.locate.min_radius; }),
       units(),
+      fact(
+          "height", [](Options & o) -> auto& { return o.datum.analysis.facts.height; }),
+      fact(
+          "yield_mpa", [](Options & o) -> auto& { return o.datum.analysis.facts.yield; }),
+      fact(
+          "modulus_mpa", [](Options & o) -> auto& { return o.datum.analysis.facts.modulus; }),
+      word(
+          "roof", [](Options & o) -> auto& { return o.datum.analysis.facts.roof; }),
+      word(
+          "foundation", [](Options & o) -> auto& { return o.datum.analysis.facts.foundation; }),
+      plain<int>(
+          "classic_points", [](Options & o) -> auto& { return o.datum.analysis.classic_points; }),
+      limits(),
       baseline(),
       removal(),
       plain<double>(

@@ -23,7 +23,7 @@ DatumFilter<PointT>::DatumFilter(bool extract_removed_indices) : Base(extract_re
 template <typename PointT>
 void DatumFilter<PointT>::setInputCloud(const PointCloudConstPtr& cloud) {
   Base::setInputCloud(cloud);
-  datum_ = {};
+  datum_ = Datum();
   removed_indices_ = std::make_shared<pcl::Indices>();
 }
 
@@ -45,7 +45,7 @@ void DatumFilter<PointT>::applyFilter(PointCloud& output) {
 
 template <typename PointT>
 void DatumFilter<PointT>::applyFilter(pcl::Indices& indices) {
-  datum_ = {};
+  datum_ = Datum();
   indices.clear();
   removed_indices_ = std::make_shared<pcl::Indices>();  // a new one: the caller may keep the last run's
   std::vector<bool> is_edge(input_->size(), false);

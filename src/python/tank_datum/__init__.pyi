@@ -35,6 +35,8 @@ class Datum:
     @property
     def harmonics(self) -> list[dict[str, Any]]: ...
     @property
+    def out_of_plane(self) -> dict[str, Any] | None: ...
+    @property
     def checks(self) -> list[dict[str, Any]]: ...
     def to_dict(self) -> dict[str, Any]: ...
     def to_json(self) -> str: ...
@@ -58,7 +60,14 @@ def extract_datum(
     pick: int = ...,
     search_points: int = ...,
     min_radius: float = ...,
-    units: Literal["m", "mm", "ft"] = ...,
+    units: Literal["m", "mm", "ft", "in"] = ...,
+    height: float | None = ...,
+    yield_mpa: float | None = ...,
+    modulus_mpa: float | None = ...,
+    roof: Literal["open", "fixed"] | None = ...,
+    foundation: Literal["ringwall", "earth"] | None = ...,
+    classic_points: int = ...,
+    limits: _Path | None = ...,
     baseline: str | PathLike[str] = ...,
     remove: Literal["none", "mean", "tilt"] = ...,
     registration_error: float = ...,

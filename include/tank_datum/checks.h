@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/export.h"
+#include "tank_datum/limits.h"
+#include "tank_datum/placed_value.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// What is known of the tank beside the scan; NaN or empty when not given.
+struct TankFacts {
+  double height = Station::kUnknown;   ///< of the shell, H [m]
+  double yield = Station::kUnknown;    ///< yield strength of its steel, Y [MPa]
+  double modulus = Station::kUnknown;  ///< its elastic modulus, E [MPa]
+  std::string roof;                    ///< "open" (floating roof) or "fixed"
+  std::string foundation;              ///< "ringwall" or "earth"
+};
+
+/// One line naming the first refused field, its value and what it must be; empty when all are fine.
+std::string firstError(const TankFacts& facts);
+
+/// A figure that the file of limits may judge.
+struct Measure {
+  std::string quantity;                ///< one of knownQuantities()
+  PlacedValue worst;                   ///< unknown when it could not be had
+  double spacing = Station::kUnknown;  ///< of survey points, L [m]
+  double arc = Station::kUnknown;      ///< length of the settlement arc, S [m]
+  std::vector<PlacedValue> all;        ///< every value of which `worst` is the largest, where their share matters
+  std::string note;                    ///< what a reader should know of it
+  std::string unavailable;             ///< why it could not be had
+  bool whole_ring = true;              ///< false: a gap too wide to say there is nothing worse in it
+};
+
+enum class Verdict { Pass, Fail, Undecided, NotApplicable };
+
+/// The names used in files: "pass", "fail", "undecided", "not_applicable".
+const char* nameOf(Verdict verdict);
+
+/// A figure beside its limit.
+struct Check {
+  std::string code, clause, name;
+  double value = Station::kUnknown, sigma = Station::kUnknown;  ///< in `unit`; sigma is its standard error
+  double limit = Station::kUnknown;                             ///< unknown when something for it is not given
+  double azimuth = Station::kUnknown;                           ///< of the worst place [rad]
+  std::string unit;
+  Verdict verdict = Verdict::NotApplicable;
+  std::string trust;     ///< how far the rule's numbers are trusted: verified, secondary, unverified
+  std::string note;      ///< why not, or what to know of it
+  std::string citation;  ///< of the limit
+};
+
+/// Every limit beside the figure it is for; rows of a table (one code, clause and name) make one check.
+/// Pass and fail need the limit outside the value's 95 % interval; a pass also that no gap hides a part of the ring.
+/// @param diameter  of the tank [m]
+std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
+                         double diameter);
+
+}  // namespace tank_datum

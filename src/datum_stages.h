@@ -1,0 +1,13 @@
+#pragma once
+
+#include "tank_datum/datum.h"
+
+namespace tank_datum {
+
+/// @throws Error (Option) naming the first refused option
+void requireValid(const DatumOptions& options);
+
+/// What the stations' elevations mean: level, tilt, shape, and the status and message that go with them.
+Datum meant(Datum datum, const DatumOptions& options);
+
+}  // namespace tank_datum

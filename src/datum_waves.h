@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "tank_datum/harmonics.h"
+#include "tank_datum/stations.h"
+
+namespace tank_datum {
+
+/// The measured stations as the regressions use them.
+struct WaveData {
+  std::vector<double> azimuths;  ///< as the user counts them [rad]
+  std::vector<double> z;         ///< [m]
+  std::vector<double> sigmas;    ///< [m]; empty when not all are known
+  std::vector<double> weights;   ///< 1 / (sigma^2 + excess^2), or 1
+
+  std::size_t count() const { return z.size(); }
+};
+
+/// Measured stations with weights. The excess is what scatters about a fit of `order` beyond the standard errors
+/// (Mandel and Paule 1970).
+WaveData waveData(const std::vector<Station>& stations, int order);
+
+/// The highest order up to `wanted` that the stations' places can tell apart: a quarter as many waves as stations, and
+/// no coefficient with more than five times the standard error that stations all round would give. At least `least`.
+int highestOrder(const WaveData& data, int wanted, int least);
+
+/// Weighted least squares of all waves up to `order`. The covariance is scaled up by the power that the residuals have
+/// in the waves next above, which noise shared by neighbours raises and which is no less than what the weights say.
+PeriodicFit fitWaves(const WaveData& data, int order);
+
+/// Weighted sum of squares of what a fit leaves.
+double residualSum(const WaveData& data, const PeriodicFit& fit);
+
+}  // namespace tank_datum

@@ -1,0 +1,133 @@
+#include "tank_datum/levelling.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "csv.h"
+#include "datum_stages.h"
+#include "tank_datum/error.h"
+#include "tank_datum/sha256.h"
+#include "units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kFewest = 4;  // stations, for a plane and something left over
+
+Error refused(const std::string& what, const std::string& value, const std::string& expected) {
+  return Error(Error::Kind::Option, "levelling", what, value, expected);
+}
+
+struct Columns {
+  std::size_t azimuth, elevation, sigma, count;
+};
+
+Columns columnsOf(const CsvRow& header, const std::string& file) {
+  const auto column = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(header.cells.begin(), header.cells.end(), name) - header.cells.begin());
+  };
+  const Columns columns{column("azimuth_deg"), column("elevation"), column("sigma"), header.cells.size()};
+  if (columns.azimuth == columns.count || columns.elevation == columns.count) {
+    throw refused(placeOf(file, header), "another header", "the columns azimuth_deg,elevation and perhaps sigma");
+  }
+  return columns;
+}
+
+double numberIn(const CsvRow& row, std::size_t column, const char* name, const std::string& file) {
+  const std::string& text = row.cells[column];
+  double value = 0.0;
+  const char *first = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0), *last = text.data() + text.size();
+  const auto read = std::from_chars(first, last, value);
+  if (read.ec != std::errc() || read.ptr != last || !std::isfinite(value)) {
+    throw refused(placeOf(file, row) + " " + name, "\"" + text + "\"", "a number");
+  }
+  return value;
+}
+
+void place(Station& s, double azimuth, double radius, const StationOptions& options) {
+  const double direction = options.zero_azimuth + (options.clockwise ? -azimuth : azimuth);
+  s.azimuth = azimuth;
+  s.direction = direction - kTwoPi * std::floor(direction / kTwoPi);
+  s.x = radius * std::cos(s.direction);
+  s.y = radius * std::sin(s.direction);
+}
+
+Station stationFrom(const CsvRow& row, const Columns& columns, const std::string& file, double metres_per_unit) {
+  if (row.cells.size() != columns.count) {
+    throw refused(placeOf(file, row), std::to_string(row.cells.size()) + " cells",
+                  std::to_string(columns.count) + " as in the header line");
+  }
+  Station s;
+  s.azimuth = numberIn(row, columns.azimuth, "azimuth_deg", file) * kPi / 180.0;
+  s.azimuth -= kTwoPi * std::floor(s.azimuth / kTwoPi);
+  if (row.cells[columns.elevation].empty()) return s;
+  s.flag = StationFlag::Measured;
+  s.z = numberIn(row, columns.elevation, "elevation", file) * metres_per_unit;
+  if (columns.sigma == columns.count || row.cells[columns.sigma].empty()) return s;
+  s.sigma_z = numberIn(row, columns.sigma, "sigma", file) * metres_per_unit;
+  if (!(s.sigma_z > 0.0)) throw refused(placeOf(file, row) + " sigma", row.cells[columns.sigma], "> 0, or nothing");
+  return s;
+}
+
+}  // namespace
+
+std::vector<Station> levellingStations(const std::string& text, const std::string& file, double metres_per_unit,
+                                       double diameter, const StationOptions& options) {
+  const std::vector<CsvRow> rows = csvRows(text);
+  if (rows.empty()) throw refused(file, "no lines", "the header line azimuth_deg,elevation and a row per station");
+  const Columns columns = columnsOf(rows.front(), file);
+  std::vector<Station> stations;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    stations.push_back(stationFrom(rows[i], columns, file, metres_per_unit));
+    Station& s = stations.back();
+    place(s, s.azimuth, 0.5 * diameter, options);
+    if (s.flag == StationFlag::Measured) s.radius = 0.5 * diameter;
+  }
+  const auto before = [](const Station& a, const Station& b) { return a.azimuth < b.azimuth; };
+  std::stable_sort(stations.begin(), stations.end(), before);
+  constexpr double kSame = 1e-6;  // [rad]
+  for (std::size_t i = 1; i < stations.size(); ++i) {
+    if (stations[i].azimuth - stations[i - 1].azimuth < kSame) {
+      throw refused(file, "two rows at " + std::to_string(toDegrees(stations[i].azimuth)) + " degrees",
+                    "one row per azimuth");
+    }
+  }
+  return stations;
+}
+
+Datum datumOfLevelling(std::vector<Station> stations, double diameter, const DatumOptions& options) {
+  if (!(diameter > 0.0 && std::isfinite(diameter))) {
+    throw refused("diameter", std::to_string(diameter), "the tank's in metres, > 0");
+  }
+  requireValid(options);
+  Datum datum;
+  datum.levelled = true;
+  datum.circle = datum.tank.circle = {{0.0, 0.0}, 0.5 * diameter};
+  datum.stations = std::move(stations);
+  datum.level = levelOf(datum.stations);
+  if (datum.level.measured < kFewest) {
+    datum.status = Status::TooFewPoints;
+    datum.message = std::to_string(datum.level.measured) + " stations have an elevation, and a datum needs 4";
+    datum.stations.clear();
+    return datum;
+  }
+  return meant(std::move(datum), options);
+}
+
+Datum readLevelling(const std::string& path, double metres_per_unit, double diameter, const DatumOptions& options) {
+  return datumOfLevelling(
+      levellingStations(textOf(path, "levelling"), path, metres_per_unit, diameter, options.stations), diameter,
+      options);
+}
+
+Provenance provenanceOfLevelling(const std::string& path, const std::string& units, const DatumOptions& options,
+                                 const Datum& datum) {
+  Provenance provenance;
+  provenance.files.push_back({path, sha256OfFile(path), datum.stations.size()});
+  provenance.units = units;
+  provenance.options = options;
+  return provenance;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,98 @@
+#include "tank_datum/levelling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tank_datum/error.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+std::string refusal(const std::string& text) {
+  try {
+    levellingStations(text, "l.csv", 1.0, 10.0, {});
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::Option);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LevellingStations, ReadsSortsAndScales) {
+  const auto stations = levellingStations("elevation,azimuth_deg,sigma,who\n20,90,1,a\n10,-90,,b\n,0,,c\n+30,180,2,d\n",
+                                          "l", 0.001, 10, {});
+  ASSERT_EQ(stations.size(), 4U);
+  EXPECT_EQ(stations[0].flag, StationFlag::Missing);
+  EXPECT_TRUE(std::isnan(stations[0].z) && std::isnan(stations[0].radius));
+  EXPECT_NEAR(stations[1].azimuth, 90 * kDegree, 1e-12);
+  EXPECT_NEAR(stations[1].z, 0.02, 1e-15);
+  EXPECT_NEAR(stations[1].sigma_z, 0.001, 1e-15);
+  EXPECT_NEAR(stations[1].y, 5.0, 1e-12);
+  EXPECT_NEAR(stations[2].z, 0.03, 1e-15);
+  EXPECT_NEAR(stations[3].azimuth, 270 * kDegree, 1e-12);
+  EXPECT_TRUE(std::isnan(stations[3].sigma_z));
+}
+
+TEST(LevellingStations, AzimuthsCountAsTheUserSays) {
+  StationOptions north;
+  north.zero_azimuth = 90 * kDegree;
+  north.clockwise = true;
+  const auto stations = levellingStations("azimuth_deg,elevation\n90,1\n", "l", 1.0, 10.0, north);
+  EXPECT_NEAR(stations[0].x, 5.0, 1e-12);  // east
+  EXPECT_NEAR(stations[0].y, 0.0, 1e-12);
+}
+
+TEST(LevellingStations, RefusesWithFileAndLine) {
+  EXPECT_EQ(refusal("azimuth_deg,elevation\n0,1\n10,x\n"),
+            "levelling: l.csv line 3 elevation, \"x\", expected a number");
+  EXPECT_NE(refusal("azimuth_deg,elevation\n0,1,2\n").find("line 2, 3 cells"), std::string::npos);
+  EXPECT_NE(refusal("azimuth_deg,elevation\nnan,1\n").find("azimuth_deg, \"nan\""), std::string::npos);
+  EXPECT_NE(refusal("azimuth_deg,elevation,sigma\n0,1,0\n").find("sigma, 0, expected > 0"), std::string::npos);
+  EXPECT_NE(refusal("angle,height\n0,1\n").find("another header"), std::string::npos);
+  EXPECT_NE(refusal("").find("no lines"), std::string::npos);
+  EXPECT_NE(refusal("azimuth_deg,elevation\n0,1\n360,2\n").find("two rows at 0.0"), std::string::npos);
+}
+
+std::vector<Station> ring(std::size_t count) {
+  std::string text = "azimuth_deg,elevation\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    const double a = 360.0 * static_cast<double>(i) / static_cast<double>(count);
+    text += std::to_string(a) + "," + std::to_string(2.0 + 0.01 * std::cos(a * kDegree)) + "\n";
+  }
+  return levellingStations(text, "l", 1.0, 20.0, {});
+}
+
+TEST(DatumOfLevelling, IsDescribedAsThatOfAScan) {
+  const Datum datum = datumOfLevelling(ring(16), 20.0, {});
+  EXPECT_EQ(datum.status, Status::Ok);
+  EXPECT_TRUE(datum.levelled);
+  EXPECT_NEAR(datum.level.mean, 2.0, 1e-6);
+  EXPECT_NEAR(datum.tilt.slope(), 0.001, 1e-6);
+  EXPECT_NEAR(datum.antipodal.max_h, 0.02, 1e-6);
+  EXPECT_TRUE(datum.analysis.valid());
+  const std::string text = summary(datum);
+  EXPECT_NE(text.find("radius 10.000 m as given"), std::string::npos) << text;
+  EXPECT_NE(text.find("levelling survey"), std::string::npos) << text;
+  EXPECT_EQ(text.find("paper's curve"), std::string::npos) << text;
+}
+
+TEST(DatumOfLevelling, NeedsFourElevationsAndADiameter) {
+  const Datum few = datumOfLevelling(ring(3), 20.0, {});
+  EXPECT_EQ(few.status, Status::TooFewPoints);
+  EXPECT_NE(few.message.find("3 stations"), std::string::npos);
+  for (const double diameter : {0.0, -1.0, std::nan("")}) EXPECT_THROW(datumOfLevelling(ring(8), diameter, {}), Error);
+}
+
+TEST(DatumOfLevelling, UnequalStepsHaveNoDiameters) {
+  auto stations = ring(16);
+  stations.erase(stations.begin() + 3);
+  const Datum datum = datumOfLevelling(stations, 20.0, {});
+  EXPECT_TRUE(datum.tilt.valid());
+  EXPECT_TRUE(std::isnan(datum.antipodal.max_h));
+}
+
+}  // namespace
+}  // namespace tank_datum
