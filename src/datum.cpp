@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "datum_stages.h"
 #include "tank_datum/error.h"
@@ -9,17 +10,34 @@
 namespace tank_datum {
 namespace {
 
+Datum begun(const Scan& scan) {
+  Datum datum;
+  datum.origin = scan.origin();
+  datum.coordinate_step = scan.coordinateStep();
+  return datum;
+}
+
+/// A word on coordinates too coarse for a datum of a fraction of a millimetre.
+void warnOfSteps(Datum& datum) {
+  constexpr double kCoarse = 0.001;  // [m]
+  if (datum.coordinate_step < kCoarse) return;
+  char text[96];
+  std::snprintf(text, sizeof text, "its 4-byte coordinates have steps of %g mm here: store 8-byte ones",
+                1000.0 * datum.coordinate_step);
+  datum.message += (datum.message.empty() ? "" : "; ") + std::string(text);
+}
+
 Datum stopped(Datum datum, Status status, const std::string& message) {
   datum.status = status;
   datum.message = message;
+  warnOfSteps(datum);
   datum.stations.clear();
   return datum;
 }
 
 /// Why there is no tank: no points to speak of, or none that stand like one.
 Datum withoutTank(const Scan& scan, const DatumOptions& options) {
-  Datum datum;
-  datum.origin = scan.origin();
+  Datum datum = begun(scan);
   datum.counts = scan.forEachBlock([](const Points&) {});
   const std::uint64_t finite = datum.counts.points - datum.counts.invalid;
   if (finite < static_cast<std::uint64_t>(options.normals.k)) {
@@ -91,6 +109,7 @@ Datum meant(Datum datum, const DatumOptions& options) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
                     " stations are missing: the datum is not seen there";
   }
+  warnOfSteps(datum);
   return datum;
 }
 
@@ -155,8 +174,7 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   const auto begin = [&](const char* stage) {
     if (observer) observer(stage);
   };
-  Datum datum;
-  datum.origin = scan.origin();
+  Datum datum = begun(scan);
   datum.tank = tank;
   if (!tank.has_foundation) return stopped(datum, Status::NoCrease, "no surface meets the foot of the shell");
 

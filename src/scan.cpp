@@ -16,6 +16,7 @@ class Scan::Source {
  public:
   virtual ~Source() = default;
   virtual std::uint64_t size() const = 0;
+  virtual double coordinateStep(const Eigen::Vector3d& origin) const = 0;
   virtual ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const = 0;
 };
 
@@ -27,6 +28,21 @@ class PcdSource : public Scan::Source {
       : file_(path), header_(readPcdHeader(file_)), metres_per_unit_(metres_per_unit) {}
 
   std::uint64_t size() const override { return header_.points; }
+
+  double coordinateStep(const Eigen::Vector3d& origin) const override {
+    double step = 0.0;
+    if (header_.encoding == PcdEncoding::Ascii) return step;  // text has the digits it was written with
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const PcdColumn& column = header_.columns[header_.xyz[static_cast<std::size_t>(axis)]];
+      if (column.type != 'F') continue;
+      const double stored = std::abs(origin[axis]) / metres_per_unit_;
+      const double next = column.size == 4 ? static_cast<double>(std::nextafter(static_cast<float>(stored), HUGE_VALF))
+                                           : std::nextafter(stored, HUGE_VAL);
+      const double value = column.size == 4 ? static_cast<double>(static_cast<float>(stored)) : stored;
+      step = std::max(step, (next - value) * metres_per_unit_);
+    }
+    return step;
+  }
 
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     return visitPcd(file_, header_, {metres_per_unit_, origin}, visit);
@@ -43,6 +59,8 @@ class ArraySource : public Scan::Source {
   ArraySource(std::uint64_t rows, Scan::Row row) : rows_(rows), row_(std::move(row)) {}
 
   std::uint64_t size() const override { return rows_; }
+
+  double coordinateStep(const Eigen::Vector3d&) const override { return 0.0; }
 
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     const Frame frame{1.0, origin};
@@ -116,6 +134,12 @@ ScanCounts Scan::forEachBlock(const Visitor& visit) const {
     total.invalid += counts.invalid;
   }
   return total;
+}
+
+double Scan::coordinateStep() const {
+  double step = 0.0;
+  for (const auto& source : sources_) step = std::max(step, source->coordinateStep(origin_));
+  return step;
 }
 
 std::uint64_t Scan::size() const {

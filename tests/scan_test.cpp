@@ -221,5 +221,18 @@ TEST(Scan, FromRowsSeesTheHoldersPointsInEveryPass) {
   EXPECT_EQ(seen, (Points{{0, 0, 0}, {3, 4, 6}, {0, 0, 0}, {3, 4, 7}}));
 }
 
+TEST(Scan, CoordinateStepIsThatOfTheCoarsestStoredNumber) {
+  const Folder folder;
+  const auto step = [&](int size, const std::string& encoding) {
+    const std::vector<Field> fields = {{"x", 'F', size}, {"y", 'F', size}, {"z", 'F', size}};
+    return Scan::open({folder.file("a.pcd", pcd_files::pcd(fields, {{512034, 4012877, 3}}, encoding))})
+        .coordinateStep();
+  };
+  EXPECT_EQ(step(4, "binary"), 0.25);
+  EXPECT_EQ(step(4, "ascii"), 0.0);
+  EXPECT_LT(step(8, "binary"), 1e-8);
+  EXPECT_EQ(Scan::fromPoints({{4e6, 4e6, 0}}).coordinateStep(), 0.0);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -62,8 +62,9 @@ enum class Status {
 /// The datum of one tank. Lengths in metres relative to `origin`; usable() says whether there is one.
 struct Datum {
   Status status = Status::NotRun;
-  std::string message;                               ///< why there is none, or what is missing
+  std::string message;                               ///< why there is none, what is missing, what to mind
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< add it for the scan's own frame
+  double coordinate_step = 0;                        ///< between coordinates that the scan's files can hold [m]
   ScanCounts counts;
   bool levelled = false;  ///< stations typed in, not found in a scan: only they and what they mean are known
   Tank tank;

@@ -54,6 +54,10 @@ class Scan {
   /// Rows announced by the headers.
   std::uint64_t size() const;
 
+  /// Step between neighbouring coordinates that the files can hold at the origin [m]: 0.25 for 4-byte floats near 4e6
+  /// m. Zero for points in memory.
+  double coordinateStep() const;
+
   /// Empty for points in memory.
   const std::vector<std::string>& paths() const { return paths_; }
 

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import clouds
-from results import Array, Run, read_datum, write_xyz
+from conftest import ROOT
+from results import Array, Run, read_datum, read_pcd, write_pcd, write_xyz
 
 USABLE, NO_DATUM, WRONG_USE, FILE_FAILED = 0, 1, 2, 3
 
@@ -217,3 +218,15 @@ def test_bad_config(run: Runner, tmp_path: Path) -> None:
         refused(run(scan, "-o", out, "--config", config), WRONG_USE, out, word)
     result = run(scan, "-o", out, "--config", tmp_path / "none.toml")
     refused(result, FILE_FAILED, out, "none.toml")
+
+
+@pytest.mark.parametrize(("kind", "said"), [("<f4", True), ("<f8", False)])
+def test_coarse_coordinates_are_named(run: Runner, tmp_path: Path, kind: str, said: bool) -> None:
+    """A tank at map coordinates kept in 4-byte floats is stairs of 0.25 m: the line says so."""
+    columns = read_pcd(ROOT / "tests" / "data" / "sample.pcd")
+    shifts = {"x": 512034.25, "y": 4012877.5, "z": 0.0}
+    moved = {n: (columns[n].astype(float) + s).astype(kind) for n, s in shifts.items()}
+    scan = write_pcd(tmp_path / "scan.pcd", moved)
+    run(scan, "-o", tmp_path / "out")
+    message = read_datum(tmp_path / "out")["message"]
+    assert ("4-byte coordinates have steps of 250 mm here: store 8-byte ones" in message) == said
