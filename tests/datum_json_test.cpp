@@ -35,10 +35,10 @@ TEST(DatumJson, HasTheContractsKeys) {
                                       "min_azimuth_deg", "max_azimuth_deg", "curve"}));
   EXPECT_EQ(keysOf(json["datum"]["curve"]),
             (std::vector<std::string>{"degree", "closed", "control_points", "rms", "max_residual", "check_points"}));
-  EXPECT_EQ(keysOf(json["tilt"]),
-            (std::vector<std::string>{"slope", "angle_arcsec", "direction_deg", "sigma_slope", "r2", "p_value"}));
+  EXPECT_EQ(keysOf(json["tilt"]), (std::vector<std::string>{"slope", "angle_arcsec", "direction_deg", "sigma_slope",
+                                                            "standard_error", "r2", "p_value"}));
   EXPECT_EQ(keysOf(json["antipodal"]),
-            (std::vector<std::string>{"max_h", "diameter", "angle_deg", "angle_arcsec", "azimuth_deg"}));
+            (std::vector<std::string>{"max_h", "diameter", "angle_deg", "angle_arcsec", "azimuth_deg", "h"}));
   EXPECT_EQ(keysOf(json["stations"][0]),
             (std::vector<std::string>{"azimuth_deg", "direction_deg", "z", "sigma_z", "flag"}));
 }
@@ -112,7 +112,7 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
   EXPECT_EQ(json["options"]["stations"]["clockwise"], true);
   EXPECT_EQ(keysOf(json["options"]),
             (std::vector<std::string>{"method", "locate", "crop", "normals", "growing", "centre_filter", "spline",
-                                      "refine", "stations", "pick", "tank", "movement"}));
+                                      "refine", "stations", "analysis", "pick", "tank", "movement"}));
 }
 
 }  // namespace

@@ -118,8 +118,9 @@ def test_what_it_says(datum: Any, command: Path) -> None:
     assert datum.tank == expected["tank"]
     assert datum.tilt == expected["tilt"]
     assert datum.antipodal == expected["antipodal"]
-    assert datum.harmonics == expected.get("harmonics", [])
-    assert datum.checks == expected.get("checks", [])
+    assert datum.harmonics == expected["harmonics"]
+    assert datum.out_of_plane == expected["out_of_plane"]
+    assert datum.checks == expected["checks"]
     assert "tank           radius 5.000 m" in datum.summary()
     assert repr(datum) == "<tank_datum.Datum ok, 360 stations>"
 
@@ -144,7 +145,7 @@ def test_defaults_are_the_commands(run: Runner) -> None:
     assert got.pop("tank") is None and wanted.pop("tank") == ""
     assert set(got) <= set(wanted)
     for name, value in got.items():
-        assert value == pytest.approx(wanted[name]), name
+        assert ("" if value is None else value) == pytest.approx(wanted[name]), name
 
 
 @pytest.mark.parametrize(
@@ -161,6 +162,14 @@ def test_defaults_are_the_commands(run: Runner) -> None:
         ({"units": "ft"}, ["--units", "ft"]),
         ({"min_radius": 9.0}, ["--min-radius", 9]),
         ({"pick": 2}, ["--pick", 2]),
+        (
+            {"height": 9.0, "yield_mpa": 235.0, "modulus_mpa": 206_000.0, "roof": "open"},
+            ["--height", 9, "--yield-mpa", 235, "--modulus-mpa", 206_000, "--roof", "open"],
+        ),
+        (
+            {"foundation": "earth", "classic_points": 8},
+            "--foundation earth --classic-points 8".split(),
+        ),
     ],
 )
 def test_options_are_the_commands(
@@ -194,7 +203,7 @@ def test_stub_lists_the_options() -> None:
         ({"k": 2}, "options: normals.k, 2, expected >= 3"),
         ({"method": "exact"}, "options: method, exact, expected refined or paper"),
         ({"search": "slow"}, "options: search, slow, expected flann or buckets"),
-        ({"units": "inch"}, "options: units, inch, expected m, mm or ft"),
+        ({"units": "inch"}, "options: units, inch, expected m, mm, ft or in"),
         ({"stations": 4}, "options: stations.count, 4"),
         ({"min_radius": -1.0}, "options: locate.min_radius, -1"),
     ],

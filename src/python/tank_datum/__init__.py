@@ -104,6 +104,12 @@ class Datum:
         return found
 
     @property
+    def out_of_plane(self) -> dict[str, Any] | None:
+        """Order, adjusted_r2, max_abs_u [m], max_curvature [1/m], second_differences, ..."""
+        found: dict[str, Any] | None = self._dict.get("out_of_plane")
+        return found
+
+    @property
     def checks(self) -> list[dict[str, Any]]:
         """Rules of the codes with value, limit and verdict; empty when none were made."""
         found: list[dict[str, Any]] = self._dict.get("checks", [])
