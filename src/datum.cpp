@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "survey_shell.h"
 #include "tank_datum/error.h"
 
 namespace tank_datum {
@@ -92,7 +93,7 @@ std::string firstError(const DatumOptions& options) {
   for (const std::string& error :
        {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
         firstError(options.centre_filter), firstError(options.spline), firstError(options.refine),
-        firstError(options.stations)}) {
+        firstError(options.stations), firstError(options.shell)}) {
     if (!error.empty()) return error;
   }
   if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
@@ -155,7 +156,8 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   if (!tank.has_foundation) return stopped(datum, Status::NoCrease, "no surface meets the foot of the shell");
 
   begin("crop");
-  const Ring ring = cropRing(scan, tank, options.crop);
+  ShellBands bands(tank, options.shell);
+  const Ring ring = cropRing(scan, tank, options.crop, [&bands](const Points& block) { bands.add(block); });
   datum.counts = ring.counts;
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
@@ -176,7 +178,10 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   begin("refine");
   if (options.method == Method::Refined) refine(datum, ring, options);
   begin("deformation");
-  return described(datum, options);
+  datum = described(std::move(datum), options);
+  begin("shell");
+  if (datum.usable()) datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
+  return datum;
 }
 
 }  // namespace tank_datum

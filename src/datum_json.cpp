@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "movement_json.h"
+#include "shell_report.h"
 #include "tank_datum/report.h"
 #include "tank_datum/version.h"
 #include "units.h"
@@ -32,6 +33,11 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
                       {"zero_azimuth_deg", toDegrees(o.stations.zero_azimuth)},
                       {"clockwise", o.stations.clockwise},
                       {"longest_bridge_deg", toDegrees(o.stations.longest_bridge)}};
+  json["shell"] = {{"heights", o.shell.heights},
+                   {"step", o.shell.step},
+                   {"half_band", o.shell.half_band},
+                   {"reach", o.shell.reach},
+                   {"cell_points", o.shell.cell_points}};
   json["pick"] = o.pick;
   json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
   json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
@@ -118,6 +124,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
     json["antipodal"] = antipodalJson(datum.antipodal);
     json["stations"] = stationsSection(datum);
     if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
+    if (datum.shell.valid()) json["shell"] = shellJson(datum.shell);
   }
   // a path that is no UTF-8 must not lose the result
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "shell_report.h"
 #include "sparkline.h"
 #include "tank_datum/error.h"
 #include "tank_datum/pcd_writer.h"
@@ -159,12 +160,14 @@ std::string summary(const Datum& datum, bool blocks) {
          1e3 * datum.antipodal.max_h, datum.antipodal.diameter, toDegrees(datum.antipodal.angle()),
          toArcSeconds(datum.antipodal.angle()), toDegrees(datum.antipodal.azimuth));
   }
+  result += shellSummary(datum.shell);
   return result;
 }
 
 void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance) {
   writeText(folder + "/datum.json", datumJson(datum, provenance));
   writeText(folder + "/stations.csv", stationsCsv(datum));
+  writeText(folder + "/shell.csv", shellCsv(datum.shell));
   if (!datum.usable()) return;
   Points curve;
   for (const Station& s : datum.stations) {

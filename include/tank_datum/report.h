@@ -46,11 +46,11 @@ std::string stationsCsv(const Datum& datum);
 /// datum.json: two-space indented, unknown values null. Metres, degrees.
 std::string datumJson(const Datum& datum, const Provenance& provenance);
 
-/// The summary for a terminal: at most 13 lines.
+/// The summary for a terminal: at most 15 lines.
 /// @param blocks  whether to draw the elevations in UTF-8 block characters
 std::string summary(const Datum& datum, bool blocks = false);
 
-/// Writes datum.json, stations.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a folder.
+/// Writes datum.json, stations.csv, shell.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a folder.
 /// @throws Error (File) naming the path
 void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance);
 
