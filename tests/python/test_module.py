@@ -200,7 +200,7 @@ def test_stub_lists_the_options() -> None:
         ({"units": "inch"}, "options: units, inch, expected m, mm or ft"),
         ({"stations": 4}, "options: stations.count, 4"),
         ({"min_radius": -1.0}, "options: locate.min_radius, -1"),
-        ({"heights": [0.5, 0.4]}, "options: shell.heights, 0.4, expected > 0 and above the one before"),
+        ({"heights": [0.5, 0.4]}, "options: shell.heights, 0.4"),
     ],
 )
 def test_refused_options(options: dict[str, Any], said: str) -> None:

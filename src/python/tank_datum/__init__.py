@@ -99,7 +99,7 @@ class Datum:
 
     @property
     def shell(self) -> dict[str, Any] | None:
-        """Roundness, plumbness and lean, as in datum.json; None when no shell above the foot was scanned."""
+        """Roundness, plumbness, lean; None when no shell above the foot was seen."""
         found: dict[str, Any] | None = self._dict.get("shell")
         return found
 
