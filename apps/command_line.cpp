@@ -25,7 +25,7 @@ const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Fl
 /// The figures as a person types them, in degrees; the options hold radians.
 struct Typed {
   double angle_deg, zero_azimuth_deg;
-  std::string tank;
+  std::string tank, heights;
   std::string search, method;
   TypedMovement movement{MovementOptions{}};
   TypedAnalysis analysis;
@@ -49,6 +49,10 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--stations", o.stations.count, "stations round the tank");
   app.add_option("--zero-azimuth-deg", typed.zero_azimuth_deg, "where station 0 is, counter-clockwise from +x");
   app.add_flag("--clockwise,!--no-clockwise", o.stations.clockwise, "stations run clockwise seen from above");
+  app.add_option("--heights", typed.heights,
+                 "H,H,... above the datum at which the shell is surveyed [m]; none: 0.3 and every step above");
+  app.add_option("--height-step", o.shell.step,
+                 "between the heights of the shell [m]; with the courses' own all are 0.3 m above a seam");
   CLI::Option* tank = app.add_option("--tank", typed.tank, "X,Y,R of the tank [m]: do not search for it");
   app.add_option("--pick", o.pick, "which of the tanks found, the longest seen arc first");
   CLI::Option* all = app.add_flag("--all", command.all, "every tank found, in DIR/tank_1, DIR/tank_2, ...");
@@ -82,6 +86,21 @@ Circle circleFrom(const std::string& typed) {
     throw Error(Error::Kind::Option, "command line", "--tank", typed, "X,Y,R in metres");
   }
   return circle;
+}
+
+/// "H,H,..."
+std::vector<double> heightsFrom(const std::string& typed) {
+  std::vector<double> heights;
+  std::istringstream in(typed);
+  for (std::string cell; std::getline(in, cell, ',');) {
+    std::istringstream number(cell);
+    double height = 0;
+    if (!(number >> height) || !(number >> std::ws).eof()) {
+      throw Error(Error::Kind::Option, "command line", "--heights", typed, "H,H,... in metres");
+    }
+    heights.push_back(height);
+  }
+  return heights;
 }
 
 std::string stemOf(const std::string& scan) { return std::filesystem::path(scan).stem().string() + ".datum"; }
@@ -127,6 +146,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   typed.movement.putInto(command.movement);
   o.normals.search = kEngines.at(typed.search);
   if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);
+  o.shell.heights = heightsFrom(typed.heights);
   status = kUsable;
   if (print_limits) std::cout << standardLimitsText();
   if (print_limits) return false;

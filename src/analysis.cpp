@@ -139,8 +139,10 @@ Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius
   measures.push_back(curvatureMeasure(result.out_of_plane));
   addArcs(result.arcs, measures);
   addSlopes(stations, radius, result.second_differences.spacing, measures);
-  measures.push_back(measureOf("level_9m", result.level_9m));
-  measures.push_back(measureOf("level_3m", result.level_3m));
+  for (const auto& [quantity, level] : {std::pair("level_9m", result.level_9m), {"level_3m", result.level_3m}}) {
+    measures.push_back(measureOf(quantity, level));
+    if (!std::isfinite(level.value)) measures.back().unavailable = "no two stations are that close";
+  }
   measures.push_back(measureOf("level_total", result.level_total));
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
   for (Measure& m : measures) m.whole_ring = result.longest_gap <= std::max(kWidestGap, 1.01 * step);

@@ -129,27 +129,14 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   if (std::isfinite(check.limit) && limit->judged) check.verdict = verdictOf(check, measure.whole_ring);
   add(check.note, shareBeyond(measure, check.limit));
   if (check.verdict == Verdict::Undecided) {
-    add(check.note, measure.whole_ring ? "the limit lies within the 95 % interval" : "a gap could hide more");
+    add(check.note,
+        measure.whole_ring ? "the limit lies within the 95 % interval" : "what was not seen could be worse");
   }
   add(check.note, measure.note);
   return check;
 }
 
 }  // namespace
-
-const char* nameOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Pass:
-      return "pass";
-    case Verdict::Fail:
-      return "fail";
-    case Verdict::Undecided:
-      return "undecided";
-    case Verdict::NotApplicable:
-      return "not_applicable";
-  }
-  return "";
-}
 
 std::string firstError(const TankFacts& facts) {
   const auto refused = [](const char* name, double value) {

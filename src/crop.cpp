@@ -19,7 +19,7 @@ std::string firstError(const CropOptions& options) {
   return text;
 }
 
-Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options) {
+Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const Scan::Visitor& also) {
   Ring ring;
   ring.reach = std::min(options.reach, 0.5 * tank.circle.radius);
   const double reach = ring.reach + 2.0 * tank.resolution;
@@ -27,6 +27,7 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options) {
   const double slope_x = tank.foot.coefficients[1] / tank.circle.radius;
   const double slope_y = tank.foot.coefficients[2] / tank.circle.radius;
   ring.counts = scan.forEachBlock([&](const Points& block) {
+    if (also) also(block);
     for (const auto& p : block) {
       const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
       const double squared = arm.squaredNorm();

@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "datum_stages.h"
+#include "shell_measures.h"
+#include "survey_shell.h"
 #include "tank_datum/error.h"
 
 namespace tank_datum {
@@ -103,7 +105,6 @@ void requireValid(const DatumOptions& options) {
 Datum meant(Datum datum, const DatumOptions& options) {
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);
   datum.antipodal = antipodalOf(datum.stations);
-  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
@@ -117,7 +118,7 @@ std::string firstError(const DatumOptions& options) {
   for (const std::string& error :
        {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
         firstError(options.centre_filter), firstError(options.spline), firstError(options.refine),
-        firstError(options.stations), firstError(options.analysis)}) {
+        firstError(options.stations), firstError(options.analysis), firstError(options.shell)}) {
     if (!error.empty()) return error;
   }
   if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
@@ -179,7 +180,8 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   if (!tank.has_foundation) return stopped(datum, Status::NoCrease, "no surface meets the foot of the shell");
 
   begin("crop");
-  const Ring ring = cropRing(scan, tank, options.crop);
+  ShellBands bands(tank, options.shell);
+  const Ring ring = cropRing(scan, tank, options.crop, [&bands](const Points& block) { bands.add(block); });
   datum.counts = ring.counts;
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
@@ -200,7 +202,14 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   begin("refine");
   if (options.method == Method::Refined) refine(datum, ring, options);
   begin("deformation");
-  return described(datum, options);
+  datum = described(std::move(datum), options);
+  if (!datum.usable()) return datum;
+  begin("shell");
+  datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
+  begin("checks");
+  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis,
+                           shellMeasures(datum.shell, options.analysis.facts));
+  return datum;
 }
 
 }  // namespace tank_datum

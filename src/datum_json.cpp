@@ -3,6 +3,7 @@
 
 #include "analysis_json.h"
 #include "movement_json.h"
+#include "shell_report.h"
 #include "tank_datum/report.h"
 #include "tank_datum/version.h"
 #include "units.h"
@@ -34,6 +35,11 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
                       {"clockwise", o.stations.clockwise},
                       {"longest_bridge_deg", toDegrees(o.stations.longest_bridge)}};
   json["analysis"] = analysisOptionsJson(o.analysis);
+  json["shell"] = {{"heights", o.shell.heights},
+                   {"step", o.shell.step},
+                   {"half_band", o.shell.half_band},
+                   {"reach", o.shell.reach},
+                   {"cell_points", o.shell.cell_points}};
   json["pick"] = o.pick;
   json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
   json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
@@ -128,6 +134,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
     if (datum.analysis.valid()) addAnalysis(json, datum.analysis, datum.stations, datum.origin.z());
     json["stations"] = stationsSection(datum);
     if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
+    if (datum.shell.valid()) json["shell"] = shellJson(datum.shell);
   }
   // a path that is no UTF-8 must not lose the result
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,7 +7,7 @@ namespace tank_datum {
 /// @throws Error (Option) naming the first refused option
 void requireValid(const DatumOptions& options);
 
-/// What the stations' elevations mean: level, tilt, shape, and the status and message that go with them.
+/// Tilt and antipodal inclination of a datum whose level is known, and the status and message that go with them.
 Datum meant(Datum datum, const DatumOptions& options);
 
 }  // namespace tank_datum

@@ -112,7 +112,9 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
     datum.stations.clear();
     return datum;
   }
-  return meant(std::move(datum), options);
+  datum = meant(std::move(datum), options);
+  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis);
+  return datum;
 }
 
 Datum readLevelling(const std::string& path, double metres_per_unit, double diameter, const DatumOptions& options) {

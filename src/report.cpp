@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "shell_report.h"
 #include "tank_datum/error.h"
 #include "tank_datum/pcd_writer.h"
 #include "units.h"
@@ -108,6 +109,7 @@ std::string stationsCsv(const Datum& datum) {
 void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance) {
   writeText(folder + "/datum.json", datumJson(datum, provenance));
   writeText(folder + "/stations.csv", stationsCsv(datum));
+  writeText(folder + "/shell.csv", shellCsv(datum.shell));
   if (!datum.usable()) return;
   Points curve;
   for (const Station& s : datum.stations) {

@@ -6,17 +6,6 @@
 #include "units.h"
 
 namespace tank_datum {
-namespace {
-
-/// Whether the shell is seen at a station: within its own step, or between two columns of points so close that the scan
-/// may just be that coarse; otherwise only the neighbours' shell is seen.
-bool standsOnShell(const ShellLine& line, double step) {
-  constexpr double kCoarse = 1.25;  // between columns, in stations
-  return line.before <= 0.5 * step || line.after <= 0.5 * step || line.before + line.after <= kCoarse * step;
-}
-
-}  // namespace
-
 double ShellFits::noise() const {
   std::vector<double> noises;
   for (const ShellLine& line : lines) {
@@ -41,7 +30,7 @@ ShellFits fitShell(const std::vector<Station>& stations, const PolarRing& ring, 
     for (double half = step; lines[i].points < kPlenty && half < kWidestShell; half *= 1.5) {
       lines[i] = fitShellLine(ring, outline, azimuth, half, tank.foot(azimuth), shell.from, reach);
     }
-    if (!standsOnShell(lines[i], step * tank.circle.radius)) lines[i] = {};
+    if (!lines[i].standsWithin(step * tank.circle.radius)) lines[i] = {};
   }
   return shell;
 }

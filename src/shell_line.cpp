@@ -44,7 +44,33 @@ void dropStrays(std::vector<double>& radius, double noise, double cell_arc) {
   }
 }
 
+template <typename Keep>
+ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep) {
+  const auto count = static_cast<std::size_t>(std::count_if(ring.points().begin(), ring.points().end(), keep));
+  const std::size_t cells = std::clamp<std::size_t>(count / kPointsPerCell, 36, 1440);
+  std::vector<std::vector<double>> radii(cells);
+  for (const PolarPoint& p : ring.points()) {
+    const auto cell = static_cast<std::size_t>(p.azimuth / kTwoPi * static_cast<double>(cells));
+    if (keep(p)) radii[std::min(cell, cells - 1)].push_back(p.radius);
+  }
+  ShellOutline result;
+  std::vector<double> spreads;
+  for (auto& cell : radii) {
+    std::sort(cell.begin(), cell.end());
+    result.radius.push_back(cell.size() < 5 ? ShellLine::kUnknown : halfSampleMode(cell));
+    if (cell.size() >= 5) spreads.push_back(robustSigma(cell, result.radius.back()));
+  }
+  result.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
+  dropStrays(result.radius, result.noise, kTwoPi * tank_radius / static_cast<double>(cells));
+  return result;
+}
+
 }  // namespace
+
+bool ShellLine::standsWithin(double step) const {
+  constexpr double kCoarse = 1.25;  // between columns, in steps
+  return before <= 0.5 * step || after <= 0.5 * step || before + after <= kCoarse * step;
+}
 
 double ShellOutline::at(double azimuth) const {
   const auto count = static_cast<std::ptrdiff_t>(radius.size());
@@ -63,24 +89,12 @@ double ShellOutline::at(double azimuth) const {
 }
 
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach) {
-  const auto above = [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; };
-  const auto count = static_cast<std::size_t>(std::count_if(ring.points().begin(), ring.points().end(), above));
-  const std::size_t cells = std::clamp<std::size_t>(count / kPointsPerCell, 36, 1440);
-  std::vector<std::vector<double>> radii(cells);
-  for (const PolarPoint& p : ring.points()) {
-    const auto cell = static_cast<std::size_t>(p.azimuth / kTwoPi * static_cast<double>(cells));
-    if (above(p)) radii[std::min(cell, cells - 1)].push_back(p.radius);
-  }
-  ShellOutline outline;
-  std::vector<double> spreads;
-  for (auto& cell : radii) {
-    std::sort(cell.begin(), cell.end());
-    outline.radius.push_back(cell.size() < 5 ? ShellLine::kUnknown : halfSampleMode(cell));
-    if (cell.size() >= 5) spreads.push_back(robustSigma(cell, outline.radius.back()));
-  }
-  outline.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
-  dropStrays(outline.radius, outline.noise, kTwoPi * tank.circle.radius / static_cast<double>(cells));
-  return outline;
+  return outline(ring, tank.circle.radius,
+                 [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; });
+}
+
+ShellOutline outlineBand(const PolarRing& ring, double radius) {
+  return outline(ring, radius, [](const PolarPoint&) { return true; });
 }
 
 ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, double azimuth, double half_width,

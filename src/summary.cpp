@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "shell_report.h"
 #include "sparkline.h"
 #include "tank_datum/report.h"
 #include "tank_datum/statistics.h"
@@ -48,30 +49,23 @@ std::string methodLines(const Datum& datum) {
          curve;
 }
 
-std::string tiltLines(const Datum& datum) {
-  std::string lines;
-  if (datum.tilt.valid()) {
-    lines += line("tilt", "%.1f arc-seconds towards %.0f deg", toArcSeconds(std::atan(datum.tilt.slope())),
-                  toDegrees(datum.tilt.direction));
+/// The plane and what departs from it.
+std::string tiltLine(const Datum& datum) {
+  if (!datum.tilt.valid()) return {};
+  char bending[80] = "";
+  const OutOfPlane& rest = datum.analysis.out_of_plane;
+  if (std::isfinite(rest.max_u)) {
+    std::snprintf(bending, sizeof bending, "; out of plane at most %.1f mm at %.0f deg", 1e3 * rest.max_u,
+                  toDegrees(rest.max_u_azimuth));
   }
-  const Antipodal& across = datum.antipodal;
-  if (std::isfinite(across.max_h)) {
-    lines +=
-        line("antipodal", "h %.1f mm over D %.3f m: %.5f deg, %.1f arc-seconds, azimuth %.0f deg", 1e3 * across.max_h,
-             across.diameter, toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
-  }
-  return lines;
+  return line("tilt", "%.1f arc-seconds towards %.0f deg%s", toArcSeconds(std::atan(datum.tilt.slope())),
+              toDegrees(datum.tilt.direction), bending);
 }
 
-std::string outOfPlaneLine(const OutOfPlane& fit) {
-  if (!std::isfinite(fit.max_u)) return {};
-  std::string text = line("out of plane", "at most %.1f mm at %.0f deg", 1e3 * fit.max_u, toDegrees(fit.max_u_azimuth));
-  if (!fit.valid()) return text;
-  text.pop_back();
-  char curvature[80];
-  std::snprintf(curvature, sizeof curvature, ", curvature %.2g 1/m at %.0f deg\n", fit.max_curvature,
-                toDegrees(fit.max_curvature_azimuth));
-  return text + curvature;
+std::string antipodalLine(const Antipodal& across) {
+  if (!std::isfinite(across.max_h)) return {};
+  return line("antipodal", "h %.1f mm over D %.3f m: %.5f deg, %.1f arc-seconds, azimuth %.0f deg", 1e3 * across.max_h,
+              across.diameter, toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
 }
 
 /// A value with its limit as people say it: lengths in millimetres.
@@ -85,15 +79,17 @@ std::string figures(const Check& check) {
   return text;
 }
 
-/// How many checks ended how, and the first that failed or could not be decided.
+/// How many checks ended how, and the gravest that failed or could not be decided.
 std::string checkLines(const std::vector<Check>& checks) {
   if (checks.empty()) return {};
   int counts[4] = {};
-  const Check* worst = nullptr;
+  const Check* worst = nullptr;  // the one furthest beyond its limit, or nearest to it
+  const auto share = [](const Check& c) { return c.value / c.limit; };
   for (const Check& c : checks) {
     ++counts[static_cast<int>(c.verdict)];
-    const bool fails = c.verdict == Verdict::Fail, open = c.verdict == Verdict::Undecided;
-    if ((fails && (!worst || worst->verdict != Verdict::Fail)) || (open && !worst)) worst = &c;
+    if (c.verdict != Verdict::Fail && c.verdict != Verdict::Undecided) continue;
+    const bool graver = !worst || (c.verdict == worst->verdict ? share(c) > share(*worst) : c.verdict == Verdict::Fail);
+    if (graver) worst = &c;
   }
   std::string lines =
       line("checks", "%d pass, %d fail, %d undecided, %d not applicable (screening, no code evaluation)", counts[0],
@@ -114,13 +110,13 @@ std::string summary(const Datum& datum, bool blocks) {
   text += tankLine(datum);
   text += line("stations", "%zu measured, %zu interpolated, %zu missing", level.measured, level.interpolated,
                level.missing);
-  text += line("datum", "mean %.4f m, lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg", level.mean + z,
-               level.min + z, toDegrees(level.min_azimuth), level.max + z, toDegrees(level.max_azimuth));
-  text += line("range", "%.1f mm", 1e3 * level.range());
+  text += line("datum", "mean %.4f m, range %.1f mm: lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg",
+               level.mean + z, 1e3 * level.range(), level.min + z, toDegrees(level.min_azimuth), level.max + z,
+               toDegrees(level.max_azimuth));
   if (blocks) {
     text += line("elevation", "%s from station 0 round", sparkline(datum.stations, kSparklineColumns).c_str());
   }
-  return text + methodLines(datum) + tiltLines(datum) + outOfPlaneLine(datum.analysis.out_of_plane) +
+  return text + methodLines(datum) + tiltLine(datum) + antipodalLine(datum.antipodal) + shellSummary(datum.shell) +
          checkLines(datum.analysis.checks);
 }
 

@@ -112,7 +112,7 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
   EXPECT_EQ(json["options"]["stations"]["clockwise"], true);
   EXPECT_EQ(keysOf(json["options"]),
             (std::vector<std::string>{"method", "locate", "crop", "normals", "growing", "centre_filter", "spline",
-                                      "refine", "stations", "analysis", "pick", "tank", "movement"}));
+                                      "refine", "stations", "analysis", "shell", "pick", "tank", "movement"}));
 }
 
 }  // namespace

@@ -41,14 +41,14 @@ bool Tank::plainShell(const Ray& ray, double t, double margin) const {
   return std::all_of(o.rings.begin(), o.rings.end(), [&](const Ring& r) { return top < r.height - r.thickness; });
 }
 
-Eigen::Vector3d Tank::datumPoint(double azimuth, bool inside) const {
+Eigen::Vector3d Tank::shellPoint(double azimuth, double height, bool inside) const {
   const TankOptions& o = shape.options();
-  double own = azimuth;  // in the sheared frame; tilt moves it by some 1e-5 rad
+  double own = azimuth;  // in the sheared frame; tilt moves it by some 1e-5 rad, a lean by its offset over the radius
   Eigen::Vector3d world;
   for (int i = 0; i < 20; ++i) {
     const Section s = shape.section(std::cos(own), std::sin(own));
-    const double radius = shape.footRadius(s, inside);
-    world = shape.toWorld({radius * std::cos(own), radius * std::sin(own), s.datum});
+    const double radius = inside ? shape.innerRadius(s, height) : shape.outerRadius(s, height);
+    world = shape.toWorld({radius * std::cos(own), radius * std::sin(own), s.datum + height});
     own += std::remainder(azimuth - std::atan2(world.y() - o.y, world.x() - o.x), 2.0 * kPi);
   }
   return world;

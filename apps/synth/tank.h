@@ -35,7 +35,10 @@ class Tank {
   bool plainShell(const Ray& ray, double t, double margin) const;
 
   /// A point of the datum line in the world, at a true azimuth about the centre.
-  Eigen::Vector3d datumPoint(double azimuth, bool inside) const;
+  Eigen::Vector3d datumPoint(double azimuth, bool inside) const { return shellPoint(azimuth, 0.0, inside); }
+
+  /// A point of the shell in the world, at a true azimuth about the centre of the foot and a height above the datum.
+  Eigen::Vector3d shellPoint(double azimuth, double height, bool inside) const;
 
   /// Distance from the shell foot and height above the datum of a point in the world.
   Eigen::Vector2d fromDatum(const Eigen::Vector3d& world, bool inside) const;

@@ -57,6 +57,7 @@ class TankShape {
 
   const TankOptions& options() const { return options_; }
   double tiltSlope() const { return tilt_slope_; }
+  Eigen::Vector2d lean() const { return {lean_x_, lean_y_}; }  ///< of the axis, the tilt's share included [m/m]
 
   /// What the tank is in the direction of a place in its frame, the centre excepted.
   Section section(double x, double y) const;

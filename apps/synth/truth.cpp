@@ -5,6 +5,7 @@
 
 #include "scene_file.h"
 #include "tank_curves.h"
+#include "truth_shell.h"
 
 namespace tank_datum::synth {
 namespace {
@@ -48,6 +49,7 @@ TruthTank truthOfTank(const Scene& scene, const std::vector<ScanStation>& scanne
     s.x = crease.x() + offset[0], s.y = crease.y() + offset[1], s.z = crease.z() + offset[2];
     truth.stations.push_back(s);
   }
+  addShellTruth(tank, stations, {offset[0], offset[1]}, truth);
   return truth;
 }
 
@@ -90,6 +92,7 @@ Json tankJson(const TruthTank& tank, const std::array<double, 3>& offset) {
   json["tilt"] = {{"slope", tiltSlope(o)}, {"direction_deg", degrees(o.tilt_direction)}};
   json["harmonics"] = harmonics;
   json["soil_arcs"] = arcs;
+  json["shell"] = shellTruthJson(tank);
   json["stations"] = stationsJson(tank);
   return json;
 }

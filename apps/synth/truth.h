@@ -17,10 +17,28 @@ struct TruthStation {
   bool visible = false;     ///< some scanner sees the crease, tested by a ray
 };
 
+/// The shell at one height above the datum against the circle that fits it best.
+struct TruthRound {
+  double height = 0.0;                              ///< [m]
+  double x = 0.0, y = 0.0, radius = 0.0;            ///< the circle, in the frame of the output [m]
+  double max_deviation = 0.0, min_deviation = 0.0;  ///< outwards positive [m]
+  double azimuth = 0.0;                             ///< of the larger of the two [rad]
+};
+
+/// The shell off the vertical where it is most so, between the lowest and the highest of the heights.
+struct TruthPlumb {
+  double height = 0.0;   ///< between the two [m]
+  double offset = 0.0;   ///< outwards positive [m]
+  double azimuth = 0.0;  ///< [rad]
+};
+
 struct TruthTank {
   TankOptions options;
   bool inside = false;  ///< scanned from inside: radius and x, y are those of the inner face
   std::vector<TruthStation> stations;
+  Eigen::Vector2d lean = Eigen::Vector2d::Zero();  ///< of the axis, the tilt's share included [m/m]
+  std::vector<TruthRound> rounds;                  ///< 0.3 m above the datum and every metre above that
+  TruthPlumb plumb;
 };
 
 struct Truth {

@@ -7,6 +7,7 @@
 #include "tank_datum/export.h"
 #include "tank_datum/limits.h"
 #include "tank_datum/placed_value.h"
+#include "tank_datum/verdict.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -33,11 +34,6 @@ struct Measure {
   std::string unavailable;             ///< why it could not be had
   bool whole_ring = true;              ///< false: a gap too wide to say there is nothing worse in it
 };
-
-enum class Verdict { Pass, Fail, Undecided, NotApplicable };
-
-/// The names used in files: "pass", "fail", "undecided", "not_applicable".
-const char* nameOf(Verdict verdict);
 
 /// A figure beside its limit.
 struct Check {

@@ -26,6 +26,7 @@ struct Ring {
 
 /// Keeps the points whose distance from the shell and from the coarse foot is at most the reach (enlarged by the
 /// accuracy of the coarse figures).
-Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options);
+/// @param also  shown every block of the scan, for those who need another part of it: a scan is long to read
+Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const Scan::Visitor& also = {});
 
 }  // namespace tank_datum

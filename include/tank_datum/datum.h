@@ -15,6 +15,7 @@
 #include "tank_datum/refine.h"
 #include "tank_datum/region_growing.h"
 #include "tank_datum/scan.h"
+#include "tank_datum/shell_survey.h"
 #include "tank_datum/spline.h"
 #include "tank_datum/stations.h"
 
@@ -41,6 +42,7 @@ struct DatumOptions {
   RefineOptions refine;
   StationOptions stations;
   AnalysisOptions analysis;
+  ShellOptions shell;
   std::optional<Circle> tank;  ///< the tank's circle in the scan's frame [m], when it need not be searched
   int pick = 1;                ///< which of the tanks found, best first, counted from 1
   int threads = 0;             ///< 0: all cores; the result does not depend on it
@@ -77,6 +79,7 @@ struct Datum {
   Tilt tilt;
   Antipodal antipodal;
   Analysis analysis;
+  ShellSurvey shell;
 
   bool usable() const { return status == Status::Ok || status == Status::Partial; }
 };
@@ -87,7 +90,7 @@ using StageObserver = std::function<void(const char* stage)>;
 /// The stage that gives the ring's points for the search their neighbours and normals.
 using NormalStage = std::function<Normals(const Points& points, const NormalOptions& options, int threads)>;
 
-/// The whole chain: locate, crop, normals, region growing, centre filter, spline, refine, deformation.
+/// The whole chain: locate, crop, normals, region growing, centre filter, spline, refine, deformation, shell.
 /// Returns the picked tank's datum; what the data lack is said by its status.
 /// @param normal_stage  for a caller who has a search tree or normals already; empty: estimateNormals
 /// @throws Error  a refused option, a file that cannot be read

@@ -50,7 +50,8 @@ std::string datumJson(const Datum& datum, const Provenance& provenance);
 /// @param blocks  whether to draw the elevations in UTF-8 block characters
 std::string summary(const Datum& datum, bool blocks = false);
 
-/// Writes datum.json, stations.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a folder.
+/// Writes datum.json, stations.csv, shell.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a
+/// folder.
 /// @throws Error (File) naming the path
 void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance);
 

@@ -24,6 +24,9 @@ struct ShellLine {
   double after = kUnknown;         ///< and on the other
 
   bool seen() const { return points > 0; }
+  /// Whether the shell is seen within this step of azimuth [m] itself, or between two columns of points so close that
+  /// the scan may just be that coarse; otherwise only the neighbours' shell is seen.
+  bool standsWithin(double step) const;
   double at(double t, double h) const { return radius + turn_slope * t + bend * t * t + lean * h; }
 };
 
@@ -35,8 +38,11 @@ struct ShellOutline {
   double at(double azimuth) const;  ///< nearest cell that was seen, NaN where none is within three cells
 };
 
-/// @param foot  height of the foot against azimuth, coarse [m]
+/// From the points that are surely above the foot.
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach);
+
+/// From all points: a band of a shell that nothing else meets.
+ShellOutline outlineBand(const PolarRing& ring, double radius);
 
 /// A robust local fit of the shell over +-half_width [rad] around an azimuth, above the weld.
 /// @param foot     elevation of the foot here [m]

@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <pybind11/stl.h>
+
 #include <cmath>
 #include <functional>
 #include <map>
@@ -151,6 +153,10 @@ const std::vector<Keyword>& keywords() {
           "zero_azimuth_deg", [](Options & o) -> auto& { return o.datum.stations.zero_azimuth; }),
       plain<bool>(
           "clockwise", [](Options & o) -> auto& { return o.datum.stations.clockwise; }),
+      plain<std::vector<double>>(
+          "heights", [](Options & o) -> auto& { return o.datum.shell.heights; }),
+      plain<double>(
+          "height_step", [](Options & o) -> auto& { return o.datum.shell.step; }),
       tank(),
       plain<int>(
           "pick", [](Options & o) -> auto& { return o.datum.pick; }),

@@ -143,6 +143,7 @@ def test_defaults_are_the_commands(run: Runner) -> None:
     wanted = {k.replace("-", "_"): v for k, v in config.items() if k not in of_runs}
     got = tank_datum.defaults()
     assert got.pop("tank") is None and wanted.pop("tank") == ""
+    assert got.pop("heights") == [] and wanted.pop("heights") == ""
     assert set(got) <= set(wanted)
     for name, value in got.items():
         assert ("" if value is None else value) == pytest.approx(wanted[name]), name
@@ -170,6 +171,8 @@ def test_defaults_are_the_commands(run: Runner) -> None:
             {"foundation": "earth", "classic_points": 8},
             "--foundation earth --classic-points 8".split(),
         ),
+        ({"heights": [0.2, 0.25]}, ["--heights", "0.2,0.25"]),
+        ({"height_step": 0.15}, ["--height-step", 0.15]),
     ],
 )
 def test_options_are_the_commands(
@@ -206,6 +209,7 @@ def test_stub_lists_the_options() -> None:
         ({"units": "inch"}, "options: units, inch, expected m, mm, ft or in"),
         ({"stations": 4}, "options: stations.count, 4"),
         ({"min_radius": -1.0}, "options: locate.min_radius, -1"),
+        ({"heights": [0.5, 0.4]}, "options: shell.heights, 0.4"),
     ],
 )
 def test_refused_options(options: dict[str, Any], said: str) -> None:
@@ -246,7 +250,7 @@ def test_empty_array() -> None:
 def test_progress_names_the_stages() -> None:
     stages: list[str] = []
     tank_datum.extract_datum(SAMPLE, progress=stages.append)
-    assert stages[:3] == ["locate", "crop", "normals"] and stages[-1] == "deformation"
+    assert stages[:3] == ["locate", "crop", "normals"] and stages[-1] == "shell"
 
 
 def test_what_progress_raises_ends_the_run(datum: Any) -> None:

@@ -98,6 +98,12 @@ class Datum:
         return found
 
     @property
+    def shell(self) -> dict[str, Any] | None:
+        """Roundness, plumbness, lean; None when no shell above the foot was seen."""
+        found: dict[str, Any] | None = self._dict.get("shell")
+        return found
+
+    @property
     def harmonics(self) -> list[dict[str, Any]]:
         """n, amplitude [m], phase_deg, sigma [m]; empty when they were not fitted."""
         found: list[dict[str, Any]] = self._dict.get("harmonics", [])

@@ -33,6 +33,8 @@ class Datum:
     @property
     def movement(self) -> dict[str, Any] | None: ...
     @property
+    def shell(self) -> dict[str, Any] | None: ...
+    @property
     def harmonics(self) -> list[dict[str, Any]]: ...
     @property
     def out_of_plane(self) -> dict[str, Any] | None: ...
@@ -56,6 +58,8 @@ def extract_datum(
     stations: int = ...,
     zero_azimuth_deg: float = ...,
     clockwise: bool = ...,
+    heights: Sequence[float] = ...,
+    height_step: float = ...,
     tank: tuple[float, float, float] | None = ...,
     pick: int = ...,
     search_points: int = ...,
