@@ -18,7 +18,7 @@ struct Command {
   std::string timings;  ///< file for the seconds of each stage, or empty
   bool quiet = false;
   bool no_report = false;  ///< no report.html
-  bool all = false;  ///< every tank, each in a folder of its own
+  bool all = false;        ///< every tank, each in a folder of its own
   DatumOptions options;
 
   double metresPerUnit() const;

@@ -39,7 +39,7 @@ std::string pageWith(const std::vector<PageData>& data) {
     if (!json && part.content.find('<') != std::string::npos) {
       throw Error(Error::Kind::Option, "report", part.id, "'<'", "a table of numbers and plain words");
     }
-    page += "<script type=\"" + part.type + "\" id=\"" + part.id + "\">";
+    page += "<script type=\"" + part.type + "\" id=\"data-" + part.id + "\">";
     page += json ? escapedForScript(part.content) : part.content;
     page += "</script>\n";
   }

@@ -19,7 +19,7 @@ using pcd_files::readAll;
 
 /// What stands in the page's script element of that id.
 std::string dataOf(const std::string& page, const std::string& id) {
-  const auto mark = page.find("id=\"" + id + "\">");
+  const auto mark = page.find("id=\"data-" + id + "\">");
   if (mark == std::string::npos) return {};
   const auto from = page.find('>', mark) + 1;
   return page.substr(from, page.find("</script>", from) - from);
@@ -60,7 +60,7 @@ TEST(ReportPage, HoldsTheResultsAsTheFilesDo) {
   const std::string page = reportPage(octagon(), provenance());
   EXPECT_EQ(Json::parse(dataOf(page, "datum")), Json::parse(datumJson(octagon(), provenance())));
   EXPECT_EQ(dataOf(page, "stations"), stationsCsv(octagon()));
-  EXPECT_EQ(page.find("id=\"sections\""), std::string::npos);
+  EXPECT_EQ(page.find("id=\"data-sections\""), std::string::npos);
 }
 
 TEST(ReportPage, HoldsSectionsInTheScansFrame) {
@@ -89,7 +89,7 @@ TEST(ReportPage, HoldsSectionsInTheScansFrame) {
 TEST(TrendPage, HoldsTheMovementsAlone) {
   const std::string page = trendPage("{\"movements\": []}");
   EXPECT_EQ(dataOf(page, "trend"), "{\"movements\": []}");
-  EXPECT_EQ(page.find("id=\"datum\""), std::string::npos);
+  EXPECT_EQ(page.find("id=\"data-datum\""), std::string::npos);
 }
 
 TEST(WriteReportPage, WritesItOrNamesThePath) {

@@ -103,7 +103,7 @@ def opened(
 def with_data(report: Path, target: Path, changes: dict[str, Any]) -> Path:
     """The report with further keys in its datum, as later stages write them."""
     html = report.read_text()
-    found = re.search(r'<script type="application/json" id="datum">(.*?)</script>', html, re.S)
+    found = re.search(r'<script type="application/json" id="data-datum">(.*?)</script>', html, re.S)
     assert found
     datum = json.loads(found[1]) | changes
     text = json.dumps(datum).replace("<", "\\u003c")

@@ -1,7 +1,7 @@
 // What the page was written with; null where it was written without.
 
 function embeddedText(id) {
-  const element = document.getElementById(id);
+  const element = document.getElementById(`data-${id}`);
   return element === null ? null : element.textContent;
 }
 
