@@ -17,6 +17,7 @@ namespace tank_datum {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr int kProfilePoints = 90;  // a station's section is plain with them, and 360 of them take 300 kB
 
 const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"paper", Method::Paper}};
 const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann},
@@ -63,6 +64,7 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--baseline", command.baseline, "datum.json of an earlier survey: movement since then");
   addMovementOptions(app, command.movement, typed.movement);
   app.add_option("--threads", o.threads, "threads; 0: all cores; the result does not depend on it");
+  app.add_flag("--no-report", command.no_report, "no report.html");
   app.add_flag("--quiet", command.quiet, "no summary, no progress");
   app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage")->configurable(false);
   addAnalysisOptions(app, typed.analysis);
@@ -147,6 +149,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   o.normals.search = kEngines.at(typed.search);
   if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);
   o.shell.heights = heightsFrom(typed.heights);
+  if (!command.no_report) o.refine.profile_points = kProfilePoints;
   status = kUsable;
   if (print_limits) std::cout << standardLimitsText();
   if (print_limits) return false;

@@ -19,7 +19,8 @@ struct Command {
   MovementOptions movement;
   std::string timings;  ///< file for the seconds of each stage, or empty
   bool quiet = false;
-  bool all = false;  ///< every tank, each in a folder of its own
+  bool no_report = false;  ///< no report.html
+  bool all = false;        ///< every tank, each in a folder of its own
   DatumOptions options;
 
   double metresPerUnit() const;

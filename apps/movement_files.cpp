@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tank_datum/error.h"
+#include "tank_datum/report_page.h"
 #include "tank_datum/statistics.h"
 
 namespace tank_datum {
@@ -94,9 +95,11 @@ void writeMovement(const std::string& folder, const std::vector<Movement>& movem
   if (code) throw Error(Error::Kind::File, "report", folder, code.message(), "a folder that can be made");
   const fs::path to(folder);
   using Handler = nlohmann::ordered_json::error_handler_t;
-  write(to / ".movement.json", json.dump(2, ' ', false, Handler::replace) + "\n");
+  const std::string text_of_json = json.dump(2, ' ', false, Handler::replace) + "\n";
+  write(to / ".movement.json", text_of_json);
+  write(to / ".report.html", trendPage(text_of_json));
   write(to / ".movement.csv", movementCsv(movements));
-  for (const char* name : {"movement.json", "movement.csv"}) {
+  for (const char* name : {"movement.json", "movement.csv", "report.html"}) {
     fs::rename(to / (std::string(".") + name), to / name, code);
     if (code) throw Error(Error::Kind::File, "report", (to / name).string(), code.message(), "a writable folder");
   }

@@ -11,7 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kResults[] = {"datum.json", "stations.csv", "shell.csv", "datum_points.pcd", "datum_curve.pcd"};
+constexpr const char* kResults[] = {"datum.json",       "stations.csv",    "shell.csv",
+                                    "datum_points.pcd", "datum_curve.pcd", "report.html"};
 
 Error failure(const fs::path& path, const std::error_code& code, const std::string& expected) {
   return Error(Error::Kind::File, "report", path.string(), code.message(), expected);

@@ -11,6 +11,7 @@
 #include "tank_datum/error.h"
 #include "tank_datum/levelling.h"
 #include "tank_datum/report.h"
+#include "tank_datum/report_page.h"
 #include "terminal.h"
 
 namespace tank_datum {
@@ -29,7 +30,7 @@ std::string partOf(const std::vector<Datum>& datums, std::size_t i) {
 }
 
 std::string fileToOpen(const Command& command, const std::string& part) {
-  return command.output + "/" + (part.empty() ? "" : part + "/") + "datum.json";
+  return command.output + "/" + (part.empty() ? "" : part + "/") + (command.no_report ? "datum.json" : "report.html");
 }
 
 /// Refuses a baseline that this run would write over.
@@ -89,7 +90,10 @@ int run(const Command& command) {
   const std::vector<Datum> datums = extract(command, baseline, clock);
   clock.begin("report");
   for (std::size_t i = 0; i < datums.size(); ++i) {
-    writeResults(folder.stage(partOf(datums, i)), datums[i], recordOf(datums[i], baseline, command));
+    const std::string stage = folder.stage(partOf(datums, i));
+    const Provenance provenance = recordOf(datums[i], baseline, command);
+    writeResults(stage, datums[i], provenance);
+    if (!command.no_report) writeReportPage(stage, reportPage(datums[i], provenance));
   }
   folder.commit();
   clock.end();

@@ -21,7 +21,7 @@ apt_install() {
 # build TARGET...: configures once, then builds what changed.
 build() {
   apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
-    libgtest-dev python3 libvtk9-dev libx11-dev
+    libgtest-dev python3 libvtk9-dev libx11-dev node-d3
   if [ ! -f "$root/build/build.ninja" ]; then
     say "configuring build/"
     cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >&2

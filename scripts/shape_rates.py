@@ -61,7 +61,7 @@ def described(z: dict[int, float], folder: Path) -> dict[str, Any]:
     steel = ["--height", HEIGHT, "--yield-mpa", YIELD, "--modulus-mpa", MODULUS]
     command = [BIN / "tank_datum", "--stations-csv", table, "--diameter", 2 * RADIUS, *steel]
     result = subprocess.run(
-        [*map(str, command), "-o", str(folder / "out"), "--quiet"],
+        [*map(str, command), "-o", str(folder / "out"), "--quiet", "--no-report"],
         capture_output=True,
         text=True,
     )

@@ -106,6 +106,8 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
   }
   fit.z = solution[0];
   fit.slope = solution[1];
+  fit.along = solution[2];
+  fit.bend = solution[3];
   std::vector<double> d;
   for (const auto& row : rows) d.push_back(row[1]);
   fit.sigma =

@@ -147,6 +147,18 @@ void fillStations(std::vector<Station>& stations, const Foot& foot, const std::v
   }
 }
 
+/// What the report shows of each station; a stranger's points are shown without the line that was refused.
+std::vector<StationProfile> sectionsOf(const Foot& foot, const std::vector<ShellLine>& shell, double band_to,
+                                       double side) {
+  std::vector<StationProfile> sections;
+  if (foot.options.profile_points == 0) return sections;
+  for (std::size_t i = 0; i < foot.fits.size(); ++i) {
+    const ProfileWindow window{foot.directions[i], foot.half_step, foot.datum[i], foot.reach, band_to, side};
+    sections.push_back(profileOf(foot.ring, window, foot.fits[i], shell[i], foot.options.profile_points));
+  }
+  return sections;
+}
+
 /// Stations stand at their azimuths about the fitted centre, which is millimetres from the one the fits went round: the
 /// shell moves by that in radius, and its elevation by nothing that can be told.
 void recentre(std::vector<Station>& stations, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
@@ -171,6 +183,9 @@ std::string firstError(const RefineOptions& options) {
   refuse("widest_band", options.widest_band);
   refuse("widest_window", options.widest_window);
   refuse("wanted_sigma", options.wanted_sigma);
+  if (options.profile_points < 0 && text[0] == '\0') {
+    std::snprintf(text, sizeof text, "refine.profile_points = %d (must be >= 0)", options.profile_points);
+  }
   return text;
 }
 
@@ -182,13 +197,15 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
     StationOptions fine_options = station_options;
     fine_options.count *= every;
     std::vector<Station> fine = emptyStations(fine_options);
-    const Refined refined = refineStations(fine, ring, tank, options, fine_options);
+    Refined refined = refineStations(fine, ring, tank, options, fine_options);
     for (std::size_t i = 0; i < stations.size(); ++i) {
       const Station coarse = stations[i];
       stations[i] = fine[i * static_cast<std::size_t>(every)];
       stations[i].azimuth = coarse.azimuth;
       stations[i].z_paper = coarse.z_paper;
+      if (!refined.sections.empty()) refined.sections[i] = refined.sections[i * static_cast<std::size_t>(every)];
     }
+    if (!refined.sections.empty()) refined.sections.resize(stations.size());
     return refined;
   }
   constexpr int kPasses = 3;  // the section sharpens as the stations' elevations do; a third pass moves nothing
@@ -225,6 +242,7 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   for (std::size_t i = 0; i < strange.size(); ++i) {
     if (strange[i]) foot.fits[i] = {};
   }
+  refined.sections = sectionsOf(foot, shell, refined.profile.band_to, side);
   widenSigmas(foot, refined.profile);
   fillStations(stations, foot, shell, tank.circle.center);
   const ShellCircle round = fitShellCircle(fits.lines, foot.directions, fits.from, fits.to, tank.circle, priorOf(tank));

@@ -50,6 +50,26 @@ TEST(RefineOptions, WideWindowsKnowTheirSigma) {
   for (const Station& s : patient.stations) EXPECT_LT(s.sigma_z, 2.0 * patient.rms);
 }
 
+TEST(RefineOptions, ProfilePointsAreKeptAndMoveNothing) {
+  EXPECT_TRUE(padRun().refined.sections.empty());
+  RefineOptions options;
+  options.profile_points = 30;
+  const Scanned kept = run(tank20(), padPoints(), options);
+  ASSERT_EQ(kept.refined.sections.size(), kept.stations.size());
+  for (std::size_t i = 0; i < kept.stations.size(); ++i) {
+    const StationProfile& section = kept.refined.sections[i];
+    EXPECT_LE(section.points.size(), 30U);
+    EXPECT_GE(section.points.size(), 15U);
+    const auto elevation = [](const StationProfile& p) { return p.base + p.foundation; };
+    EXPECT_NEAR(elevation(section) - elevation(kept.refined.sections[0]), kept.stations[i].z - kept.stations[0].z,
+                1e-9);
+    EXPECT_EQ(kept.stations[i].z, padRun().stations[i].z);
+    EXPECT_EQ(kept.stations[i].sigma_z, padRun().stations[i].sigma_z);
+  }
+  options.profile_points = -1;
+  EXPECT_EQ(firstError(options), "refine.profile_points = -1 (must be >= 0)");
+}
+
 TEST(RefineOptions, AreRefusedByName) {
   EXPECT_EQ(firstError(RefineOptions()), "");
   const std::vector<std::pair<std::string, double RefineOptions::*>> fields = {

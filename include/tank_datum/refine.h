@@ -8,6 +8,7 @@
 #include "tank_datum/foot_profile.h"
 #include "tank_datum/locate.h"
 #include "tank_datum/shell_line.h"
+#include "tank_datum/station_profile.h"
 #include "tank_datum/stations.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -17,6 +18,7 @@ struct RefineOptions {
   double widest_band = 0.3;      ///< the foundation surface is followed no further from the shell [m]
   double widest_window = 1.0;    ///< half the arc that a sparse station may borrow points from [m], at most 10 degrees
   double wanted_sigma = 0.0002;  ///< a station borrows points until its standard error is this good [m]
+  int profile_points = 0;        ///< points of each station's section kept for the report; moves no result
 };
 
 /// One line naming the first refused field, or empty.
@@ -27,6 +29,7 @@ struct Refined {
   FootProfile profile;                        ///< the section of the foot, and which surface was intersected
   Circle circle;                              ///< of the shell at the datum, from the stations [m]
   double sigma_radius = ShellLine::kUnknown;  ///< standard error of its radius [m]
+  std::vector<StationProfile> sections;       ///< one per station where RefineOptions::profile_points > 0, else none
 
   bool valid() const { return profile.valid(); }
 };

@@ -19,7 +19,14 @@ HEADER = (
     "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,"
     "z_paper,z_tilt,u,u_fit,curvature"
 )
-RESULTS = ("datum.json", "stations.csv", "shell.csv", "datum_points.pcd", "datum_curve.pcd")
+RESULTS = (
+    "datum.json",
+    "stations.csv",
+    "shell.csv",
+    "datum_points.pcd",
+    "datum_curve.pcd",
+    "report.html",
+)
 
 
 @dataclass(frozen=True)

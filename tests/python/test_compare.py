@@ -47,7 +47,11 @@ def test_three_surveys_give_a_table_a_trend_and_files(tmp_path: Path) -> None:
     rows = (tmp_path / "m/movement.csv").read_text().splitlines()
     assert len(rows) == 361
     assert float(rows[101].split(",")[1]) == pytest.approx(-0.001)
-    assert sorted(f.name for f in (tmp_path / "m").iterdir()) == ["movement.csv", "movement.json"]
+    assert sorted(f.name for f in (tmp_path / "m").iterdir()) == [
+        "movement.csv",
+        "movement.json",
+        "report.html",
+    ]
 
 
 def test_options_change_the_outcome(tmp_path: Path) -> None:

@@ -45,7 +45,12 @@ def no_datum(result: Run, folder: Path, *statuses: str) -> None:
     assert datum["status"] in statuses
     assert datum["message"]
     one_line(result, datum["status"], datum["message"])
-    assert sorted(p.name for p in folder.iterdir()) == ["datum.json", "stations.csv"]
+    assert sorted(p.name for p in folder.iterdir()) == [
+        "datum.json",
+        "report.html",
+        "shell.csv",
+        "stations.csv",
+    ]
     assert (folder / "stations.csv").read_text().count("\n") == 1
     assert not {"datum", "tilt", "antipodal"} & datum.keys()
 

@@ -18,7 +18,7 @@ from results import RESULTS, Run, read_datum, read_stations
 Runner = Callable[..., Run]
 Synth = Callable[..., Path]
 
-# Where datum.json holds an option; threads, all, quiet do not bear on a result.
+# Where datum.json holds an option; threads, all, quiet, no-report do not bear on a result.
 PLACES = {
     "method": "method",
     "k": "normals/k",
@@ -101,7 +101,7 @@ def test_summary(run: Runner, synth: Synth, tmp_path: Path) -> None:
     lines = result.stdout.splitlines()
     assert 5 <= len(lines) <= 15
     assert result.stderr == ""
-    assert lines[-1].split() == ["results", f"{out}/datum.json"]
+    assert lines[-1].split() == ["results", f"{out}/report.html"]
     datum = read_datum(out)
     assert f"radius {datum['tank']['radius']:.3f} m" in result.stdout
     assert f"mean {datum['datum']['mean']:.4f} m" in result.stdout
@@ -175,7 +175,17 @@ def test_version_and_help(run: Runner, tmp_path: Path) -> None:
     assert result.stdout.startswith("tank_datum ")
     help_text = run("--help", cwd=tmp_path)
     assert help_text.returncode == 0
-    for name in [*PLACES, "output", "units", "all", "threads", "quiet", "timings", "config"]:
+    for name in [
+        *PLACES,
+        "output",
+        "units",
+        "all",
+        "threads",
+        "quiet",
+        "no-report",
+        "timings",
+        "config",
+    ]:
         assert f"--{name}" in help_text.stdout
     assert list(tmp_path.iterdir()) == []
 
@@ -193,7 +203,7 @@ def test_printed_options_are_those_used(
     """Every line of --print-config equals what datum.json says was used."""
     scan, out = synth(), tmp_path / "out"
     printed = tomllib.loads(run(scan, *words(chosen), "--print-config").stdout)
-    assert set(printed) == {*PLACES, "units", "all", "threads", "quiet"}
+    assert set(printed) == {*PLACES, "units", "all", "threads", "quiet", "no-report"}
     assert {k: printed[k] for k in chosen} == chosen
     assert run(scan, "-o", out, *words(chosen)).returncode == 0
     datum = read_datum(out)

@@ -1,0 +1,41 @@
+# cmake -DPAGE=DIR -DLIBRARY=d3.min.js -DOUTPUT=page.cpp -P embed_page.cmake: the report's page as C++ text.
+# The scripts of DIR/js run in the order of their names.
+file(READ "${PAGE}/report.html" html)
+file(READ "${PAGE}/report.css" styles)
+file(READ "${PAGE}/licences.txt" licences)
+file(READ "${LIBRARY}" library)
+file(GLOB names "${PAGE}/js/*.js")
+list(SORT names)
+set(scripts "")
+foreach(name IN LISTS names)
+  file(READ "${name}" script)
+  string(APPEND scripts "${script}\n")
+endforeach()
+foreach(part styles licences library scripts)
+  if(part STREQUAL "library" OR part STREQUAL "scripts")
+    string(FIND "${${part}}" "</script" closing)
+    if(NOT closing EQUAL -1)
+      message(FATAL_ERROR "${part}: a </script inside would end the page's script")
+    endif()
+  endif()
+  string(REPLACE "@${part}@" "${${part}}" html "${html}")
+endforeach()
+
+set(mark "@data@")
+string(FIND "${html}" "${mark}" at)
+if(at EQUAL -1)
+  message(FATAL_ERROR "report.html: no ${mark}")
+endif()
+string(LENGTH "${mark}" length)
+math(EXPR after "${at} + ${length}")
+string(SUBSTRING "${html}" 0 ${at} before_data)
+string(SUBSTRING "${html}" ${after} -1 after_data)
+file(WRITE "${OUTPUT}" "#include \"report_template.h\"
+
+namespace tank_datum {
+
+const std::string_view kPageBeforeData = R\"PAGE(${before_data})PAGE\";
+const std::string_view kPageAfterData = R\"PAGE(${after_data})PAGE\";
+
+}  // namespace tank_datum
+")

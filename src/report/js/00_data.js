@@ -1,0 +1,43 @@
+// What the page was written with; null where it was written without.
+
+function embeddedText(id) {
+  const element = document.getElementById(`data-${id}`);
+  return element === null ? null : element.textContent;
+}
+
+function embeddedJson(id) {
+  const text = embeddedText(id);
+  return text === null ? null : JSON.parse(text);
+}
+
+/** stations.csv as one object per row: numbers, null for an empty cell, `flag` a word. */
+function readStations(csv) {
+  if (csv === null) return [];
+  const [header, ...rows] = csv.trim().split("\n").map((line) => line.split(","));
+  return rows.map((cells) => Object.fromEntries(header.map((name, i) => {
+    if (name === "flag") return [name, cells[i]];
+    return [name, cells[i] === "" ? null : Number(cells[i])];
+  })));
+}
+
+const datum = embeddedJson("datum");
+const stations = readStations(embeddedText("stations"));
+const sections = embeddedJson("sections");
+const shellMap = embeddedJson("shell_map");
+const trend = embeddedJson("trend");
+
+const known = (value) => value !== null && value !== undefined && Number.isFinite(value);
+const usable = datum !== null && (datum.status === "ok" || datum.status === "partial");
+const hasSection = (key) => usable && datum[key] !== undefined && datum[key] !== null;
+
+/** Direction of an azimuth, counter-clockwise from the frame's +x [deg]. */
+function directionOf(azimuth) {
+  const options = datum.options.stations;
+  return options.zero_azimuth_deg + (options.clockwise ? -azimuth : azimuth);
+}
+
+/** The station nearest to an azimuth [deg], or -1. */
+function stationAt(azimuth) {
+  if (stations.length === 0) return -1;
+  return Math.round((azimuth / 360) * stations.length + stations.length) % stations.length;
+}

@@ -1,0 +1,47 @@
+// Elements with text, and figures with units. Text only ever becomes text nodes.
+
+/** An element; children that are not elements become text. */
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === false || value === null || value === undefined) continue;
+    element.setAttribute(name, value === true ? "" : value);
+  }
+  for (const child of children.flat()) {
+    if (child === null || child === undefined) continue;
+    element.append(child);
+  }
+  return element;
+}
+
+const kUnknown = "unknown";
+const minus = (text) => text.replace("-", "\u2212");
+const rounded = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "");  // no negative zero
+const figure = (value, digits) => (known(value) ? minus(rounded(value, digits)) : kUnknown);
+const withUnit = (value, digits, unit) => (known(value) ? `${figure(value, digits)}\u00a0${unit}` : kUnknown);
+const millimetres = (metres, digits = 1) => withUnit(known(metres) ? 1e3 * metres : null, digits, "mm");
+const metres = (value, digits = 3) => withUnit(value, digits, "m");
+const degrees = (value, digits = 0) => (known(value) ? `${figure(value, digits)}\u00b0` : kUnknown);
+const plusMinus = (sigma, digits = 1) => (known(sigma) ? `\u00b1 ${(2e3 * sigma).toFixed(digits)} mm (2\u03c3)` : "");
+
+/** Figures of any size: as many digits as four significant ones take, small ones with an exponent. */
+function anyFigure(value) {
+  if (!known(value)) return "\u2013";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size < 1e-3 || size >= 1e6) return minus(value.toExponential(2));
+  return minus(String(Number(value.toPrecision(4))));
+}
+
+const words = (name) => name.replaceAll("_", " ");
+
+/** A table; columns are [heading, kind] with kind "number" or "". */
+function table(columns, rows, caption) {
+  const head = columns.map(([name, kind]) => make("th", { scope: "col", class: kind || false }, name));
+  const body = rows.map((row) => make("tr", {}, row.map((cell, i) => (
+    cell instanceof HTMLTableCellElement ? cell
+      : make("td", { class: columns[i][1] || false, "data-head": columns[i][0] }, cell)))));
+  return make("div", { class: "scroll" }, make("table", { class: "stacked" },
+    caption ? make("caption", {}, caption) : null,
+    make("thead", {}, make("tr", {}, head)), make("tbody", {}, body)));
+}

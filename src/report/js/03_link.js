@@ -1,0 +1,63 @@
+// One azimuth is chosen and at most one hovered over; every chart marks both.
+
+const link = {
+  chosen: 0,
+  hovered: null,
+  marks: [],
+
+  hover(azimuth) {
+    this.hovered = azimuth;
+    this.show();
+  },
+
+  choose(azimuth) {
+    this.chosen = ((azimuth % 360) + 360) % 360;
+    this.show();
+    document.getElementById("spoken").textContent = spokenStation(this.chosen);
+    document.dispatchEvent(new CustomEvent("station"));
+  },
+
+  /** Redraws the marks of the charts that are drawn. */
+  show() {
+    for (const mark of this.marks) mark(this.chosen, this.hovered);
+  },
+};
+
+/** One station further, for the arrow keys. */
+function stepOfAzimuth() {
+  return 360 / (stations.length || 360);
+}
+
+/** [name, value] of what is known at an azimuth, for tips, tables and listeners. */
+function describeStation(azimuth) {
+  const i = stationAt(azimuth);
+  if (i < 0) return [];
+  const s = stations[i];
+  const lines = [["Station", `${s.station} at ${degrees(s.azimuth_deg, 1)}, ${s.flag}`]];
+  if (!known(s.z)) return lines;
+  lines.push(["Elevation", `${metres(s.z, 4)} ${plusMinus(s.sigma_z, 2)}`]);
+  if (known(s.u)) lines.push(["Out of plane", millimetres(s.u, 2)]);
+  if (known(s.z_paper)) lines.push(["Paper\u2019s curve", metres(s.z_paper, 4)]);
+  if (known(s.radius)) lines.push(["Radius", metres(s.radius, 4)]);
+  if (known(s.n_foundation)) lines.push(["Points", `shell ${s.n_shell}, foundation ${s.n_foundation}`]);
+  return lines;
+}
+
+function spokenStation(azimuth) {
+  return describeStation(azimuth).map(([name, value]) => `${name} ${value}`).join("; ");
+}
+
+const tip = {
+  show(event, lines) {
+    const box = document.getElementById("tip");
+    box.replaceChildren(...lines.map(([name, value], i) => make(i === 0 ? "b" : "span", {}, `${name} ${value}`)));
+    box.hidden = lines.length === 0;
+    const { width, height } = box.getBoundingClientRect();
+    const left = event.clientX + 16 + width > window.innerWidth ? event.clientX - 16 - width : event.clientX + 16;
+    box.style.left = `${Math.max(4, left)}px`;
+    box.style.top = `${Math.max(4, Math.min(event.clientY + 14, window.innerHeight - height - 4))}px`;
+  },
+  hide() {
+    document.getElementById("tip").hidden = true;
+  },
+};

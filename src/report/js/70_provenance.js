@@ -1,0 +1,13 @@
+// Where the result comes from: enough to run it again, and the data to take along.
+
+function addProvenance() {
+  const section = addSection("provenance", "How it was made");
+  section.append(table([["Scan"], ["Points", "number"], ["SHA-256"]],
+    datum.input.files.map((file) => [file.path, file.points.toLocaleString("en"), make("td", { "data-head": "SHA-256" }, make("code", { class: "breakable" }, file.sha256))])));
+  section.append(make("p", {}, `tank_datum ${datum.version}, units of the scan ${datum.input.units}, ${datum.input.invalid_points || 0} invalid points left out, `
+    + `local origin ${datum.input.origin.map((c) => figure(c, 3)).join(", ")} m.`));
+  section.append(make("h3", {}, "Options"), make("pre", { tabindex: 0, "aria-label": "Every option used" }, JSON.stringify(datum.options, null, 2)));
+  section.append(make("h3", {}, "Data"), make("div", { class: "controls" },
+    saveButton("datum.json", "datum.json", () => embeddedText("datum"), "application/json"),
+    saveButton("stations.csv", "stations.csv", () => embeddedText("stations"), "text/csv")));
+}
