@@ -6,6 +6,7 @@
 
 #include "report_template.h"
 #include "section_json.h"
+#include "shell_report.h"
 #include "tank_datum/error.h"
 
 namespace tank_datum {
@@ -49,6 +50,7 @@ std::string pageWith(const std::vector<PageData>& data) {
 std::string reportPage(const Datum& datum, const Provenance& provenance) {
   std::vector<PageData> data = {{"datum", "application/json", datumJson(datum, provenance)},
                                 {"stations", "text/csv", stationsCsv(datum)}};
+  if (datum.shell.valid()) data.push_back({"shell", "text/csv", shellCsv(datum.shell)});
   if (!datum.refined.sections.empty() && datum.usable()) {
     data.push_back({"sections", "application/json", sectionsJson(datum)});
   }

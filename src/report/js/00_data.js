@@ -10,8 +10,8 @@ function embeddedJson(id) {
   return text === null ? null : JSON.parse(text);
 }
 
-/** stations.csv as one object per row: numbers, null for an empty cell, `flag` a word. */
-function readStations(csv) {
+/** A table as one object per row: numbers, null for an empty cell, `flag` a word. */
+function readTable(csv) {
   if (csv === null) return [];
   const [header, ...rows] = csv.trim().split("\n").map((line) => line.split(","));
   return rows.map((cells) => Object.fromEntries(header.map((name, i) => {
@@ -21,9 +21,9 @@ function readStations(csv) {
 }
 
 const datum = embeddedJson("datum");
-const stations = readStations(embeddedText("stations"));
+const stations = readTable(embeddedText("stations"));
 const sections = embeddedJson("sections");
-const shellMap = embeddedJson("shell_map");
+const shellPoints = readTable(embeddedText("shell"));
 const trend = embeddedJson("trend");
 
 const known = (value) => value !== null && value !== undefined && Number.isFinite(value);

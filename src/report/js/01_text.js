@@ -33,6 +33,17 @@ function anyFigure(value) {
   return minus(String(Number(value.toPrecision(4))));
 }
 
+/** The smaller angle between two azimuths [deg]. */
+function angleApart(a, b) {
+  const apart = Math.abs(a - b) % 360;
+  return Math.min(apart, 360 - apart);
+}
+
+/** Of rows with `azimuth_deg`, the one nearest to an azimuth; null of none. */
+function nearestRow(rows, azimuth) {
+  return rows.reduce((best, r) => (best === null || angleApart(r.azimuth_deg, azimuth) < angleApart(best.azimuth_deg, azimuth) ? r : best), null);
+}
+
 const words = (name) => name.replaceAll("_", " ");
 
 /** A table; columns are [heading, kind] with kind "number" or "". */

@@ -24,7 +24,7 @@ function addChart(section, { id, label, ratio = 0.36, least = 260, most = 2000, 
 
 function legendEntry(chart, { name, label, colour, on }) {
   const swatch = make("i");
-  swatch.style.borderColor = `var(--${colour})`;
+  swatch.style.borderColor = colour.startsWith("rgb") || colour.startsWith("#") ? colour : `var(--${colour})`;
   chart.shown[name] = on !== false;
   if (on === undefined) return make("label", {}, swatch, label);
   const box = make("input", { type: "checkbox", checked: on });

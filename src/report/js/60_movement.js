@@ -48,10 +48,6 @@ function drawMovements(section, id, surveys) {
   });
 }
 
-function nearestRow(rows, azimuth) {
-  return rows.reduce((best, r) => (best === null || angleApart(r.azimuth_deg, azimuth) < angleApart(best.azimuth_deg, azimuth) ? r : best), null);
-}
-
 function describeMovement(azimuth, surveys) {
   const lines = [["Azimuth", degrees(azimuth, 1)]];
   for (const { name, movement } of surveys) {

@@ -7,7 +7,8 @@ function addProvenance() {
   section.append(make("p", {}, `tank_datum ${datum.version}, units of the scan ${datum.input.units}, ${datum.input.invalid_points || 0} invalid points left out, `
     + `local origin ${datum.input.origin.map((c) => figure(c, 3)).join(", ")} m.`));
   section.append(make("h3", {}, "Options"), make("pre", { tabindex: 0, "aria-label": "Every option used" }, JSON.stringify(datum.options, null, 2)));
-  section.append(make("h3", {}, "Data"), make("div", { class: "controls" },
+  section.append(make("div", { class: "controls" }, make("strong", {}, "Data to take along"),
     saveButton("datum.json", "datum.json", () => embeddedText("datum"), "application/json"),
-    saveButton("stations.csv", "stations.csv", () => embeddedText("stations"), "text/csv")));
+    saveButton("stations.csv", "stations.csv", () => embeddedText("stations"), "text/csv"),
+    shellPoints.length > 0 ? saveButton("shell.csv", "shell.csv", () => embeddedText("shell"), "text/csv") : ""));
 }
