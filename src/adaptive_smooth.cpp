@@ -33,7 +33,7 @@ SeriesValue parabolaAt(const std::vector<SeriesValue>& series, std::size_t at, s
 }  // namespace
 
 std::vector<SeriesValue> smoothed(const std::vector<SeriesValue>& series, std::size_t widest) {
-  constexpr double kAgree = 2.0;  // standard errors
+  constexpr double kAgree = 3.0;  // standard errors
   std::vector<SeriesValue> result = series;
   for (std::size_t i = 0; i < series.size(); ++i) {
     if (!std::isfinite(series[i].value)) continue;

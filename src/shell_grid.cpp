@@ -18,16 +18,27 @@ constexpr double kWantedSigma = 0.00025;  // a cell borrows points from its neig
 constexpr double kWidestArc = 0.4;        // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
 constexpr double kSteepest = 0.2;         // of a shell; a roof is flatter [m/m]
 
+/// The standard error of a line's radius with its noise drawn towards that of a wider window: few points that happen
+/// to agree are not as good as they look, and a window must not stop growing on their word.
+double sigmaOf(const ShellLine& line, double usual_noise) {
+  constexpr double kWorth = 80.0;  // points that the wider window's noise counts for
+  const auto points = static_cast<double>(line.points);
+  const double ratio = usual_noise / line.noise;
+  return line.sigma_radius * std::sqrt((points + kWorth * ratio * ratio) / (points + kWorth));
+}
+
 /// Coarse stations look at a degree of the shell as fine ones do.
 ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, double direction, double z, double step,
                   double radius, double half_band) {
   const double own = std::min(step, kTwoPi / 360.0), widest = std::max(own, kWidestArc / radius);
+  const ShellLine wide = fitShellLine(ring, outline, direction, widest, z, -half_band, half_band);
   ShellCell cell;
+  if (wide.points < kPlenty) return cell;
   for (double half = 0.5 * own;; half *= 1.5) {
     const ShellLine line = fitShellLine(ring, outline, direction, half, z, -half_band, half_band);
     const bool stands = line.standsWithin(own * radius) && std::abs(line.lean) < kSteepest;
     if (line.points >= kPlenty && stands) {
-      cell = {line.radius, line.sigma_radius, std::max(1.0, 2.0 * half / step), line.points};
+      cell = {line.radius, sigmaOf(line, wide.noise), std::max(1.0, 2.0 * half / step), line.points};
     }
     if (cell.sigma < kWantedSigma || 1.5 * half > widest) return cell;
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "adaptive_smooth.h"
 #include "tank_datum/harmonics.h"
 #include "units.h"
 
@@ -32,6 +34,29 @@ void fitLine(const std::vector<double>& heights, const std::vector<ShellCell>& c
   result.sigma_slope = std::sqrt(std::max(1.0, chi2 / static_cast<double>(cells.size() - 2)) / squares);
 }
 
+/// The arc that the neighbours' points come from too, in stations.
+double sharedAt(const ShellGrid& grid, std::size_t station) {
+  double shared = 1.0;
+  for (const auto& row : grid.cells) {
+    if (row[station].seen()) shared = std::max(shared, row[station].shared);
+  }
+  return shared;
+}
+
+/// Smooths the offsets over one and the same height; those over another are as if not seen.
+void smoothOver(double height, const ShellGrid& grid, std::vector<Plumbness>& all) {
+  constexpr double kWidest = 15.0 / 360.0;  // half the arc, of a turn
+  std::vector<SeriesValue> series;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double offset = all[i].height == height ? all[i].offset : Plumbness::kUnknown;
+    series.push_back({offset, all[i].sigma, sharedAt(grid, i)});
+  }
+  series = smoothed(series, static_cast<std::size_t>(kWidest * static_cast<double>(all.size())));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].height == height) all[i].offset = series[i].value, all[i].sigma = series[i].sigma;
+  }
+}
+
 }  // namespace
 
 Plumbness plumbnessAt(const ShellGrid& grid, std::size_t station, const Station& place) {
@@ -51,6 +76,18 @@ Plumbness plumbnessAt(const ShellGrid& grid, std::size_t station, const Station&
   result.sigma = std::hypot(cells.back().sigma, cells.front().sigma);
   fitLine(heights, cells, result);
   return result;
+}
+
+std::vector<Plumbness> plumbnessOf(const ShellGrid& grid, const std::vector<Station>& stations) {
+  std::vector<Plumbness> all;
+  std::set<double> heights;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    all.push_back(plumbnessAt(grid, i, stations[i]));
+    if (std::isfinite(all.back().offset)) heights.insert(all.back().height);
+  }
+  for (const double height : heights) smoothOver(height, grid, all);
+  all.erase(std::remove_if(all.begin(), all.end(), [](const Plumbness& p) { return std::isnan(p.offset); }), all.end());
+  return all;
 }
 
 Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& options) {

@@ -15,8 +15,8 @@ double radiusTolerance(double diameter, double height);
 bool isAtFoot(double height);
 
 /// The shell at one height against its own circle, and the deviation of every station, NaN where it is not seen.
-/// @param center  of the datum's circle, about which the radii are [m]
-/// @return not valid (no circle) where the shell is not seen round enough of the tank
+/// @param datum_circle  about whose centre the radii are [m]
+/// @return without a valid circle where less than half of the shell is seen, or a gap is wider than 120 degrees
 Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
                       const Circle& datum_circle, std::vector<double>& deviations);
 

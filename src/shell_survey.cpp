@@ -90,10 +90,7 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
     const Roundness roundness = roundnessOf(grid.cells[k], grid.heights[k], stations, circle, deviations[k]);
     if (roundness.circle.valid()) survey.roundness.push_back(roundness);
   }
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    const Plumbness plumbness = plumbnessAt(grid, i, stations[i]);
-    if (std::isfinite(plumbness.offset)) survey.plumbness.push_back(plumbness);
-  }
+  survey.plumbness = plumbnessOf(grid, stations);
   survey.lean = leanOf(survey.plumbness, station_options);
   survey.points = pointsOf(grid, deviations, stations);
   if (!survey.valid()) {

@@ -63,6 +63,33 @@ TEST(PlumbnessAt, CountsFromTheLowestHeightSeen) {
   EXPECT_TRUE(std::isnan(plumbnessAt(made, 5, stations()[5]).offset));
 }
 
+TEST(PlumbnessOf, TheLargestOfManyNoisyOffsetsIsNotTakenForTheShells) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  const auto noisy = [&](double a, double h) {
+    return kRadius + h * 0.002 * std::cos(a - 1.0) + 0.0003 * normal(random);
+  };
+  const ShellGrid made = grid(kHeights, noisy, 0.0003);
+  const auto larger = [](const Plumbness& a, const Plumbness& b) { return a.offset < b.offset; };
+  const auto raw = all(made), smooth = plumbnessOf(made, stations());
+  EXPECT_GT(std::max_element(raw.begin(), raw.end(), larger)->offset, 0.0086);
+  const auto worst = std::max_element(smooth.begin(), smooth.end(), larger);
+  EXPECT_NEAR(worst->offset, 0.008, 0.0004);
+  EXPECT_LT(worst->sigma, raw[57].sigma / 2);
+}
+
+TEST(PlumbnessOf, OffsetsOverOtherHeightsAreNotMixedIn) {
+  ShellGrid made = grid(
+      kHeights, [](double, double h) { return kRadius + 0.004 * h; }, 0.01);
+  for (std::size_t i = 0; i < 360; i += 2) made.cells[4][i] = {};
+  made.cells[1][9] = made.cells[2][9] = made.cells[3][9] = made.cells[4][9] = {};
+  const auto found = plumbnessOf(made, stations());
+  ASSERT_EQ(found.size(), 359U);
+  EXPECT_NEAR(found[8].offset, 0.012, 1e-9);
+  EXPECT_NEAR(degrees(found[9].azimuth), 10.0, 1e-9);
+  EXPECT_NEAR(found[10].offset, 0.016, 1e-9);
+}
+
 TEST(LeanOf, IsAmountAndDirection) {
   const auto leaning = [](double a, double h) { return kRadius + h * 0.005 * std::cos(a - 1.0); };
   const Lean lean = leanOf(all(grid(kHeights, leaning)), {});

@@ -71,6 +71,23 @@ TEST(Roundness, AGapTakesNothingOfAnOvalAway) {
   EXPECT_NEAR(part.min_deviation, whole.min_deviation, 3e-4);
 }
 
+TEST(Roundness, SigmaGrowsByWhatAGapMayHide) {
+  auto row = cells([](double a) { return kRadius + 0.015 * std::cos(2 * a) + 0.004 * std::cos(6 * a + 1.0); });
+  const Roundness whole = roundOf(row);
+  for (std::size_t i = 60; i < 130; ++i) row[i] = {};
+  const Roundness part = roundOf(row);
+  EXPECT_GT(part.sigma, 3.0 * whole.sigma);
+  EXPECT_LT(std::abs(part.max_deviation - whole.max_deviation), 2.0 * part.sigma);
+}
+
+TEST(Roundness, LessThanHalfOfTheShellGivesNoCircle) {
+  auto row = cells([](double) { return kRadius; });
+  for (std::size_t i = 0; i < 360; i += 2) row[i] = {};
+  EXPECT_TRUE(roundOf(row).circle.valid());
+  row[1] = {};
+  EXPECT_FALSE(roundOf(row).circle.valid());
+}
+
 TEST(Roundness, WhatPassesButWasNotAllSeenIsUndecided) {
   auto row = cells([](double) { return kRadius; });
   for (std::size_t i = 0; i < 40; ++i) row[i] = {};  // 7 m

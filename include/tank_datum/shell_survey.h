@@ -60,7 +60,7 @@ struct Plumbness {
   double azimuth = kUnknown;                        ///< as the user counts it [rad]
   double direction = kUnknown;                      ///< counter-clockwise from +x [rad]
   double height = kUnknown;                         ///< between the lowest and the highest place seen here [m]
-  double offset = kUnknown, sigma = kUnknown;       ///< of the highest from the lowest [m]
+  double offset = kUnknown, sigma = kUnknown;       ///< of the highest from the lowest, smoothed along the shell [m]
   double slope = kUnknown, sigma_slope = kUnknown;  ///< line through all heights [m/m]; no sigma through two
 };
 
