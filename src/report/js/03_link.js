@@ -31,7 +31,7 @@ function stepOfAzimuth() {
 /** [name, value] of what is known at an azimuth, for tips, tables and listeners. */
 function describeStation(azimuth) {
   const i = stationAt(azimuth);
-  if (i < 0) return [];
+  if (i < 0) return [["Azimuth", degrees(azimuth, 1)]];
   const s = stations[i];
   const lines = [["Station", `${s.station} at ${degrees(s.azimuth_deg, 1)}, ${s.flag}`]];
   if (!known(s.z)) return lines;

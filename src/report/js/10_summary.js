@@ -78,14 +78,27 @@ function checksTable() {
   const rows = datum.checks.map((check) => {
     const verdict = make("td", { class: `verdict-word ${check.verdict}`, "data-head": "Verdict" }, words(check.verdict));
     const rule = [check.code, check.clause].filter(Boolean).join(", ");
-    return [check.name, rule, withUnitOf(check.value, check.unit), withUnitOf(check.limit, check.unit), verdict,
-      check.source, check.note || ""];
+    const trust = make("td", { "data-head": "Rule\u2019s source" }, check.source, check.citation ? make("small", { class: "quiet" }, ` (${check.citation})`) : "");
+    return [check.name, rule, checkedValue(check), withUnitOf(check.limit, check.unit), verdict, trust, check.note || ""];
   });
   return table([["Check"], ["Rule"], ["Value", "number"], ["Limit", "number"], ["Verdict"], ["Rule\u2019s source"], ["Note"]], rows,
     "The rule\u2019s source says how its limit was read: verified in the standard, from a secondary source, or unverified.");
 }
 
-const withUnitOf = (value, unit) => (known(value) ? `${anyFigure(value)}${unit ? `\u00a0${unit}` : ""}` : "\u2013");
+/** A figure of a check: lengths of less than a metre in millimetres. */
+function withUnitOf(value, unit) {
+  if (!known(value)) return "\u2013";
+  if (unit === "m" && Math.abs(value) < 1) return millimetres(value);
+  return unit ? `${anyFigure(value)}\u00a0${unit}` : anyFigure(value);
+}
+
+/** The value with its uncertainty and where it stands. */
+function checkedValue(check) {
+  const more = [known(check.sigma) && known(check.value) ? `\u00b1 ${withUnitOf(2 * check.sigma, check.unit)} (2\u03c3)` : "",
+    known(check.azimuth_deg) ? `at ${degrees(check.azimuth_deg)}` : ""].filter(Boolean).join(", ");
+  return make("td", { class: "number", "data-head": "Value" }, make("span", {}, withUnitOf(check.value, check.unit),
+    more ? make("small", { class: "quiet under" }, more) : ""));
+}
 
 /** Stretches that were not seen, in degrees. */
 function missingList() {

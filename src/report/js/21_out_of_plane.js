@@ -16,16 +16,33 @@ function addOutOfPlane() {
       ...(hasFit ? [{ name: "fit", label: "harmonic fit", colour: "fit", on: true }] : [])],
     draw: (svg, width, height, shown) => drawOutOfPlane(svg, width, height, shown, rows),
   });
-  if (!hasFit) sayAbsent(section, whyAbsent("Harmonic fit and curvature"));
+  if (!hasFit) sayAbsent(section, found && found.message ? `Harmonic fit and curvature: none, because ${found.message}.` : whyAbsent("Harmonic fit and curvature"));
   else addCurvature(section, found);
   if (hasSection("harmonics") && datum.harmonics.length > 0) addHarmonics(section);
+  if (hasSection("foundation")) addFoundationLevel(section, datum.foundation);
+}
+
+/** How level the foundation is: differences within a length and over the circumference. */
+function addFoundationLevel(section, foundation) {
+  const names = { level_3m: "Within 3 m", level_9m: "Within 9 m", level_total: "From the mean, all round" };
+  const facts = Object.entries(names).filter(([key]) => foundation[key] && known(foundation[key].value));
+  if (facts.length === 0) return;
+  section.append(make("h3", {}, "Level of the foundation"), make("dl", { class: "facts" }, facts.map(([key, name]) => {
+    const { value, sigma, azimuth_deg: azimuth } = foundation[key];
+    const more = [plusMinus(sigma), known(azimuth) ? `at ${degrees(azimuth, 1)}` : ""].filter(Boolean).join(", ");
+    return make("div", {}, make("dt", {}, name), make("dd", {}, millimetres(value), make("small", {}, more)));
+  })));
 }
 
 function outOfPlaneFacts(found) {
+  if (!known(found.max_abs_u)) return make("p", {}, found.message || "");
   const limit = known(found.curvature_limit) ? `, limit ${anyFigure(found.curvature_limit)} 1/m` : "";
-  return make("p", {}, `Largest ${millimetres(found.max_abs_u)} at ${degrees(found.max_abs_u_azimuth_deg, 1)}, `
-    + `RMS ${millimetres(found.rms)}; harmonics to ${anyFigure(found.order)}, adjusted R\u00b2 ${figure(found.adjusted_r2, 3)}; `
-    + `largest curvature ${anyFigure(found.max_curvature)} 1/m at ${degrees(found.max_curvature_azimuth_deg, 1)}${limit}.`);
+  const curvature = known(found.max_curvature) ? `; largest curvature ${anyFigure(found.max_curvature)} 1/m at ${degrees(found.max_curvature_azimuth_deg, 1)}${limit}` : "";
+  const classic = found.second_differences, worst = classic && classic.worst;
+  const second = worst && known(worst.value) ? ` Classic second difference, ${classic.points} points ${metres(classic.spacing, 2)} apart, ${classic.starts} starts: `
+    + `at most ${millimetres(worst.value)} at ${degrees(worst.azimuth_deg, 1)}.` : "";
+  return make("p", {}, `Harmonics to ${anyFigure(found.order)}: largest ${millimetres(found.max_abs_u)} at ${degrees(found.max_abs_u_azimuth_deg, 1)}, `
+    + `RMS of what is left ${millimetres(found.rms, 2)}, adjusted R\u00b2 ${figure(found.adjusted_r2, 3)}${curvature}.${second}`);
 }
 
 function drawOutOfPlane(svg, width, height, shown, rows) {

@@ -19,8 +19,9 @@ function addPlan() {
     make("div", { class: "controls" }, make("label", { for: "exaggeration" }, "Exaggeration of the settlement"), slider, shown));
   const chart = addChart(section, {
     id: "plan-chart", label: "Plan of the tank with exaggerated settlement", ratio: (width) => (width < kNarrow ? 1.25 : 0.78), least: 330, most: 640,
-    legend: [{ name: "ring", label: "datum", colour: "datum" }, { name: "tilt", label: "tilt, pointing up", colour: "fit", on: true },
-      { name: "diameter", label: "worst diameter", colour: "reference", on: true }],
+    legend: [{ name: "ring", label: "datum", colour: "datum" },
+      ...(datum.tilt ? [{ name: "tilt", label: "tilt, pointing up", colour: "fit", on: true }] : []),
+      ...(datum.antipodal && known(datum.antipodal.max_h) ? [{ name: "diameter", label: "worst diameter", colour: "reference", on: true }] : [])],
     draw: drawPlan,
   });
   slider.addEventListener("input", () => {
@@ -44,8 +45,8 @@ function drawPlan(svg, width, height, shown) {
   svg.append("g").selectAll("circle").data(stations.filter((s) => known(s.z))).enter().append("circle").attr("r", 3)
     .attr("cx", (s) => place(s.azimuth_deg, offset(s))[0]).attr("cy", (s) => place(s.azimuth_deg, offset(s))[1])
     .style("fill", (s) => colour(s.z - datum.datum.mean));
-  if (shown.tilt && datum.tilt) drawTiltArrow(svg, place, ring);
-  if (shown.diameter && datum.antipodal && known(datum.antipodal.azimuth_deg)) drawDiameter(svg, place, ring);
+  if (shown.tilt) drawTiltArrow(svg, place, ring);
+  if (shown.diameter) drawDiameter(svg, place, ring);
   drawColourKey(svg, height, colour);
   const step = stepOfAzimuth();
   followPointer(svg, (px, py) => {
