@@ -76,12 +76,15 @@ class Steadied {
     constexpr double kOutlier = 2.5;
     steadied_ = stations;
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      if (beside_[i].empty()) continue;
+      const double reach = kOutlier * stations[i].sigma;
+      std::size_t far = 0;  // the median is no further off than half of the stations are
+      for (const std::size_t j : beside_[i]) far += std::abs(stations[j].dz - stations[i].dz) > reach ? 1 : 0;
+      if (2 * far < beside_[i].size() || beside_[i].empty()) continue;
       around_.clear();
       for (const std::size_t j : beside_[i]) around_.push_back(stations[j].dz);
       const auto middle = around_.begin() + static_cast<std::ptrdiff_t>(around_.size() / 2);
       std::nth_element(around_.begin(), middle, around_.end());
-      if (std::abs(stations[i].dz - *middle) > kOutlier * stations[i].sigma) steadied_[i].dz = *middle;
+      if (std::abs(stations[i].dz - *middle) > reach) steadied_[i].dz = *middle;
     }
     return steadied_;
   }

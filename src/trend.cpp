@@ -21,13 +21,13 @@ std::vector<StationMovement> byDirection(const Movement& movement) {
   std::vector<StationMovement> known;
   for (StationMovement s : movement.stations) {
     s.direction = turn(s.direction);
-    if (std::isfinite(s.dz)) known.push_back(s);
+    known.push_back(s);
   }
   std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
   return known;
 }
 
-/// The movement at a direction: that of a station there, or between two neighbours; its dz is NaN if there is neither.
+/// The movement at a direction: that of a station there, seen or not; else between two neighbours that were seen.
 StationMovement movementAt(const std::vector<StationMovement>& known, double direction) {
   if (known.empty()) return {};
   const auto after = std::upper_bound(known.begin(), known.end(), direction + kSamePlace,
@@ -36,7 +36,7 @@ StationMovement movementAt(const std::vector<StationMovement>& known, double dir
   const StationMovement& b = after == known.end() ? known.front() : *after;
   const double width = turn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
   if (std::abs(along) <= kSamePlace) return a;
-  if (width > kWidestBracket + kSamePlace) return {};
+  if (width > kWidestBracket + kSamePlace || !std::isfinite(a.dz) || !std::isfinite(b.dz)) return {};
   const double share = along / width;
   const auto between = [share](double from, double to) { return (1.0 - share) * from + share * to; };
   StationMovement at = share < 0.5 ? a : b;
