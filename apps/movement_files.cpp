@@ -15,32 +15,17 @@ namespace tank_datum {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// To a ten-thousand-millionth, so that a third of a turn reads 120.
+double inDegrees(double radians) { return std::round(radians * (180.0 / 3.14159265358979323846) * 1e10) / 1e10; }
 
 std::string text(double value) {
   if (!std::isfinite(value)) return {};
   char buffer[32];
   return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
-struct Trend {
-  double slope = std::nan(""), sigma = std::nan("");
-};
-
-/// Least squares of one station's dz over survey numbers; the baseline's error is in every dz.
-Trend trendOf(const std::vector<Movement>& movements, std::size_t station) {
-  const auto count = static_cast<double>(movements.size() + 1);
-  const double middle = (count - 1.0) / 2.0, spread = count * (count * count - 1.0) / 12.0;
-  Trend trend;
-  double slope = 0.0, variance = 0.0;
-  for (std::size_t i = 0; i < movements.size(); ++i) {
-    if (station >= movements[i].stations.size()) return trend;
-    const StationMovement& s = movements[i].stations[station];
-    if (s.azimuth != movements.back().stations[station].azimuth || !std::isfinite(s.dz)) return trend;
-    const double share = (static_cast<double>(i + 1) - middle) / spread;
-    slope += share * s.dz;
-    variance += std::abs(share) * s.sigma;  // as if fully correlated: the upper bound
-  }
-  return {slope, variance};
 }
 
 void write(const fs::path& path, const std::string& content) {
@@ -52,6 +37,8 @@ void write(const fs::path& path, const std::string& content) {
 
 }  // namespace
 
+const char* trendUnit(const Comparison& comparison) { return comparison.dates.empty() ? "m/survey" : "m/year"; }
+
 double medianLod(const Movement& movement) {
   std::vector<double> levels;
   for (const StationMovement& s : movement.stations) {
@@ -60,21 +47,17 @@ double medianLod(const Movement& movement) {
   return median(std::move(levels));
 }
 
-std::string movementCsv(const std::vector<Movement>& movements) {
+std::string movementCsv(const std::vector<StationHistory>& histories) {
+  const std::size_t surveys = histories.empty() ? 0 : histories.front().surveys.size();
   std::string csv = "azimuth_deg,trend,sigma_trend";
-  for (std::size_t i = 1; i <= movements.size(); ++i) {
+  for (std::size_t i = 1; i <= surveys; ++i) {
     const std::string n = std::to_string(i);
     csv += ",dz_" + n + ",lod95_" + n + ",significant_" + n;
   }
   csv += "\n";
-  for (std::size_t row = 0; row < movements.back().stations.size(); ++row) {
-    const double azimuth = movements.back().stations[row].azimuth;
-    const Trend trend = trendOf(movements, row);
-    csv += text(std::round(azimuth * (180.0 / 3.14159265358979323846) * 1e10) / 1e10) + "," + text(trend.slope) + "," +
-           text(trend.sigma);
-    for (const Movement& m : movements) {
-      const bool same = row < m.stations.size() && m.stations[row].azimuth == azimuth;
-      const StationMovement s = same ? m.stations[row] : StationMovement{};
+  for (const StationHistory& place : histories) {
+    csv += text(inDegrees(place.azimuth)) + "," + text(place.rate) + "," + text(place.sigma_rate);
+    for (const StationMovement& s : place.surveys) {
       csv += "," + text(s.dz) + "," + text(s.lod95()) + "," + (std::isfinite(s.dz) ? s.significant ? "1" : "0" : "");
     }
     csv += "\n";
@@ -82,27 +65,34 @@ std::string movementCsv(const std::vector<Movement>& movements) {
   return csv;
 }
 
-void writeMovement(const std::string& folder, const std::vector<Movement>& movements,
-                   const std::vector<Epoch>& epochs) {
-  nlohmann::ordered_json json = {{"schema", 1}, {"movements", nlohmann::ordered_json::array()}};
-  for (std::size_t i = 0; i < movements.size(); ++i) {
-    auto movement = nlohmann::ordered_json::parse(movementJson(movements[i]));
-    movement["survey"] = epochs[i + 1].name;
-    json["movements"].push_back(movement);
+std::string movementsJson(const Comparison& comparison) {
+  Json surveys = Json::array(), stations = Json::array();
+  for (std::size_t i = 0; i < comparison.movements.size(); ++i) {
+    auto movement = Json::parse(movementJson(comparison.movements[i]));
+    movement["survey"] = comparison.names[i + 1];
+    movement["date"] = comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates[i + 1]);
+    surveys.push_back(movement);
   }
-  std::error_code code;
-  fs::create_directories(folder, code);
-  if (code) throw Error(Error::Kind::File, "report", folder, code.message(), "a folder that can be made");
-  const fs::path to(folder);
-  using Handler = nlohmann::ordered_json::error_handler_t;
-  const std::string text_of_json = json.dump(2, ' ', false, Handler::replace) + "\n";
-  write(to / ".movement.json", text_of_json);
-  write(to / ".report.html", trendPage(text_of_json));
-  write(to / ".movement.csv", movementCsv(movements));
-  for (const char* name : {"movement.json", "movement.csv", "report.html"}) {
-    fs::rename(to / (std::string(".") + name), to / name, code);
-    if (code) throw Error(Error::Kind::File, "report", (to / name).string(), code.message(), "a writable folder");
+  for (const StationHistory& place : comparison.histories) {
+    stations.push_back({{"azimuth_deg", inDegrees(place.azimuth)},
+                        {"rate", number(place.rate)},
+                        {"sigma", number(place.sigma_rate)},
+                        {"lod95", number(place.lod95())}});
   }
+  const Json json = {{"schema", 1},
+                     {"baseline", comparison.names.front()},
+                     {"baseline_date", comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates.front())},
+                     {"movements", surveys},
+                     {"trend", {{"unit", trendUnit(comparison)}, {"stations", stations}}}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void writeMovement(const ResultFolder& folder, const Comparison& comparison) {
+  const fs::path to(folder.stage(""));
+  const std::string json = movementsJson(comparison);
+  write(to / "movement.json", json);
+  write(to / "movement.csv", movementCsv(comparison.histories));
+  write(to / "report.html", trendPage(json));
 }
 
 }  // namespace tank_datum

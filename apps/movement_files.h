@@ -3,20 +3,34 @@
 #include <string>
 #include <vector>
 
-#include "tank_datum/movement.h"
+#include "result_folder.h"
+#include "tank_datum/trend.h"
 
 namespace tank_datum {
+
+/// Surveys of one tank in time order, each compared with the first.
+struct Comparison {
+  std::vector<std::string> names;   ///< of the surveys, the baseline first
+  std::vector<std::string> dates;   ///< as typed, one per survey; or none
+  std::vector<Movement> movements;  ///< one fewer
+  std::vector<StationHistory> histories;
+};
+
+/// What a trend is in: "m/year" with dates, "m/survey" without.
+const char* trendUnit(const Comparison& comparison);
 
 /// The median level of detection of the compared stations [m].
 double medianLod(const Movement& movement);
 
-/// movement.csv: one row per station of the last survey: azimuth_deg, trend (metres per survey: the least-squares slope
-/// of dz over the surveys, the baseline's 0 included), its standard error, then dz, lod95 and significant of each
-/// survey. Surveys with other station counts than the last give no dz here; movement.json has them whole.
-std::string movementCsv(const std::vector<Movement>& movements);
+/// movement.csv: one row per station of the last survey: azimuth_deg, trend (least-squares slope of the elevation,
+/// metres per year with dates, else per survey), its standard error, then dz, lod95 and significant of each survey.
+std::string movementCsv(const std::vector<StationHistory>& histories);
 
-/// Writes movement.json and movement.csv, whole or not at all.
+/// movement.json: the comparison of each survey with the first, whole, and the trend of each station.
+std::string movementsJson(const Comparison& comparison);
+
+/// Writes movement.json, movement.csv and report.html into a folder that commits them together.
 /// @throws Error (File)
-void writeMovement(const std::string& folder, const std::vector<Movement>& movements, const std::vector<Epoch>& epochs);
+void writeMovement(const ResultFolder& folder, const Comparison& comparison);
 
 }  // namespace tank_datum

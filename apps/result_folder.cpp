@@ -27,7 +27,10 @@ void move(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-ResultFolder::ResultFolder(std::string path) : path_(std::move(path)) {
+std::vector<std::string> ResultFolder::resultNames() { return {std::begin(kResults), std::end(kResults)}; }
+
+ResultFolder::ResultFolder(std::string path, std::vector<std::string> names)
+    : path_(std::move(path)), names_(std::move(names)) {
   std::error_code code;
   made_ = fs::create_directories(path_, code);
   if (code) throw failure(path_, code, "a folder that can be made");
@@ -64,7 +67,7 @@ std::vector<std::string> ResultFolder::earlier() const {
     if (name.rfind("tank_", 0) == 0 && entry.is_directory(ignored)) folders.push_back(name + "/");
   }
   for (const std::string& folder : folders) {
-    for (const char* result : kResults) {
+    for (const std::string& result : names_) {
       if (fs::exists(path_ + "/" + folder + result, ignored)) names.push_back(folder + result);
     }
   }

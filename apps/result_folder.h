@@ -11,9 +11,13 @@ namespace tank_datum {
 /// the results of an earlier run move to `previous/`, so that they cannot be taken for this run's.
 class ResultFolder {
  public:
+  /// The files of tank_datum's results.
+  static std::vector<std::string> resultNames();
+
   /// Makes the folder if it is missing.
+  /// @param names  the files that an earlier run may have left
   /// @throws Error (File) when it cannot be made or written to
-  explicit ResultFolder(std::string path);
+  explicit ResultFolder(std::string path, std::vector<std::string> names = resultNames());
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
@@ -32,6 +36,7 @@ class ResultFolder {
   std::vector<std::string> earlier() const;
 
   std::string path_, staging_;
+  std::vector<std::string> names_;
   bool made_ = false, committed_ = false;
 };
 

@@ -1,9 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <map>
 
 #include "exit_status.h"
 #include "movement_files.h"
@@ -19,6 +17,7 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 struct CompareCommand {
   std::vector<std::string> epochs;  ///< datum.json or result folders, the baseline first
   std::string output = "movement";
+  std::vector<std::string> dates;  ///< one per epoch, or none
   MovementOptions options;
 };
 
@@ -28,7 +27,9 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
   app.add_option("epoch", command.epochs, "datum.json or folder of each survey, in time order")
       ->required()
       ->expected(2, -1);
-  app.add_option("-o,--output", command.output, "folder for movement.json and movement.csv");
+  app.add_option("-o,--output", command.output, "folder for movement.json, movement.csv and report.html");
+  app.add_option("--dates", command.dates, "of each survey, 2024-05-31 or 2024.41: trends become metres per year")
+      ->delimiter(',');
   TypedMovement typed(command.options);
   addMovementOptions(app, command.options, typed);
   app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
@@ -47,30 +48,52 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
   return true;
 }
 
-void print(const std::vector<Movement>& movements, const std::vector<Epoch>& epochs) {
-  std::printf("baseline %s, removed: %s\n", epochs.front().name.c_str(), nameOf(movements.front().removal));
+void print(const Comparison& comparison) {
+  std::printf("baseline %s, removed: %s\n", comparison.names.front().c_str(),
+              nameOf(comparison.movements.front().removal));
   std::printf("%-32s %8s %8s %8s %8s %8s %12s\n", "survey", "matched", "rms_mm", "max_mm", "at_deg", "lod95_mm",
               "significant");
-  for (std::size_t i = 0; i < movements.size(); ++i) {
-    const Movement& m = movements[i];
-    std::printf("%-32s %8zu %8.2f %8.2f %8.1f %8.2f %12zu\n", epochs[i + 1].name.c_str(), m.matched, 1e3 * m.rms,
+  for (std::size_t i = 0; i < comparison.movements.size(); ++i) {
+    const Movement& m = comparison.movements[i];
+    std::printf("%-32s %8zu %8.2f %8.2f %8.1f %8.2f %12zu\n", comparison.names[i + 1].c_str(), m.matched, 1e3 * m.rms,
                 1e3 * m.max, m.max_azimuth / kDegree, 1e3 * medianLod(m), m.significant);
   }
+  const StationHistory* fastest = nullptr;
+  for (const StationHistory& place : comparison.histories) {
+    if (std::isfinite(place.rate) && (!fastest || std::abs(place.rate) > std::abs(fastest->rate))) fastest = &place;
+  }
+  if (!fastest) return;
+  std::printf("largest trend %.2f +- %.2f m%s at %.1f deg\n", 1e3 * fastest->rate, 1e3 * fastest->sigma_rate,
+              trendUnit(comparison), fastest->azimuth / kDegree);
+}
+
+std::vector<double> timesOf(const CompareCommand& command) {
+  std::vector<double> times;
+  for (const std::string& date : command.dates) times.push_back(yearOf(date));
+  for (std::size_t i = 0; command.dates.empty() && i < command.epochs.size(); ++i) {
+    times.push_back(static_cast<double>(i));
+  }
+  return times;
 }
 
 int run(const CompareCommand& command) {
+  ResultFolder folder(command.output, {"movement.json", "movement.csv", "report.html"});
   requireValid(command.options);
+  const std::vector<double> times = timesOf(command);
   std::vector<Epoch> epochs;
   for (const std::string& path : command.epochs) epochs.push_back(readEpoch(path));
-  std::vector<Movement> movements;
+  Comparison comparison{command.epochs, command.dates, {}, {}};
   for (std::size_t i = 1; i < epochs.size(); ++i) {
-    movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
-    if (movements.back().valid()) continue;
-    std::cerr << "tank_datum_compare: movement: " << movements.back().message << "\n";
+    comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
+    const Movement& m = comparison.movements.back();
+    if (m.valid()) continue;
+    std::cerr << "tank_datum_compare: movement: " << m.message << "\n";
     return kNoDatum;
   }
-  writeMovement(command.output, movements, epochs);
-  print(movements, epochs);
+  comparison.histories = historiesOf(comparison.movements, times);
+  writeMovement(folder, comparison);
+  folder.commit();
+  print(comparison);
   return kUsable;
 }
 

@@ -25,6 +25,10 @@ Baseline readBaseline(const std::string& path, const MovementOptions& options, c
     throw Error(Error::Kind::Option, "movement", "baseline", path + " of status " + epoch.status,
                 "a result with a usable datum");
   }
+  if (current.method == Method::Paper) {
+    throw Error(Error::Kind::Option, "movement", "method", "paper",
+                "refined: the paper's elevations have no standard errors");
+  }
   if (epoch.method != nameOf(current.method)) {
     throw Error(Error::Kind::Option, "movement", "baseline", path + " of method " + epoch.method,
                 std::string("the method of this survey, ") + nameOf(current.method));

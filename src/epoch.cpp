@@ -33,6 +33,7 @@ Epoch epochFrom(const Json& json, const std::string& path) {
     if (station.at("flag") == nameOf(StationFlag::Measured)) {
       e.z = numberOr(station.at("z"), Station::kUnknown);
       e.sigma_z = numberOr(station.at("sigma_z"), Station::kUnknown);
+      e.window = toRadians(numberOr(station.value("window_deg", Json(nullptr)), Station::kUnknown));
     }
     epoch.stations.push_back(e);
   }
@@ -51,7 +52,7 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
   for (const Station& s : datum.stations) {
     Elevation e;
     e.azimuth = s.azimuth, e.direction = s.direction;
-    if (s.flag == StationFlag::Measured) e.z = s.z + datum.origin.z(), e.sigma_z = s.sigma_z;
+    if (s.flag == StationFlag::Measured) e.z = s.z + datum.origin.z(), e.sigma_z = s.sigma_z, e.window = s.window;
     epoch.stations.push_back(e);
   }
   return epoch;

@@ -5,13 +5,17 @@
 #include <cmath>
 
 #include "tank_datum/error.h"
+#include "tank_datum/statistics.h"
 #include "units.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr double kWidestBracket = 2.0 * kPi / 180.0;  ///< neighbours between which an elevation is interpolated
-constexpr double kSamePlace = 1e-6;                   ///< [rad], 0.03 mm at 30 m
+/// Neighbours share the shell's fit and the surface's roughness too: with windows of one degree the errors of stations
+/// one degree apart were found correlated by 0.2 to 0.25 [rad].
+constexpr double kLeastShared = 2.0 * kPi / 180.0;
+constexpr double kSamePlace = 1e-6;  ///< [rad], 0.03 mm at 30 m
 
 double turn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
 
@@ -42,6 +46,7 @@ Elevation elevationAt(const std::vector<Elevation>& known, double direction, dou
     at.z = a.z + share * (b.z - a.z);
     // as if the neighbours' errors were the same one: they share points
     at.sigma_z = (1.0 - share) * a.sigma_z + share * b.sigma_z;
+    at.window = std::fmax(a.window, b.window) + width;  // fmax passes over what is unknown
   }
   return at;
 }
@@ -49,7 +54,7 @@ Elevation elevationAt(const std::vector<Elevation>& known, double direction, dou
 /// Mean squared standardised difference at a turn; NaN with too few stations.
 double misfitAt(const Epoch& baseline, const Epoch& current, double offset, Removal removal) {
   std::vector<MatchedStation> matched = matchStations(baseline, current, offset);
-  removeCommon(matched, removal);
+  CommonPart(matched, removal).removeFrom(matched);
   double sum = 0;
   for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
   return 2 * matched.size() < current.stations.size() ? std::nan("") : sum / static_cast<double>(matched.size());
@@ -71,28 +76,35 @@ std::vector<MatchedStation> matchStations(const Epoch& baseline, const Epoch& cu
     if (!std::isfinite(then.z)) continue;
     m.dz = now.z - then.z;
     m.sigma = std::hypot(now.sigma_z, then.sigma_z);
+    m.sigma_baseline = then.sigma_z;
+    m.window = std::fmax(std::fmax(now.window, then.window), kLeastShared);
     matched.push_back(m);
   }
   std::sort(matched.begin(), matched.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
   return matched;
 }
 
-void removeCommon(std::vector<MatchedStation>& stations, Removal removal) {
-  if (removal == Removal::Nothing) return;
-  const Eigen::Index terms = removal == Removal::Mean ? 1 : 3;
-  const auto rowOf = [terms](const MatchedStation& m) {
-    return Eigen::Vector3d(1.0, std::cos(m.direction), std::sin(m.direction)).head(terms).eval();
-  };
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(terms, terms);
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(terms);
-  for (const MatchedStation& m : stations) {
-    const Eigen::VectorXd row = rowOf(m);
-    const double weight = 1.0 / (m.sigma * m.sigma);
-    normal += weight * row * row.transpose();
-    rhs += weight * m.dz * row;
+CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal removal) {
+  const auto count = static_cast<Eigen::Index>(stations.size());
+  const Eigen::Index terms = removal == Removal::Nothing ? 0 : removal == Removal::Mean ? 1 : 3;
+  rows_.resize(count, terms);
+  Eigen::VectorXd weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const MatchedStation& m = stations[static_cast<std::size_t>(i)];
+    rows_.row(i) = Eigen::RowVector3d(1.0, std::cos(m.direction), std::sin(m.direction)).head(terms);
+    weights[i] = 1.0 / (m.sigma * m.sigma);
   }
-  const Eigen::VectorXd common = normal.ldlt().solve(rhs);
-  for (MatchedStation& m : stations) m.dz -= common.dot(rowOf(m));
+  if (terms == 0) return;
+  const Eigen::MatrixXd weighted = rows_.transpose() * weights.asDiagonal();
+  fit_ = (weighted * rows_).ldlt().solve(weighted);
+}
+
+void CommonPart::removeFrom(std::vector<MatchedStation>& stations) const {
+  if (rows_.cols() == 0) return;
+  Eigen::VectorXd dz(rows_.rows());
+  for (Eigen::Index i = 0; i < dz.size(); ++i) dz[i] = stations[static_cast<std::size_t>(i)].dz;
+  dz -= rows_ * (fit_ * dz);
+  for (Eigen::Index i = 0; i < dz.size(); ++i) stations[static_cast<std::size_t>(i)].dz = dz[i];
 }
 
 AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
@@ -125,8 +137,11 @@ AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const 
   }
   AzimuthOffset offset;
   offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);
-  // neighbours share errors: as many independent differences as correlation lengths fit into the turn
-  const double independent = std::max(8.0, kTwoPi / std::max(options.correlation * 2.0, kStep));
+  // neighbours share points: as many independent differences as their windows fit into the turn
+  std::vector<double> windows;
+  for (const MatchedStation& m : matchStations(baseline, current, offset.value)) windows.push_back(m.window);
+  const double shared = options.correlation > 0.0 ? options.correlation : median(windows);
+  const double independent = std::min(static_cast<double>(windows.size()), kTwoPi / std::max(shared, kStep));
   offset.sigma = std::sqrt(2.0 * std::max(middle, 1.0) / (independent * curvature));
   return offset;
 }

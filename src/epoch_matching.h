@@ -10,18 +10,27 @@ namespace tank_datum {
 
 /// A station of the current survey measured in both.
 struct MatchedStation {
-  std::size_t station = 0;  ///< its index in the current survey
-  double direction = 0.0;   ///< in the baseline's frame [rad]
-  double dz = 0.0;          ///< current less baseline [m]
-  double sigma = 0.0;       ///< from both sigmas [m]
-  double slope = 0.0;       ///< of the baseline's elevation along the direction [m/rad]
+  std::size_t station = 0;      ///< its index in the current survey
+  double direction = 0.0;       ///< in the baseline's frame [rad]
+  double dz = 0.0;              ///< current less baseline [m]
+  double sigma = 0.0;           ///< from both sigmas [m]
+  double sigma_baseline = 0.0;  ///< the baseline's part of it [m]
+  double window = 0.0;          ///< the wider of the arcs that the two elevations come from [rad]
+  double slope = 0.0;           ///< of the baseline's elevation along the direction [m/rad]
 };
 
 /// The stations measured in both when the current survey is turned by `offset` [rad], by direction.
 std::vector<MatchedStation> matchStations(const Epoch& baseline, const Epoch& current, double offset);
 
 /// Takes a common height or tilt, fitted with weights 1/sigma^2, from dz.
-void removeCommon(std::vector<MatchedStation>& stations, Removal removal);
+class CommonPart {
+ public:
+  CommonPart(const std::vector<MatchedStation>& stations, Removal removal);
+  void removeFrom(std::vector<MatchedStation>& stations) const;
+
+ private:
+  Eigen::MatrixXd rows_, fit_;  ///< one row per station; from dz to the coefficients
+};
 
 struct AzimuthOffset {
   double value = 0.0;  ///< [rad]

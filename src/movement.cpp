@@ -33,6 +33,11 @@ std::string unitBehind(double ratio) {
 }
 
 void requireSameKind(const Epoch& baseline, const Epoch& current) {
+  for (const Epoch* epoch : {&baseline, &current}) {
+    if (epoch->method == nameOf(Method::Paper)) {
+      refuse("method of " + epoch->name, epoch->method, "refined: the paper's elevations have no standard errors");
+    }
+  }
   if (baseline.method != current.method) {
     refuse("method of " + current.name, current.method, "the baseline's, " + baseline.method);
   }
@@ -118,7 +123,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
       options.estimate_offset ? estimateOffset(baseline, current, options) : AzimuthOffset{options.azimuth_offset, 0.0};
   movement.azimuth_offset = offset.value;
   movement.sigma_azimuth_offset = offset.sigma;
-  for (const Elevation& e : current.stations) movement.stations.push_back({e.azimuth});
+  for (const Elevation& e : current.stations) movement.stations.push_back({e.azimuth, e.direction + offset.value});
 
   std::vector<MatchedStation> matched = matchStations(baseline, current, offset.value);
   movement.matched = matched.size();
@@ -126,13 +131,14 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
     movement.message = "only " + std::to_string(matched.size()) + " stations are measured in both surveys";
     return movement;
   }
-  removeCommon(matched, options.removal);
+  CommonPart(matched, options.removal).removeFrom(matched);
   const Significance found = findMoved(
       matched, {options.registration_error, options.registration_tilt * current.circle.radius, offset.sigma}, options);
   movement.threshold = found.threshold;
   for (std::size_t i = 0; i < matched.size(); ++i) {
     StationMovement& s = movement.stations[matched[i].station];
-    s.dz = matched[i].dz, s.sigma = found.sigmas[i], s.significant = found.moved[i];
+    s.dz = matched[i].dz, s.sigma = found.sigmas[i], s.sigma_baseline = matched[i].sigma_baseline;
+    s.significant = found.moved[i];
   }
   summarise(movement);
   return movement;

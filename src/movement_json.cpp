@@ -22,6 +22,7 @@ Json stationsSection(const Datum& datum) {
                         {"direction_deg", toDegrees(s.direction)},
                         {"z", number(s.z + datum.origin.z())},
                         {"sigma_z", number(s.sigma_z)},
+                        {"window_deg", number(toDegrees(s.window))},
                         {"flag", nameOf(s.flag)}});
   }
   return stations;

@@ -134,12 +134,13 @@ void fillStations(std::vector<Station>& stations, const Foot& foot, const std::v
     Station& s = stations[i];
     const FootFit& fit = foot.fits[i];
     s.flag = fit.valid() ? StationFlag::Measured : StationFlag::Missing;
-    s.x = s.y = s.z = s.sigma_z = s.radius = s.sigma_radius = Station::kUnknown;
+    s.x = s.y = s.z = s.sigma_z = s.radius = s.sigma_radius = s.window = Station::kUnknown;
     s.n_shell = shell[i].points;
     s.n_foundation = fit.points;
     if (!fit.valid()) continue;
     s.z = fit.z;
     s.sigma_z = fit.sigma;
+    s.window = 2.0 * fit.half_width;
     s.radius = shell[i].radius;
     s.sigma_radius = shell[i].sigma_radius;
     s.x = center.x() + s.radius * std::cos(s.direction);

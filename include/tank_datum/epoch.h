@@ -15,6 +15,7 @@ struct Elevation {
   double direction = Station::kUnknown;  ///< counter-clockwise from +x about the fitted centre [rad]
   double z = Station::kUnknown;          ///< in the scan's own frame [m]
   double sigma_z = Station::kUnknown;    ///< standard error [m]
+  double window = Station::kUnknown;     ///< arc along which the points behind z lie; NaN: at the station alone [rad]
 };
 
 /// One survey of a tank, as far as surveys are compared.

@@ -21,13 +21,13 @@ const char* nameOf(Removal removal);
 
 struct MovementOptions {
   Removal removal = Removal::Nothing;
-  double registration_error = 0.0;          ///< 1 sigma of a height common to all stations, left after the removal [m]
-  double registration_tilt = 0.0;           ///< 1 sigma of a tilt about either level axis, left after it [rad]
-  double azimuth_offset = 0.0;              ///< of the current survey's frame: added to its directions [rad]
-  bool estimate_offset = false;             ///< find the azimuth offset by the datum's shape instead
-  double correlation = 0.0349065850398866;  ///< arc over which errors of stations fall to 1/e [rad], 2 degrees
-  double radius_difference = 0.05;          ///< surveys whose radii differ by more are of different tanks [m]
-  double centre_distance = 0.25;            ///< the same of the centres, in a common frame [m]
+  double registration_error = 0.0;  ///< 1 sigma of a height common to all stations, left after the removal [m]
+  double registration_tilt = 0.0;   ///< 1 sigma of a tilt about either level axis, left after it [rad]
+  double azimuth_offset = 0.0;      ///< of the current survey's frame: added to its directions [rad]
+  bool estimate_offset = false;     ///< find the azimuth offset by the datum's shape instead
+  double correlation = 0.0;         ///< arc within which stations share points; 0: as the surveys say themselves [rad]
+  double radius_difference = 0.05;  ///< surveys whose radii differ by more are of different tanks [m]
+  double centre_distance = 0.25;    ///< the same of the centres, in a common frame [m]
 };
 
 /// One line naming the first refused field, its value and what it must be; or empty.
@@ -41,14 +41,18 @@ void requireValid(const MovementOptions& options);
 void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
                      const MovementOptions& options);
 
+constexpr double kNormal95 = 1.959963984540054;  ///< two-sided 95 % point of the normal distribution
+
 /// The movement of one station, those of the current survey in order.
 struct StationMovement {
-  double azimuth = Station::kUnknown;  ///< as the current survey counts it [rad]
+  double azimuth = Station::kUnknown;    ///< as the current survey counts it [rad]
+  double direction = Station::kUnknown;  ///< in the baseline's frame [rad]
   double dz = Station::kUnknown;     ///< current less baseline, after the removal [m]; NaN where either is not measured
   double sigma = Station::kUnknown;  ///< standard error of dz, the registration's included [m]
-  bool significant = false;          ///< moved: false anywhere on an unmoved tank in at most 5 % of comparisons
+  double sigma_baseline = Station::kUnknown;  ///< the baseline's part of it [m]
+  bool significant = false;  ///< moved: false anywhere on an unmoved tank in at most 5 % of comparisons
 
-  double lod95() const { return 1.959963984540054 * sigma; }  ///< 95 % level of detection of this station alone [m]
+  double lod95() const { return kNormal95 * sigma; }  ///< 95 % level of detection of this station alone [m]
 };
 
 /// Movement of a tank's datum between two surveys.

@@ -38,6 +38,7 @@ struct Station {
   double sigma_z = kUnknown;                          ///< standard error of z [m]
   double radius = kUnknown, sigma_radius = kUnknown;  ///< distance from the centre and its standard error [m]
   std::optional<std::size_t> n_shell, n_foundation;   ///< points behind z; none with the paper's method
+  double window = kUnknown;                           ///< arc along which the points behind z lie [rad]
   StationFlag flag = StationFlag::Missing;
   double z_paper = kUnknown;                                ///< the paper's B-spline [m]
   double z_tilt = kUnknown;                                 ///< the fitted plane here [m]

@@ -64,12 +64,83 @@ def test_options_change_the_outcome(tmp_path: Path) -> None:
 
     assert significant() > 0
     assert significant("--registration-error", "0.005") == 0
-    assert significant("--correlation-deg", "0") > significant("--correlation-deg", "3")
+    assert significant("--correlation-deg", "1") > significant("--correlation-deg", "60")
     assert significant("--azimuth-offset-deg", "45") > 100
     compare(*surveys, "-o", tmp_path / "m", "--remove", "mean")
     assert (
         json.loads((tmp_path / "m/movement.json").read_text())["movements"][0]["removed"] == "mean"
     )
+
+
+def test_dates_make_the_trend_one_per_year(tmp_path: Path) -> None:
+    """2 mm in four years, and the same from two surveys where a third has a gap."""
+    surveys = [epoch(tmp_path / f"{i}.json", d) for i, d in enumerate((0.0, 0.001, 0.002))]
+    for i, missing in ((1, range(98, 102)), (2, range(200, 210))):
+        later = json.loads(surveys[i].read_text())
+        for k in missing:
+            later["stations"][k] |= {"z": None, "sigma_z": None, "flag": "missing"}
+        surveys[i].write_text(json.dumps(later))
+    dates = "2020-01-01,2022-01-01,2024-01-01"
+    done = compare(*surveys, "-o", tmp_path / "m", "--dates", dates)
+    assert done.returncode == 0, done.stderr
+    assert "mm/year" in done.stdout
+    result = json.loads((tmp_path / "m/movement.json").read_text())
+    assert result["trend"]["unit"] == "m/year"
+    assert [m["date"] for m in result["movements"]] == dates.split(",")[1:]
+    assert result["baseline_date"] == "2020-01-01"
+    rates = result["trend"]["stations"]
+    assert rates[96]["rate"] == pytest.approx(-0.0005, rel=1e-6)
+    assert rates[100]["rate"] == pytest.approx(-0.0005, rel=1e-6)
+    sigma = 0.0002
+    assert rates[96]["sigma"] == pytest.approx(sigma / math.sqrt(8), rel=0.01)
+    assert rates[100]["sigma"] == pytest.approx(sigma * math.sqrt(2) / 4, rel=1e-6)
+    assert rates[205]["rate"] == pytest.approx(0.0, abs=1e-9)
+    rows = [r.split(",") for r in (tmp_path / "m/movement.csv").read_text().splitlines()]
+    assert float(rows[97][1]) == rates[96]["rate"]
+    assert rows[101][3:6] == ["", "", ""] and rows[101][8] == "1"
+    assert rows[206][3:6] != ["", "", ""] and rows[206][6:] == ["", "", ""]
+
+
+@pytest.mark.parametrize(
+    ("dates", "reason"),
+    [
+        ("2020-01-01", "expected one for each of the 2 surveys"),
+        ("2020-01-01,2019-01-01", "one after the date before"),
+        ("2020-01-01,2021-02-29", "2021-02-29"),
+        ("2020-01-01,soon", "soon"),
+    ],
+)
+def test_bad_dates_are_refused(tmp_path: Path, dates: str, reason: str) -> None:
+    survey = epoch(tmp_path / "a.json")
+    done = compare(survey, survey, "-o", tmp_path / "m", "--dates", dates)
+    assert (done.returncode, reason in done.stderr) == (2, True), done.stderr
+    assert not (tmp_path / "m").exists()
+
+
+def test_surveys_of_other_station_counts_share_one_table(tmp_path: Path) -> None:
+    """A coarse survey between two fine ones: its dz stands where it has a station."""
+    surveys = [epoch(tmp_path / f"{i}.json", 0.001 * i) for i in range(3)]
+    coarse = json.loads(surveys[1].read_text())
+    coarse["stations"] = coarse["stations"][::4]
+    surveys[1].write_text(json.dumps(coarse))
+    assert compare(*surveys, "-o", tmp_path / "m").returncode == 0
+    rows = (tmp_path / "m/movement.csv").read_text().splitlines()[1:]
+    assert len(rows) == 360
+    assert [bool(r.split(",")[3]) for r in rows[:6]] == [True, False, False, False, True, False]
+    assert [float(rows[100].split(",")[k]) for k in (3, 6)] == pytest.approx([-0.001, -0.002])
+
+
+def test_a_failure_leaves_no_earlier_result(tmp_path: Path) -> None:
+    surveys = [epoch(tmp_path / f"{i}.json", 0.001 * i) for i in range(2)]
+    other = epoch(tmp_path / "other.json", tank={"center": [0, 0], "radius": 29})
+    assert compare(*surveys, "-o", tmp_path / "m").returncode == 0
+    (tmp_path / "m/datum.json").write_text("not of this command")
+    assert compare(surveys[0], other, "-o", tmp_path / "m").returncode == 2
+    assert sorted(p.name for p in (tmp_path / "m").iterdir()) == ["datum.json", "previous"]
+    assert sorted(p.name for p in (tmp_path / "m/previous").iterdir()) == [
+        "movement.csv",
+        "movement.json",
+    ]
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,25 @@
+#include <iostream>
+
+#include "exit_status.h"
+#include "rates/movement_rates.h"
+#include "tank_datum/version.h"
+
+/// One command per question; each has its trial, its rates and its table in apps/rates/.
+int main(int argc, char** argv) {
+  using namespace tank_datum;
+  CLI::App app("How often the statistics of tank_datum are right, on simulated surveys.", "tank_datum_rates");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("tank_datum_rates ") + kVersion);
+  rates::MovementTrial movement;
+  rates::addMovement(app, movement)->callback([&] { print(movement, rates::ratesOf(movement)); });
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "tank_datum_rates: command line: " << error.what()
+              << ", expected what tank_datum_rates --help lists\n";
+    return kWrongUse;
+  }
+  return kUsable;
+}
