@@ -59,6 +59,8 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   CLI::Option* all = app.add_flag("--all", command.all, "every tank found, in DIR/tank_1, DIR/tank_2, ...");
   app.add_option("--search-points", o.crop.search_points, "thin the ring to this many points for the edge search")
       ->check(CLI::PositiveNumber);
+  app.add_option("--fit-points", o.crop.fit_points, "of more points in the ring an even share is kept for the fits")
+      ->check(CLI::PositiveNumber);
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
   app.add_option("--units", command.units, "units of the input")->check(CLI::IsMember(kUnits));
   app.add_option("--baseline", command.baseline, "datum.json of an earlier survey: movement since then");

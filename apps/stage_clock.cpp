@@ -26,6 +26,15 @@ void StageClock::begin(const std::string& stage) {
   if (show_) std::fprintf(stderr, "\r\033[K%6.1f s  %s ...", secondsSince(start_), stage.c_str());
 }
 
+void StageClock::progress(std::uint64_t done, std::uint64_t of) {
+  constexpr std::chrono::milliseconds kReadable(100);
+  if (!show_ || running_.empty() || done == 0 || Clock::now() - shown_ < kReadable) return;
+  shown_ = Clock::now();
+  const double seconds = secondsSince(since_), rows = static_cast<double>(done), all = static_cast<double>(of);
+  std::fprintf(stderr, "\r\033[K%6.1f s  %s %.0f %%  %.1f M points/s  %.0f s left", secondsSince(start_),
+               running_.c_str(), 100.0 * rows / all, 1e-6 * rows / seconds, seconds * (all - rows) / rows);
+}
+
 void StageClock::end() {
   if (running_.empty()) return;
   seconds_.emplace_back(running_, secondsSince(since_));

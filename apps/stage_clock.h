@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,8 @@ class StageClock {
 
   /// Ends the running stage and begins the next one.
   void begin(const std::string& stage);
+  /// Shows how far the running stage is, at which rate, and the time left.
+  void progress(std::uint64_t done, std::uint64_t of);
   /// Ends the running stage and clears the progress line.
   void end();
 
@@ -26,7 +29,7 @@ class StageClock {
   using Clock = std::chrono::steady_clock;
   bool show_;
   std::string running_;
-  Clock::time_point since_, start_ = Clock::now();
+  Clock::time_point since_, shown_, start_ = Clock::now();
   std::vector<std::pair<std::string, double>> seconds_;
 };
 

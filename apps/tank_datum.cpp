@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "background_records.h"
 #include "command_line.h"
 #include "exit_status.h"
 #include "result_folder.h"
@@ -46,7 +47,8 @@ std::vector<Datum> extract(const Command& command, const std::optional<Baseline>
   clock.begin("open");
   const double metres = command.metresPerUnit();
   if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.options)};
-  const Scan scan = Scan::open(command.scans, metres);
+  Scan scan = Scan::open(command.scans, metres);
+  scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
   const std::vector<Tank> tanks = findTanks(scan, command.options, observer);
   if (baseline) requireAmong(tanks, scan.origin(), *baseline);
   if (command.all) return extractDatumsOf(tanks, scan, command.options, observer);
@@ -66,10 +68,9 @@ Movement movementOf(const Datum& datum, const Baseline& baseline, const Command&
   }
 }
 
-Provenance recordOf(const Datum& datum, const std::optional<Baseline>& baseline, const Command& command) {
-  Provenance provenance = datum.levelled
-                              ? provenanceOfLevelling(command.levelling, command.units, command.options, datum)
-                              : provenanceOf(command.scans, command.units, command.options, datum);
+Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline,
+                    const Command& command) {
+  Provenance provenance = provenanceOf(files, command.units, command.options, datum);
   provenance.baseline = command.baseline;
   provenance.movement_options = command.movement;
   if (!baseline || !datum.usable()) return provenance;
@@ -87,11 +88,15 @@ int run(const Command& command) {
   if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.options);
   requireValid(command.movement);
   StageClock clock(!command.quiet);
+  BackgroundRecords records(command.scans, command.options.threads != 1);
   const std::vector<Datum> datums = extract(command, baseline, clock);
+  clock.begin("hash");
+  std::vector<InputRecord> files = records.take();
+  if (!command.levelling.empty()) files.push_back(recordOfLevelling(command.levelling, datums.front()));
   clock.begin("report");
   for (std::size_t i = 0; i < datums.size(); ++i) {
     const std::string stage = folder.stage(partOf(datums, i));
-    const Provenance provenance = recordOf(datums[i], baseline, command);
+    const Provenance provenance = recordOf(datums[i], files, baseline, command);
     writeResults(stage, datums[i], provenance);
     if (!command.no_report) writeReportPage(stage, reportPage(datums[i], provenance));
   }

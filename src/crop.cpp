@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <utility>
 
+#include "point_hash.h"
 #include "tank_datum/voxel_sample.h"
 #include "units.h"
 
@@ -15,27 +18,77 @@ std::string firstError(const CropOptions& options) {
     std::snprintf(text, sizeof text, "crop.reach = %g m (must be > 0)", options.reach);
   } else if (options.search_points < 1000) {
     std::snprintf(text, sizeof text, "crop.search_points = %zu (must be >= 1000)", options.search_points);
+  } else if (options.fit_points < 1000) {
+    std::snprintf(text, sizeof text, "crop.fit_points = %zu (must be >= 1000)", options.fit_points);
   }
   return text;
 }
 
-Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const Scan::Visitor& also) {
+namespace {
+
+/// Which points lie near the foot.
+struct RingShape {
+  Circle circle;
+  double reach, slope_x, slope_y, height;
+
+  RingShape(const Tank& tank, double reach_of_ring)
+      : circle(tank.circle),
+        reach(reach_of_ring),
+        slope_x(tank.foot.coefficients[1] / tank.circle.radius),
+        slope_y(tank.foot.coefficients[2] / tank.circle.radius),
+        height(tank.foot.coefficients[0]) {}
+
+  bool holds(const Eigen::Vector3d& p) const {
+    const double inner = std::max(0.0, circle.radius - reach), outer = circle.radius + reach;
+    const Eigen::Vector2d arm = p.head<2>() - circle.center;
+    const double squared = arm.squaredNorm();
+    if (squared < inner * inner || squared > outer * outer) return false;
+    return std::abs(p.z() - (height + slope_x * arm.x() + slope_y * arm.y())) <= reach;
+  }
+};
+
+/// A growing set of points that keeps those of the lower hashes whenever it would grow beyond its bound.
+class EvenShare {
+ public:
+  explicit EvenShare(std::size_t most) : most_(most) {}
+
+  void add(const Eigen::Vector3d& point) {
+    if (pointHash(point) >= limit_) return;
+    kept_.push_back(point);
+    while (kept_.size() > most_) {
+      limit_ /= 2;
+      kept_.erase(std::remove_if(kept_.begin(), kept_.end(), [&](const auto& p) { return pointHash(p) >= limit_; }),
+                  kept_.end());
+    }
+  }
+  Points take() { return std::move(kept_); }
+
+ private:
+  std::size_t most_;
+  std::uint64_t limit_ = std::uint64_t{1} << 32;
+  Points kept_;
+};
+
+}  // namespace
+
+Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also, int threads) {
   Ring ring;
   ring.reach = std::min(options.reach, 0.5 * tank.circle.radius);
   const double reach = ring.reach + 2.0 * tank.resolution;
-  const double inner = std::max(0.0, tank.circle.radius - reach), outer = tank.circle.radius + reach;
-  const double slope_x = tank.foot.coefficients[1] / tank.circle.radius;
-  const double slope_y = tank.foot.coefficients[2] / tank.circle.radius;
-  ring.counts = scan.forEachBlock([&](const Points& block) {
-    if (also) also(block);
-    for (const auto& p : block) {
-      const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
-      const double squared = arm.squaredNorm();
-      if (squared < inner * inner || squared > outer * outer) continue;
-      const double foot = tank.foot.coefficients[0] + slope_x * arm.x() + slope_y * arm.y();
-      if (std::abs(p.z() - foot) <= reach) ring.points.push_back(p);
+  const RingShape shape(tank, reach);
+  EvenShare share(options.fit_points);
+  const auto choose = [&](std::uint64_t /*block*/, const Points& points, Points& chosen) {
+    for (const auto& p : points) {
+      if (shape.holds(p) || (also.wants && also.wants(p))) chosen.push_back(p);
+    }
+  };
+  ring.counts = scan.forEachChosen(choose, threads, [&](const Points& chosen) {
+    if (also.add) also.add(chosen);
+    for (const auto& p : chosen) {
+      if (shape.holds(p)) share.add(p);
     }
   });
+  ring.points = share.take();
   if (ring.points.size() <= options.search_points) {
     ring.search = ring.points;
     return ring;

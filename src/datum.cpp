@@ -40,7 +40,8 @@ Datum stopped(Datum datum, Status status, const std::string& message) {
 /// Why there is no tank: no points to speak of, or none that stand like one.
 Datum withoutTank(const Scan& scan, const DatumOptions& options) {
   Datum datum = begun(scan);
-  datum.counts = scan.forEachBlock([](const Points&) {});
+  datum.counts =
+      scan.forEachChosen([](std::uint64_t, const Points&, Points&) {}, options.threads, [](const Points&) {});
   const std::uint64_t finite = datum.counts.points - datum.counts.invalid;
   if (finite < static_cast<std::uint64_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
@@ -135,9 +136,9 @@ const char* nameOf(Method method) { return method == Method::Refined ? "refined"
 std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
   requireValid(options);
   if (observer) observer("locate");
-  if (!options.tank) return locateTanks(scan, options.locate);
+  if (!options.tank) return locateTanks(scan, options.locate, options.threads);
   const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
-  const std::optional<Tank> tank = describeTank(scan, circle, options.locate);
+  const std::optional<Tank> tank = describeTank(scan, circle, options.locate, options.threads);
   return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
 }
 
@@ -181,7 +182,9 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
 
   begin("crop");
   ShellBands bands(tank, options.shell);
-  const Ring ring = cropRing(scan, tank, options.crop, [&bands](const Points& block) { bands.add(block); });
+  const AlsoGathered shell{[&bands](const Eigen::Vector3d& p) { return bands.holds(p); },
+                           [&bands](const Points& block) { bands.add(block); }};
+  const Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
   datum.counts = ring.counts;
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");

@@ -21,7 +21,7 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
   json["locate"] = {{"min_radius", o.locate.min_radius},
                     {"min_arc_deg", toDegrees(o.locate.min_arc)},
                     {"sample_points", o.locate.sample_points}};
-  json["crop"] = {{"reach", o.crop.reach}, {"search_points", o.crop.search_points}};
+  json["crop"] = {{"reach", o.crop.reach}, {"search_points", o.crop.search_points}, {"fit_points", o.crop.fit_points}};
   json["normals"] = {{"k", o.normals.k}, {"search", nameOf(o.normals.search)}};
   json["growing"] = {{"angle_deg", toDegrees(o.growing.angle)}};
   json["centre_filter"] = {{"tolerance", o.centre_filter.tolerance}};

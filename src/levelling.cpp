@@ -123,13 +123,8 @@ Datum readLevelling(const std::string& path, double metres_per_unit, double diam
       options);
 }
 
-Provenance provenanceOfLevelling(const std::string& path, const std::string& units, const DatumOptions& options,
-                                 const Datum& datum) {
-  Provenance provenance;
-  provenance.files.push_back({path, sha256OfFile(path), datum.stations.size()});
-  provenance.units = units;
-  provenance.options = options;
-  return provenance;
+InputRecord recordOfLevelling(const std::string& path, const Datum& datum) {
+  return {path, sha256OfFile(path), datum.stations.size()};
 }
 
 }  // namespace tank_datum

@@ -25,22 +25,17 @@ struct Sample {
 /// The scan thinned to a ladder of voxels, from where the densest surfaces just close (a tenth of the voxels hold two
 /// points) to half of the smallest radius, and at least three rungs. Which rung shows a tank best depends on how much
 /// denser it was scanned than what stands around it.
-std::vector<Sample> samplesOf(const Scan& scan, const LocateOptions& options) {
+std::vector<Sample> samplesOf(const Scan& scan, const LocateOptions& options, int threads) {
   // a tank needs no more than every n-th point to be found; n is odd, since rows of a scan often have even lengths
   constexpr std::uint64_t kLookedAt = 4'000'000;
   const std::uint64_t stride = scan.size() / kLookedAt | 1U;
   VoxelSample sample(options.sample_points, std::max(0.001, options.min_radius / 250.0));
-  std::uint64_t row = 0;
-  Points some;
-  scan.forEachBlock([&](const Points& block) {
-    some.clear();
-    for (const auto& p : block) {
-      if (row++ % stride == 0) some.push_back(p);
-    }
-    sample.add(some);
-  });
+  const auto choose = [stride](std::uint64_t block, const Points& points, Points& chosen) {
+    for (std::size_t i = block % stride; i < points.size(); i += stride) chosen.push_back(points[i]);
+  };
+  scan.forEachChosen(choose, threads, [&sample](const Points& chosen) { sample.add(chosen); });
   std::vector<Sample> samples;
-  for (; sample.points().size() > 50; sample.coarsen()) {
+  for (; sample.size() > 50; sample.coarsen()) {
     const double share = sample.shareHolding(2);
     // where most voxels hold several points, one that holds a single one is a stray beam
     if (share >= 0.1) samples.push_back({sample.points(share >= 0.5 ? 2 : 1), sample.voxel()});
@@ -178,9 +173,9 @@ std::string firstError(const LocateOptions& options) {
   return text;
 }
 
-std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options) {
+std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads) {
   std::vector<Tank> tanks;
-  for (const Sample& sample : samplesOf(scan, options)) {
+  for (const Sample& sample : samplesOf(scan, options, threads)) {
     for (const auto& found : findWallCircles(mapWalls(sample.points, sample.voxel), sample.voxel, options)) {
       Tank tank = describe(sample, found.circle, found.rms);
       if (tank.coverage >= options.min_arc) tanks.push_back(std::move(tank));
@@ -192,8 +187,8 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options) {
   return tanks;
 }
 
-std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options) {
-  const auto samples = samplesOf(scan, options);
+std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads) {
+  const auto samples = samplesOf(scan, options, threads);
   if (samples.empty()) return std::nullopt;
   const Sample& sample = samples.front();
   Tank tank = describe(sample, circle, std::max(sample.voxel, 0.005 * circle.radius));

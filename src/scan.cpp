@@ -8,6 +8,7 @@
 #include "input_file.h"
 #include "pcd_data.h"
 #include "tank_datum/error.h"
+#include "tank_datum/parallel.h"
 #include "tank_datum/pcd_header.h"
 
 namespace tank_datum {
@@ -18,6 +19,24 @@ class Scan::Source {
   virtual std::uint64_t size() const = 0;
   virtual double coordinateStep(const Eigen::Vector3d& origin) const = 0;
   virtual ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const = 0;
+
+  /// Told the rows read since the last call, and what was chosen of them.
+  using ChosenVisitor = std::function<void(const ScanCounts& read, const Points& chosen)>;
+
+  /// @param block  number of the source's first block; raised by the blocks read
+  virtual void choose(const Eigen::Vector3d& origin, const Scan::Chooser& choose, int /*threads*/, std::uint64_t& block,
+                      const ChosenVisitor& told) const {
+    Points chosen;
+    std::uint64_t kept = 0;
+    const ScanCounts all = visit(origin, [&](const Points& points) {
+      chosen.clear();
+      choose(block++, points, chosen);
+      kept += points.size();
+      told({points.size(), 0}, chosen);
+      return true;
+    });
+    told({all.points - kept, all.invalid}, {});
+  }
 };
 
 namespace {
@@ -46,6 +65,28 @@ class PcdSource : public Scan::Source {
 
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     return visitPcd(file_, header_, {metres_per_unit_, origin}, visit);
+  }
+
+  void choose(const Eigen::Vector3d& origin, const Scan::Chooser& choose, int threads, std::uint64_t& block,
+              const ChosenVisitor& told) const override {
+    if (header_.encoding != PcdEncoding::Binary) return Source::choose(origin, choose, threads, block, told);
+    constexpr std::uint64_t kRound = 64;  // blocks; a million rows between two calls of told
+    const Frame frame{metres_per_unit_, origin};
+    const std::uint64_t count = binaryBlockCount(header_);
+    std::vector<Points> chosen(kRound);
+    std::vector<ScanCounts> read(kRound);
+    for (std::uint64_t begin = 0; begin < count; begin += kRound) {
+      const auto blocks = static_cast<std::size_t>(std::min(kRound, count - begin));
+      forEachIndex(blocks, threads, [&](std::size_t i) {
+        thread_local BlockBuffer buffer;
+        const std::size_t rows = decodeBinaryBlock(file_, header_, frame, begin + i, buffer);
+        read[i] = {rows, rows - buffer.points.size()};
+        chosen[i].clear();
+        choose(block + begin + i, buffer.points, chosen[i]);
+      });
+      for (std::size_t i = 0; i < blocks; ++i) told(read[i], chosen[i]);
+    }
+    block += count;
   }
 
  private:
@@ -140,6 +181,20 @@ double Scan::coordinateStep() const {
   double step = 0.0;
   for (const auto& source : sources_) step = std::max(step, source->coordinateStep(origin_));
   return step;
+}
+
+ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor& visit) const {
+  ScanCounts total;
+  std::uint64_t block = 0;
+  for (const auto& source : sources_) {
+    source->choose(origin_, choose, threads, block, [&](const ScanCounts& read, const Points& chosen) {
+      total.points += read.points;
+      total.invalid += read.invalid;
+      if (!chosen.empty()) visit(chosen);
+      if (progress_) progress_(total.points);
+    });
+  }
+  return total;
 }
 
 std::uint64_t Scan::size() const {

@@ -19,7 +19,7 @@ void require(int openssl_result, const std::string& path) {
 
 }  // namespace
 
-std::string sha256OfFile(const std::string& path) {
+std::string sha256OfFile(const std::string& path, const std::function<bool()>& wanted) {
   const InputFile file(path);
   const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
   require(context ? EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) : 0, path);
@@ -29,6 +29,7 @@ std::string sha256OfFile(const std::string& path) {
   while (const std::size_t got = file.readSome(offset, block.data(), block.size())) {
     require(EVP_DigestUpdate(context.get(), block.data(), got), path);
     offset += got;
+    if (wanted && !wanted()) return {};
   }
 
   std::array<unsigned char, 32> digest{};

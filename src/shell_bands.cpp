@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "point_hash.h"
 #include "units.h"
 
 namespace tank_datum {
@@ -21,13 +22,6 @@ std::vector<double> heightsOf(const ShellOptions& options) {
   return heights;
 }
 
-/// The finalizer of splitmix64.
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31);
-}
-
 }  // namespace
 
 ShellBands::ShellBands(const Tank& tank, const ShellOptions& options)
@@ -38,7 +32,11 @@ ShellBands::ShellBands(const Tank& tank, const ShellOptions& options)
       half_(options.half_band + kUneven + 2.0 * tank.resolution),
       capacity_(static_cast<std::size_t>(static_cast<double>(options.cell_points) * half_ / options.half_band)),
       heights_(heightsOf(options)),
-      bands_(heights_.size()) {}
+      bands_(heights_.size()) {
+  const double widest = reach_ + kSteepest * heights_.back();
+  inner_ = std::pow(std::max(0.0, radius_ - widest), 2);
+  outer_ = std::pow(radius_ + widest, 2);
+}
 
 void ShellBands::put(Cell& cell, std::uint64_t key, const Eigen::Vector3f& p) const {
   const std::uint64_t count = ++cell.seen;
@@ -50,16 +48,20 @@ void ShellBands::put(Cell& cell, std::uint64_t key, const Eigen::Vector3f& p) co
   if (place < capacity_) cell.kept[place] = p;
 }
 
+bool ShellBands::holds(const Eigen::Vector3d& p) const {
+  const Eigen::Vector3d arm = p - foot_;
+  const double squared = arm.head<2>().squaredNorm();
+  if (squared < inner_ || squared > outer_) return false;
+  const double height = arm.z() - slope_.dot(arm.head<2>());
+  if (height < heights_.front() - half_ || height > heights_.back() + half_) return false;
+  return std::abs(std::sqrt(squared) - radius_) <= reach_ + kSteepest * std::abs(height);
+}
+
 void ShellBands::add(const Points& block) {
-  const double widest = reach_ + kSteepest * heights_.back();
-  const double inner = std::max(0.0, radius_ - widest), outer = radius_ + widest;
   for (const auto& p : block) {
+    if (!holds(p)) continue;
     const Eigen::Vector3d arm = p - foot_;
-    const double squared = arm.head<2>().squaredNorm();
-    if (squared < inner * inner || squared > outer * outer) continue;
     const double height = arm.z() - slope_.dot(arm.head<2>());
-    if (height < heights_.front() - half_ || height > heights_.back() + half_) continue;
-    if (std::abs(std::sqrt(squared) - radius_) > reach_ + kSteepest * std::abs(height)) continue;
     auto band = std::lower_bound(heights_.begin(), heights_.end(), height - half_);
     if (band == heights_.end() || *band > height + half_) continue;
     const double turn = std::atan2(arm.y(), arm.x()) / kTwoPi;

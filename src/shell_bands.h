@@ -16,6 +16,10 @@ class ShellBands {
  public:
   ShellBands(const Tank& tank, const ShellOptions& options);
 
+  /// Whether a point lies near the shell, at about one of the heights or between them.
+  bool holds(const Eigen::Vector3d& p) const;
+
+  /// Takes those of a block that it holds.
   void add(const Points& block);
 
   /// Above the datum, also those that nothing was seen at [m].
@@ -30,11 +34,12 @@ class ShellBands {
   };
   void put(Cell& cell, std::uint64_t key, const Eigen::Vector3f& p) const;
 
-  Eigen::Vector3d foot_;   ///< centre [m]
-  Eigen::Vector2d slope_;  ///< of the foot [m/m]
-  double radius_, reach_;  ///< of the circle, and about it [m]
-  double half_;            ///< of a band, enlarged by what the coarse foot may be off [m]
-  std::size_t capacity_;   ///< of a cell
+  Eigen::Vector3d foot_;              ///< centre [m]
+  Eigen::Vector2d slope_;             ///< of the foot [m/m]
+  double inner_ = 0.0, outer_ = 0.0;  ///< squared distances from the centre beyond which there is no shell [m2]
+  double radius_, reach_;             ///< of the circle, and about it [m]
+  double half_;                       ///< of a band, enlarged by what the coarse foot may be off [m]
+  std::size_t capacity_;              ///< of a cell
   std::vector<double> heights_;
   std::vector<std::vector<Cell>> bands_;  ///< by height and sector; empty until a point is seen at the height
 };

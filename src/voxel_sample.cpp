@@ -1,24 +1,22 @@
 #include "tank_datum/voxel_sample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "point_hash.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr double kHalfRange = double(1 << 20) - 1;  // voxels on each side of the origin that 21 bits can number
 
-std::uint64_t mix(std::uint64_t x) {  // finaliser of SplitMix64 (Steele et al. 2014)
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
-}
+constexpr std::size_t kAhead = 32;  // points whose slots are fetched before the first of them is put in
 
-/// Of the coordinates in steps far above their rounding, so that the same tank in another frame has the same sample.
-std::uint32_t rankOf(const Eigen::Vector3d& point) {
-  constexpr double kStep = 1e-5;  // [m]
-  const auto steps = [&](int axis) { return static_cast<std::uint64_t>(std::llround(point[axis] / kStep)); };
-  return static_cast<std::uint32_t>(mix(steps(0) ^ mix(steps(1) ^ mix(steps(2)))));
+/// std::floor without a call
+double floorOf(double value) {
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
+  return whole > value ? whole - 1.0 : whole;
 }
 
 }  // namespace
@@ -29,8 +27,9 @@ VoxelSample::VoxelSample(std::size_t max_points, double voxel)
 std::int64_t VoxelSample::keyOf(const Eigen::Vector3d& point) const {
   std::int64_t key = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double index = std::floor(point[axis] / voxel_);
-    if (std::abs(index) > kHalfRange) return kEmpty;
+    const double place = point[axis] / voxel_;
+    if (!(std::abs(place) < kHalfRange)) return kEmpty;
+    const double index = floorOf(place);
     key = (key << 21) | (static_cast<std::int64_t>(index) + (1 << 20));
   }
   return key;
@@ -38,7 +37,7 @@ std::int64_t VoxelSample::keyOf(const Eigen::Vector3d& point) const {
 
 void VoxelSample::insert(const Slot& slot) {
   const std::size_t mask = slots_.size() - 1;
-  std::size_t at = mix(static_cast<std::uint64_t>(slot.key)) & mask;
+  std::size_t at = mixed(static_cast<std::uint64_t>(slot.key)) & mask;
   while (slots_[at].key != kEmpty && slots_[at].key != slot.key) at = (at + 1) & mask;
   Slot& held = slots_[at];
   if (held.key == kEmpty) {
@@ -70,16 +69,26 @@ void VoxelSample::coarsen() {
 }
 
 void VoxelSample::add(const Points& block) {
-  for (const auto& point : block) {
-    Slot slot;
-    slot.point = point;
-    slot.rank = rankOf(point);
-    slot.count = 1;
-    while ((slot.key = keyOf(point)) == kEmpty) coarsen();
-    insert(slot);
-    while (used_ > max_points_) coarsen();
-    if (2 * used_ > slots_.size()) rebuild(2 * slots_.size());
+  std::array<Slot, kAhead> next;
+  for (std::size_t begin = 0; begin < block.size(); begin += kAhead) {
+    const std::size_t count = std::min(kAhead, block.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      Slot& slot = next[i];
+      slot.point = block[begin + i];
+      slot.rank = pointHash(slot.point);
+      slot.count = 1;
+      slot.key = keyOf(slot.point);
+      __builtin_prefetch(&slots_[mixed(static_cast<std::uint64_t>(slot.key)) & (slots_.size() - 1)], 1);
+    }
+    for (std::size_t i = 0; i < count; ++i) addOne(next[i]);
   }
+}
+
+void VoxelSample::addOne(Slot slot) {
+  while ((slot.key = keyOf(slot.point)) == kEmpty) coarsen();  // voxels may have grown since it was fetched
+  insert(slot);
+  while (used_ > max_points_) coarsen();
+  if (2 * used_ > slots_.size()) rebuild(2 * slots_.size());
 }
 
 double VoxelSample::shareHolding(std::uint32_t count) const {

@@ -145,6 +145,40 @@ TEST(CropOptions, AreRefusedByName) {
   options = {};
   options.search_points = 999;
   EXPECT_EQ(firstError(options), "crop.search_points = 999 (must be >= 1000)");
+  options = {};
+  options.fit_points = 999;
+  EXPECT_EQ(firstError(options), "crop.fit_points = 999 (must be >= 1000)");
+}
+
+TEST(CropRing, OfMorePointsThanTheFitsTakeAnEvenShareIsKeptWhateverTheirOrder) {
+  const Tank tank = tank10();
+  Points points = foot(tank, 60'000);
+  CropOptions options;
+  options.fit_points = 20'000;
+  const Ring ring = cropRing(Scan::fromPoints(points), tank, options);
+  EXPECT_LE(ring.points.size(), 20'000U);
+  EXPECT_GT(ring.points.size(), 9'500U);  // halved until they fit
+  EXPECT_EQ(ring.counts.points, points.size());
+  const auto dense = std::count_if(ring.points.begin(), ring.points.end(), [](const auto& p) { return p.y() > -4.0; });
+  EXPECT_NEAR(static_cast<double>(dense) / static_cast<double>(ring.points.size()), 10.0 / 11.0, 0.01);
+
+  std::reverse(points.begin() + 1, points.end());  // the first is the origin
+  Points other = cropRing(Scan::fromPoints(points), tank, options).points;
+  std::reverse(other.begin(), other.end());
+  EXPECT_EQ(other, ring.points);
+  options.fit_points = 60'000;
+  EXPECT_EQ(cropRing(Scan::fromPoints(points), tank, options).points.size(), 60'000U);
+}
+
+TEST(CropRing, GathersAnotherPartOfTheScanInTheSamePass) {
+  const Tank tank = tank10();
+  const Points points = {{0, 0, 0}, place(tank, 1.0, 0, 0), place(tank, 1.0, 0, 9), place(tank, 2.0, 0, 0), {1, 1, 1}};
+  Points given;
+  const AlsoGathered high{[](const Eigen::Vector3d& p) { return p.z() > 5.0; },
+                          [&given](const Points& block) { given.insert(given.end(), block.begin(), block.end()); }};
+  const Ring ring = cropRing(Scan::fromPoints(points), tank, {}, high);
+  EXPECT_EQ(ring.points, (Points{points[1], points[3]}));
+  EXPECT_EQ(given, (Points{points[1], points[2], points[3]}));  // at least what is wanted, in order
 }
 
 }  // namespace

@@ -22,6 +22,15 @@ TEST(Sha256, SeveralBlocks) {
             "64fd2e4967cabd6182fc63e4e49ba8864445ea69fbd1156e52f7572636050d80");
 }
 
+TEST(Sha256, NoLongerWantedEndsIt) {
+  const pcd_files::Folder folder;
+  const std::string path = folder.file("zeros", std::string(std::size_t{5} << 20, '\0'));
+  int asked = 0;
+  EXPECT_EQ(sha256OfFile(path, [&asked] { return ++asked < 3; }), "");
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(sha256OfFile(path, [] { return true; }), sha256OfFile(path));
+}
+
 TEST(Sha256, FileThatCannotBeRead) {
   const pcd_files::Folder folder;
   EXPECT_NE(pcd_files::errorOf([&] { sha256OfFile(folder.path("none")); }).find("No such file"), std::string::npos);

@@ -126,5 +126,13 @@ TEST(VoxelSample, GrowsItsVoxelsToReachFarPoints) {
   EXPECT_LT(sample.voxel(), 0.05);
 }
 
+TEST(VoxelSample, ItsSizeIsThatOfItsPoints) {
+  VoxelSample sample = sampleOf(randomPoints(5000, 1.0), 1000);
+  EXPECT_EQ(sample.size(), sample.points().size());
+  sample.coarsen();
+  EXPECT_EQ(sample.size(), sample.points().size());
+  EXPECT_EQ(sampleOf({}, 100).size(), 0U);
+}
+
 }  // namespace
 }  // namespace tank_datum

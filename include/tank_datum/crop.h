@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "tank_datum/export.h"
@@ -11,6 +12,7 @@ namespace TANK_DATUM_API tank_datum {
 struct CropOptions {
   double reach = 0.5;  ///< half-width of the ring in radius and height [m]; at most half of the radius
   std::size_t search_points = 1'000'000;  ///< the ring is thinned to at most this many for the search of edge points
+  std::size_t fit_points = 4'000'000;     ///< of more points in the ring an even share is kept for the fits
 };
 
 /// One line naming the first refused field, or empty.
@@ -18,15 +20,24 @@ std::string firstError(const CropOptions& options);
 
 /// The points of a scan near the datum, about the tank's centre.
 struct Ring {
-  Points points;      ///< every scan point in the ring, relative to the scan's origin [m]
-  Points search;      ///< the same thinned by voxels to an even spacing, for the search of edge points
+  Points points;      ///< the scan's points in the ring, or an even share of them, relative to the scan's origin [m]
+  Points search;      ///< these thinned by voxels to an even spacing, for the search of edge points
   double reach = 0;   ///< half-width used [m]
   ScanCounts counts;  ///< what the pass over the scan met
 };
 
+/// A part of the scan beside the ring.
+struct AlsoGathered {
+  std::function<bool(const Eigen::Vector3d& point)> wants;  ///< asked from several threads; empty: nothing is
+  Scan::Visitor add;                                        ///< given, in file order, at least what is wanted
+};
+
 /// Keeps the points whose distance from the shell and from the coarse foot is at most the reach (enlarged by the
-/// accuracy of the coarse figures).
-/// @param also  shown every block of the scan, for those who need another part of it: a scan is long to read
-Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const Scan::Visitor& also = {});
+/// accuracy of the coarse figures). Of more than options.fit_points, those are kept whose hash is lowest, so that
+/// memory and the time of the fits are bounded and the result does not depend on the order of the points.
+/// @param also     another part of the scan, gathered in the same pass: a scan is long to read
+/// @param threads  0 means all cores; the ring does not depend on it
+Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also = {},
+              int threads = 0);
 
 }  // namespace tank_datum

@@ -26,8 +26,8 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
 /// @throws Error  the file cannot be read, or is refused
 Datum readLevelling(const std::string& path, double metres_per_unit, double diameter, const DatumOptions& options);
 
-/// The record of a datum so read.
-Provenance provenanceOfLevelling(const std::string& path, const std::string& units, const DatumOptions& options,
-                                 const Datum& datum);
+/// The hash of such a file and its stations.
+/// @throws Error (File) naming it when it cannot be read
+InputRecord recordOfLevelling(const std::string& path, const Datum& datum);
 
 }  // namespace tank_datum

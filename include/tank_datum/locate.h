@@ -44,9 +44,10 @@ struct Tank {
 /// Columns of the thinned sample that are filled over some height are walls; circles are drawn through three of them
 /// and kept by the arc on which walls face the centre (RANSAC). A circle whose walls do not turn with the azimuth is a
 /// box; one that encloses a taller one is a bund wall; one just outside of another and below its foot is a ringwall.
-std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options);
+/// @param threads  0 means all cores; the tanks do not depend on it
+std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads = 0);
 
 /// A tank whose circle is known (--tank X,Y,R); only side, foot and coverage are looked for.
-std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options);
+std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads = 0);
 
 }  // namespace tank_datum

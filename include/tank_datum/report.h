@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,10 +30,15 @@ struct Provenance {
   std::optional<Movement> movement;  ///< since the baseline
 };
 
-/// The record of a datum read from files: their hashes and rows.
-/// @param units  of the files, "m", "mm" or "ft"
+/// The hashes and rows of files. This reads all of them once more and takes as long as the extraction, beside which it
+/// can run in a thread of its own.
+/// @param wanted  asked now and then; false: it returns soon, the rest of the hashes empty
 /// @throws Error (File) naming the file that cannot be read
-Provenance provenanceOf(const std::vector<std::string>& paths, const std::string& units, const DatumOptions& options,
+std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted = {});
+
+/// The record of a datum read from files.
+/// @param units  of the files, "m", "mm" or "ft"
+Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units, const DatumOptions& options,
                         const Datum& datum);
 
 /// The names used in files: "measured", "interpolated", "missing".
@@ -46,7 +52,7 @@ std::string stationsCsv(const Datum& datum);
 /// datum.json: two-space indented, unknown values null. Metres, degrees.
 std::string datumJson(const Datum& datum, const Provenance& provenance);
 
-/// The summary for a terminal: at most 14 lines.
+/// The summary for a terminal: at most 15 lines.
 /// @param blocks  whether to draw the elevations in UTF-8 block characters
 std::string summary(const Datum& datum, bool blocks = false);
 

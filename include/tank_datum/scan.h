@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tank_datum/export.h"
@@ -51,6 +52,19 @@ class Scan {
   /// has the same local coordinates, and so the same datum, wherever its frame has its zero.
   const Eigen::Vector3d& origin() const { return origin_; }
 
+  /// Appends to `chosen` what it wants of the points of a block, the block-th of the scan.
+  using Chooser = std::function<void(std::uint64_t block, const Points& points, Points& chosen)>;
+
+  /// Visits, in file order, what is chosen of each block. Blocks of a binary file are read, decoded and chosen from in
+  /// several threads at once; visit is called from the caller's.
+  /// @param threads  0 means all cores; which blocks there are does not depend on it
+  /// @throws as forEachBlock
+  ScanCounts forEachChosen(const Chooser& choose, int threads, const Visitor& visit) const;
+
+  /// Told during forEachChosen, from the caller's thread, how many of the size() rows have been read.
+  using Progress = std::function<void(std::uint64_t rows)>;
+  void setProgress(Progress progress) { progress_ = std::move(progress); }
+
   /// Rows announced by the headers.
   std::uint64_t size() const;
 
@@ -67,6 +81,7 @@ class Scan {
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> paths_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  Progress progress_;
 };
 
 }  // namespace tank_datum

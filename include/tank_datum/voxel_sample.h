@@ -29,6 +29,9 @@ class VoxelSample {
 
   /// One point of every voxel that holds at least `count` points of the scan, sorted by x, y, z.
   Points points(std::uint32_t count = 1) const;
+  /// Voxels that hold a point.
+  std::size_t size() const { return used_; }
+
   /// Edge of a voxel [m].
   double voxel() const { return voxel_; }
 
@@ -42,6 +45,7 @@ class VoxelSample {
 
   std::int64_t keyOf(const Eigen::Vector3d& point) const;
   void insert(const Slot& slot);
+  void addOne(Slot slot);
   void rebuild(std::size_t slots);
 
   std::size_t max_points_, used_ = 0;

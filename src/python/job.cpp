@@ -96,7 +96,7 @@ struct Job {
     const std::vector<Tank> tanks = findTanks(scan, options.datum, tell);
     if (baseline) requireAmong(tanks, scan.origin(), *baseline);
     result.datum = extractDatumAmong(tanks, scan, options.datum, tell);
-    result.provenance = provenanceOf(points.paths, options.units, options.datum, result.datum);
+    result.provenance = provenanceOf(recordInputs(points.paths), options.units, options.datum, result.datum);
     result.provenance.baseline = options.baseline;
     result.provenance.movement_options = options.movement;
     if (baseline && result.datum.usable()) {

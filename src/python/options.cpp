@@ -162,6 +162,8 @@ const std::vector<Keyword>& keywords() {
           "pick", [](Options & o) -> auto& { return o.datum.pick; }),
       plain<std::size_t>(
           "search_points", [](Options & o) -> auto& { return o.datum.crop.search_points; }),
+      plain<std::size_t>(
+          "fit_points", [](Options & o) -> auto& { return o.datum.crop.fit_points; }),
       plain<double>(
           "min_radius", [](Options & o) -> auto& { return o.datum.locate.min_radius; }),
       units(),

@@ -186,6 +186,7 @@ BAD_OPTIONS: list[tuple[str, str, str]] = [
     *[("--threads", v, "threads") for v in ("-1", "nan", "1.5")],
     *[("--pick", v, "pick") for v in ("0", "-1", "nan")],
     *[("--search-points", v, "search") for v in ("0", "-1", "nan")],
+    *[("--fit-points", v, "fit") for v in ("0", "-1", "nan", "999")],
     *[("--tank", v, "tank") for v in ("0,0", "0,0,0", "0,0,-1", "nan,0,3", "0,0,nan", "0,0,inf")],
     *[("--tank", v, "tank") for v in ("inf,0,3", "a,b,c")],
     ("--method", "best", "best"),

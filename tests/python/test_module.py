@@ -159,6 +159,7 @@ def test_defaults_are_the_commands(run: Runner) -> None:
         ({"centre_tolerance": 0.05}, ["--centre-tolerance", 0.05]),
         ({"control_points": 24}, ["--control-points", 24]),
         ({"search_points": 8000}, ["--search-points", 8000]),
+        ({"fit_points": 8000}, ["--fit-points", 8000]),
         ({"tank": (0, 0, 5)}, ["--tank", "0,0,5"]),
         ({"units": "ft"}, ["--units", "ft"]),
         ({"min_radius": 9.0}, ["--min-radius", 9]),

@@ -90,6 +90,15 @@ def test_search_points(run: Runner, synth: Synth, tmp_path: Path, default: Path)
     assert_same_place(s, read_stations(default), np.arange(360), 0.001)
 
 
+def test_fit_points(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
+    """Fewer points for the fits: about the same z, of larger standard error."""
+    s = stations_of(run, synth(), tmp_path / "out", "--fit-points", 20_000)
+    d = read_stations(default)
+    assert s["n_foundation"].sum() < d["n_foundation"].sum()
+    assert np.median(s["sigma_z"]) > np.median(d["sigma_z"])
+    assert (np.abs(s["z"] - d["z"]) < 4 * np.hypot(s["sigma_z"], d["sigma_z"])).all()
+
+
 @pytest.mark.parametrize("engine", ["flann", "buckets"])
 def test_search(run: Runner, synth: Synth, tmp_path: Path, default: Path, engine: str) -> None:
     """Either engine gives the same bytes, and says which it was."""

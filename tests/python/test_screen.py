@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pty
+import re
 import subprocess
 import tomllib
 from collections.abc import Callable
@@ -34,6 +35,7 @@ PLACES = {
     "tank": "tank",
     "pick": "pick",
     "search-points": "crop/search_points",
+    "fit-points": "crop/fit_points",
     "min-radius": "locate/min_radius",
     "height": "analysis/height",
     "yield-mpa": "analysis/yield_mpa",
@@ -65,6 +67,7 @@ CHOSEN = {
     "height-step": 0.5,
     "tank": "0.01,0,4.01",
     "search-points": 50_000,
+    "fit-points": 40_000,
     "min-radius": 1.5,
     "height": 3.5,
     "yield-mpa": 235.0,
@@ -164,6 +167,7 @@ def test_progress_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
     status, text = stderr_on_terminal(synth(), "-o", tmp_path / "out")
     assert status == 0
     assert text.count("...") >= 5
+    assert re.search(r"locate 100 %  \d+\.\d M points/s  0 s left", text)
     assert "\n" not in text
     assert text.endswith("\r\033[K")
     assert stderr_on_terminal(synth(), "-o", tmp_path / "out", "--quiet") == (0, "")

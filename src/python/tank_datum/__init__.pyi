@@ -63,6 +63,7 @@ def extract_datum(
     tank: tuple[float, float, float] | None = ...,
     pick: int = ...,
     search_points: int = ...,
+    fit_points: int = ...,
     min_radius: float = ...,
     units: Literal["m", "mm", "ft", "in"] = ...,
     height: float | None = ...,

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "tank_datum/report.h"
+
+namespace tank_datum {
+
+/// The record of the input files, made in a thread of its own while the datum is extracted. When the extraction fails
+/// nobody waits for it.
+class BackgroundRecords {
+ public:
+  /// @param at_once  begin now; else only when they are taken
+  BackgroundRecords(const std::vector<std::string>& paths, bool at_once)
+      : records_(std::async(at_once ? std::launch::async : std::launch::deferred,
+                            [this, paths] { return recordInputs(paths, [this] { return wanted_.load(); }); })) {}
+  ~BackgroundRecords() { wanted_ = false; }
+  BackgroundRecords(const BackgroundRecords&) = delete;
+  BackgroundRecords& operator=(const BackgroundRecords&) = delete;
+
+  /// @throws Error (File) naming the file that cannot be read
+  std::vector<InputRecord> take() { return records_.get(); }
+
+ private:
+  std::atomic<bool> wanted_{true};
+  std::future<std::vector<InputRecord>> records_;  // waits when destroyed, before wanted_ is
+};
+
+}  // namespace tank_datum

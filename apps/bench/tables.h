@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "growth.h"
+
+namespace tank_datum::bench {
+
+/// Everything that one run of the bench has measured.
+struct Figures {
+  std::vector<ChainRun> ring;   ///< on the same points of the ring, the stock chain first
+  std::vector<ChainRun> whole;  ///< on the whole file, the stock chain first if it was run
+  std::vector<GrowthRun> growth;
+};
+
+/// Tables for a terminal: every stage with its seconds, peak memory and points per second, every ratio.
+std::string tablesOf(const Figures& figures);
+
+/// The same figures. Seconds and bytes.
+std::string jsonOf(const Figures& figures);
+
+/// Whether the chains on the ring mark the same candidates.
+bool sameCandidates(const Figures& figures);
+
+}  // namespace tank_datum::bench

@@ -1,0 +1,80 @@
+#include <fstream>
+#include <iostream>
+
+#include "bench/command_line.h"
+#include "bench/tables.h"
+#include "exit_status.h"
+#include "tank_datum/error.h"
+
+namespace tank_datum::bench {
+namespace {
+
+/// The fastest of several runs of every chain; they take turns, so that a busy minute of the machine hits all of them.
+std::vector<ChainRun> runOnRing(const Points& points, const Command& command) {
+  std::vector<ChainRun> best;
+  for (int repeat = 0; repeat < command.repeats; ++repeat) {
+    const std::vector<ChainRun> runs = {runStock(points, command.options),
+                                        runOwn(points, SearchEngine::Flann, command.options),
+                                        runOwn(points, SearchEngine::Buckets, command.options)};
+    if (best.empty()) best = runs;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (totalOf(runs[i].stages).seconds < totalOf(best[i].stages).seconds) best[i] = runs[i];
+    }
+  }
+  return best;
+}
+
+Tank tankOf(const Scan& scan, const Command& command) {
+  const std::vector<Tank> tanks = findTanks(scan, command.options);
+  if (!tanks.empty()) return tanks.front();
+  throw Error(Error::Kind::File, "bench", command.scan, "no tank", "a scan of a tank");
+}
+
+void growTo(Figures& figures, const Scan& scan, const Tank& tank, const Command& command) {
+  constexpr double kMillion = 1e6, kStep = 10.0;
+  for (double millions = command.smallest; millions <= command.largest * (1.0 + 1e-9); millions *= kStep) {
+    const auto points = static_cast<std::uint64_t>(millions * kMillion);
+    figures.growth.push_back(runOfSize(scan, tank, points, command.options, command.folder));
+  }
+}
+
+int run(const Command& command) {
+  const Scan scan = Scan::open({command.scan});
+  const Tank tank = tankOf(scan, command);
+  Figures figures;
+  {
+    const Ring ring = cropRing(scan, tank, command.options.crop, {}, command.options.threads);
+    figures.ring = runOnRing(ring.search, command);
+  }
+  if (scan.size() <= command.stock_points) figures.whole.push_back(runStock(command.scan, command.options));
+  Datum datum;
+  figures.whole.push_back(runCommand({command.scan}, command.options, datum));
+  if (command.scale) growTo(figures, scan, tank, command);
+  std::cout << tablesOf(figures);
+  if (!command.json.empty()) {
+    std::ofstream out(command.json);
+    out << jsonOf(figures);
+    out.close();
+    if (!out) throw Error(Error::Kind::File, "bench", command.json, "not written", "a writable file");
+  }
+  return sameCandidates(figures) ? kUsable : kNoDatum;
+}
+
+}  // namespace
+}  // namespace tank_datum::bench
+
+int main(int argc, char** argv) {
+  using namespace tank_datum;
+  bench::Command command;
+  int status = kUsable;
+  try {
+    return bench::parseCommandLine(argc, argv, command, status) ? bench::run(command) : status;
+  } catch (const Error& error) {
+    std::cerr << "tank_datum_bench: " << error.what() << "\n";
+    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "tank_datum_bench: memory: the stock chain on the whole scan, more than fits, expected fewer "
+                 "--stock-points\n";
+    return kFileFailed;
+  }
+}
