@@ -28,7 +28,7 @@ void StageClock::begin(const std::string& stage) {
 
 void StageClock::progress(std::uint64_t done, std::uint64_t of) {
   constexpr std::chrono::milliseconds kReadable(100);
-  if (!show_ || running_.empty() || done == 0 || Clock::now() - shown_ < kReadable) return;
+  if (!show_ || running_.empty() || done == 0 || (done < of && Clock::now() - shown_ < kReadable)) return;
   shown_ = Clock::now();
   const double seconds = secondsSince(since_), rows = static_cast<double>(done), all = static_cast<double>(of);
   std::fprintf(stderr, "\r\033[K%6.1f s  %s %.0f %%  %.1f M points/s  %.0f s left", secondsSince(start_),

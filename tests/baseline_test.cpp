@@ -31,7 +31,9 @@ class BaselineFile : public ::testing::Test {
     return "";
   }
 
-  std::string path_ = (std::filesystem::temp_directory_path() / "tank_datum_baseline_test.json").string();
+  const std::string name_ = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::string path_ =
+      (std::filesystem::temp_directory_path() / ("tank_datum_baseline_" + name_ + ".json")).string();
 };
 
 TEST_F(BaselineFile, IsTheDatumThatWasWritten) {

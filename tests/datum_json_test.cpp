@@ -40,7 +40,7 @@ TEST(DatumJson, HasTheContractsKeys) {
   EXPECT_EQ(keysOf(json["antipodal"]),
             (std::vector<std::string>{"max_h", "diameter", "angle_deg", "angle_arcsec", "azimuth_deg", "h"}));
   EXPECT_EQ(keysOf(json["stations"][0]),
-            (std::vector<std::string>{"azimuth_deg", "direction_deg", "z", "sigma_z", "flag"}));
+            (std::vector<std::string>{"azimuth_deg", "direction_deg", "z", "sigma_z", "window_deg", "flag"}));
 }
 
 TEST(DatumJson, HoldsEveryStationInTheScansFrame) {

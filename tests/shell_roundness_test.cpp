@@ -53,7 +53,7 @@ TEST(Roundness, TheWorstPlaceIsTheLargerOfInAndOut) {
   const auto dented = [](double a) { return kRadius - 0.05 * std::exp(-0.5 * std::pow((a - 4.0) / 0.1, 2)); };
   const Roundness r = roundOf(cells(dented));
   const double mean = 0.05 * 0.1 / std::sqrt(kTurn);  // the circle is smaller by that, and gives way by twice as much
-  EXPECT_NEAR(r.min_deviation, -0.05 + 3.0 * mean, 3e-4);
+  EXPECT_NEAR(r.min_deviation, -0.05 + 3.0 * mean, 4e-4);  // smoothing may take three of a cell's sigmas
   EXPECT_NEAR(r.azimuth, 4.0, kTurn / 360);
   EXPECT_LT(r.max_deviation, 0.01);
   EXPECT_EQ(r.largest(), -r.min_deviation);

@@ -37,7 +37,8 @@ void addOptions(CLI::App& app, Command& command, double& angle_deg) {
 
 bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   CLI::App app(
-      "What the chain costs: PCL's own classes beside tank_datum, stage by stage, on the same points with the same k and "
+      "What the chain costs: PCL's own classes beside tank_datum, stage by stage, on the same points with the same k "
+      "and "
       "theta, and whether both mark the same candidates.",
       "tank_datum_bench");
   app.option_defaults()->always_capture_default();
@@ -50,7 +51,8 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
     status = app.exit(asked);
     return false;
   } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_bench: command line: " << error.what() << ", expected what tank_datum_bench --help lists\n";
+    std::cerr << "tank_datum_bench: command line: " << error.what()
+              << ", expected what tank_datum_bench --help lists\n";
     status = kWrongUse;
     return false;
   }

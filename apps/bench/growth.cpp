@@ -1,5 +1,6 @@
 #include "growth.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,8 +71,7 @@ void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points,
 
 GrowthRun runOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const DatumOptions& options,
                     const std::string& folder) {
-  const std::string path =
-      (std::filesystem::path(folder) / ("bench_" + std::to_string(points) + ".pcd")).string();
+  const std::string path = (std::filesystem::path(folder) / ("bench_" + std::to_string(points) + ".pcd")).string();
   writeScanOfSize(source, tank, points, path);
   GrowthRun run;
   run.bytes = std::filesystem::file_size(path);

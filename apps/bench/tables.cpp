@@ -21,9 +21,9 @@ double megabytes(std::uint64_t bytes) { return 1e-6 * static_cast<double>(bytes)
 
 std::string tableOf(const std::vector<ChainRun>& runs, const char* title) {
   if (runs.empty()) return {};
-  std::string text = line("%s, %llu points\n%-36s %10s %10s %10s %12s\n", title,
-                          static_cast<unsigned long long>(runs.front().points), "stage", "seconds", "cpu s", "peak MB",
-                          "M points/s");
+  std::string text =
+      line("%s, %llu points\n%-36s %10s %10s %10s %12s\n", title, static_cast<unsigned long long>(runs.front().points),
+           "stage", "seconds", "cpu s", "peak MB", "M points/s");
   for (const ChainRun& run : runs) {
     std::vector<StageCost> rows = run.stages;
     rows.push_back(totalOf(run.stages));
@@ -59,13 +59,14 @@ std::string growthTable(const std::vector<GrowthRun>& growth) {
                           "over reading", "sigmas apart");
   for (const GrowthRun& run : growth) {
     const StageCost total = totalOf(run.chain.stages);
-    text += line("%14llu %10.2f %10.2f %10.0f %12.2f %12.1f %14.2f\n",
-                 static_cast<unsigned long long>(run.chain.points), total.seconds, total.cpu_seconds,
-                 megabytes(total.peak_memory), 1e-6 * perSecond(run.chain.points, total),
-                 total.seconds / run.read_seconds, largestInSigmas(growth.back().datum, run.datum));
+    text +=
+        line("%14llu %10.2f %10.2f %10.0f %12.2f %12.1f %14.2f\n", static_cast<unsigned long long>(run.chain.points),
+             total.seconds, total.cpu_seconds, megabytes(total.peak_memory), 1e-6 * perSecond(run.chain.points, total),
+             total.seconds / run.read_seconds, largestInSigmas(growth.back().datum, run.datum));
   }
-  return text + "over reading: the time over that of reading the same file, cached; sigmas apart: the largest difference "
-                "of an elevation from the last row's, over its standard error\n";
+  return text +
+         "over reading: the time over that of reading the same file, cached; sigmas apart: the largest difference "
+         "of an elevation from the last row's, over its standard error\n";
 }
 
 Json costJson(const StageCost& cost) {

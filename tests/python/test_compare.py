@@ -140,6 +140,7 @@ def test_a_failure_leaves_no_earlier_result(tmp_path: Path) -> None:
     assert sorted(p.name for p in (tmp_path / "m/previous").iterdir()) == [
         "movement.csv",
         "movement.json",
+        "report.html",
     ]
 
 

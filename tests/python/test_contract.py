@@ -80,6 +80,7 @@ KEYS: dict[str, Any] = {
     "checks": LIST,
     "notes": LIST,
     "stations": LIST,
+    "shell": dict,
 }
 
 
@@ -114,7 +115,7 @@ def test_folder_holds_the_results_alone(result: tuple[str, Path]) -> None:
 
 
 def test_datum_json(result: tuple[str, Path]) -> None:
-    """Keys in order and of their types; harmonics, shell, checks and movement are not there yet."""
+    """Keys in order and of their types; movement comes with a baseline alone."""
     name, out = result
     datum = read_datum(out)
     if name == "paper":

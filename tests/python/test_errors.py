@@ -204,7 +204,7 @@ def test_bad_value(run: Runner, tmp_path: Path, option: str, value: str, word: s
 
 @pytest.mark.parametrize(
     "args",
-    [["--frobnicate"], ["--k"], ["-x", "1"], ["--heights", "10"]],
+    [["--frobnicate"], ["--k"], ["-x", "1"], ["--height-steps", "10"]],
 )
 def test_unknown_option(run: Runner, tmp_path: Path, args: list[str]) -> None:
     scan = write_xyz(tmp_path / "scan.pcd", clouds.tank(spacing=0.05))
