@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "quick_turn.h"
 #include "tank_datum/statistics.h"
 #include "units.h"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double kFacing = 0.94;      // cosine of 20 degrees between a wall's normal and the direction to the centre
 constexpr double kOutOfRound = 0.01;  // of the radius; API 653 lets 1 % of it stand on large tanks' upper courses
 constexpr int kTrials = 20'000;       // a tank holding 5 % of the walls near a trial point is met some 50 times
+constexpr double kNearlyWhole = 0.95 * kTwoPi;  // an arc that no other circle's exceeds by much
 constexpr int kMaxCircles = 40;
 
 using Walls = std::vector<const WallCell*>;
@@ -26,19 +28,38 @@ bool standsOn(const WallCell& wall, const Circle& circle, double tol) {
   return std::abs(distance - circle.radius) <= tol && std::abs(wall.normal.dot(arm)) >= kFacing * distance;
 }
 
-/// The arc on which walls stand [rad], in bins two wall cells long.
-double seenArc(const Walls& walls, const Circle& circle, double voxel) {
-  const double bins = std::clamp(std::floor(kTwoPi * circle.radius / (4.0 * voxel)), 18.0, 180.0);
-  std::vector<char> seen(static_cast<std::size_t>(bins), 0);
-  const double tol = tolerance(circle.radius, voxel);
-  for (const WallCell* wall : walls) {
-    if (!standsOn(*wall, circle, tol)) continue;
-    const Eigen::Vector2d arm = wall->position - circle.center;
-    const double turn = std::atan2(arm.y(), arm.x()) / kTwoPi;
-    seen[static_cast<std::size_t>((turn - std::floor(turn)) * bins) % seen.size()] = 1;
+/// The arcs of circles on which walls stand [rad], in bins two wall cells long: a full circle is kTwoPi exactly.
+class ArcMeter {
+ public:
+  ArcMeter(const Walls& walls, double voxel) : voxel_(voxel) {
+    for (const WallCell* wall : walls) {
+      places_.push_back({wall->position.x(), wall->position.y(), wall->normal.x(), wall->normal.y()});
+    }
   }
-  return kTwoPi * static_cast<double>(std::count(seen.begin(), seen.end(), 1)) / bins;
-}
+
+  double seen(const Circle& circle) {
+    const double bins = std::clamp(std::floor(kTwoPi * circle.radius / (4.0 * voxel_)), 18.0, 180.0);
+    seen_.assign(static_cast<std::size_t>(bins), 0);
+    const double tol = tolerance(circle.radius, voxel_);
+    const double inner = std::max(0.0, circle.radius - tol), outer = circle.radius + tol;
+    for (const Place& p : places_) {
+      const double x = p.x - circle.center.x(), y = p.y - circle.center.y();
+      const double squared = x * x + y * y, facing = p.normal_x * x + p.normal_y * y;
+      if (squared < inner * inner || squared > outer * outer) continue;
+      if (facing * facing < kFacing * kFacing * squared) continue;
+      seen_[static_cast<std::size_t>(quickTurn(x, y) * bins)] = 1;
+    }
+    return kTwoPi * (static_cast<double>(std::count(seen_.begin(), seen_.end(), 1)) / bins);
+  }
+
+ private:
+  struct Place {
+    double x, y, normal_x, normal_y;
+  };
+  double voxel_;
+  std::vector<Place> places_;
+  std::vector<char> seen_;
+};
 
 /// Draws three walls at a random scale, so that small tanks beside large ones are tried as often.
 class TripleSampler {
@@ -78,15 +99,16 @@ class TripleSampler {
 
 Circle bestTriple(const Walls& walls, double voxel, const LocateOptions& options) {
   TripleSampler sampler(walls, voxel);
+  ArcMeter arcs(walls, voxel);
   Circle best;
   double best_arc = 0;
   Walls triple;
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < kTrials && best_arc < kNearlyWhole; ++trial) {
     const Circle circle = sampler.draw(triple);
     if (!circle.valid() || circle.radius < 0.9 * options.min_radius) continue;
     const double tol = tolerance(circle.radius, voxel);
     if (!std::all_of(triple.begin(), triple.end(), [&](const auto* w) { return standsOn(*w, circle, tol); })) continue;
-    const double arc = seenArc(walls, circle, voxel);
+    const double arc = arcs.seen(circle);
     if (arc > best_arc) {
       best_arc = arc;
       best = circle;
@@ -115,7 +137,7 @@ WallCircle refined(const Walls& walls, Circle circle, double voxel) {
     result.rms = robustSigma(residuals, 0.0);
   }
   result.circle = circle;
-  if (circle.valid()) result.coverage = seenArc(walls, circle, voxel);
+  if (circle.valid()) result.coverage = ArcMeter(walls, voxel).seen(circle);
   return result;
 }
 

@@ -30,19 +30,21 @@ namespace {
 struct RingShape {
   Circle circle;
   double reach, slope_x, slope_y, height;
+  double inner, outer;  ///< squared radii [m2]
 
   RingShape(const Tank& tank, double reach_of_ring)
       : circle(tank.circle),
         reach(reach_of_ring),
         slope_x(tank.foot.coefficients[1] / tank.circle.radius),
         slope_y(tank.foot.coefficients[2] / tank.circle.radius),
-        height(tank.foot.coefficients[0]) {}
+        height(tank.foot.coefficients[0]),
+        inner(std::pow(std::max(0.0, circle.radius - reach), 2)),
+        outer(std::pow(circle.radius + reach, 2)) {}
 
   bool holds(const Eigen::Vector3d& p) const {
-    const double inner = std::max(0.0, circle.radius - reach), outer = circle.radius + reach;
     const Eigen::Vector2d arm = p.head<2>() - circle.center;
     const double squared = arm.squaredNorm();
-    if (squared < inner * inner || squared > outer * outer) return false;
+    if (squared < inner || squared > outer) return false;
     return std::abs(p.z() - (height + slope_x * arm.x() + slope_y * arm.y())) <= reach;
   }
 };
@@ -52,13 +54,15 @@ class EvenShare {
  public:
   explicit EvenShare(std::size_t most) : most_(most) {}
 
+  /// Whether a point would be kept so far.
+  bool wants(const Eigen::Vector3d& point) const { return pointHash(point) < limit_; }
+
   void add(const Eigen::Vector3d& point) {
-    if (pointHash(point) >= limit_) return;
+    if (!wants(point)) return;
     kept_.push_back(point);
     while (kept_.size() > most_) {
       limit_ /= 2;
-      kept_.erase(std::remove_if(kept_.begin(), kept_.end(), [&](const auto& p) { return pointHash(p) >= limit_; }),
-                  kept_.end());
+      kept_.erase(std::remove_if(kept_.begin(), kept_.end(), [&](const auto& p) { return !wants(p); }), kept_.end());
     }
   }
   Points take() { return std::move(kept_); }
@@ -77,9 +81,12 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   const double reach = ring.reach + 2.0 * tank.resolution;
   const RingShape shape(tank, reach);
   EvenShare share(options.fit_points);
-  const auto choose = [&](std::uint64_t /*block*/, const Points& points, Points& chosen) {
-    for (const auto& p : points) {
-      if (shape.holds(p) || (also.wants && also.wants(p))) chosen.push_back(p);
+  const auto choose = [&](std::uint64_t block, const Points& points, Points& chosen) {
+    thread_local std::vector<char> wanted;
+    wanted.assign(points.size(), 0);
+    if (also.mark) also.mark(block, points, wanted);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (wanted[i] || (shape.holds(points[i]) && share.wants(points[i]))) chosen.push_back(points[i]);
     }
   };
   ring.counts = scan.forEachChosen(choose, threads, [&](const Points& chosen) {

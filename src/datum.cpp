@@ -181,9 +181,10 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   if (!tank.has_foundation) return stopped(datum, Status::NoCrease, "no surface meets the foot of the shell");
 
   begin("crop");
-  ShellBands bands(tank, options.shell);
-  const AlsoGathered shell{[&bands](const Eigen::Vector3d& p) { return bands.holds(p); },
-                           [&bands](const Points& block) { bands.add(block); }};
+  ShellBands bands(tank, options.shell, scan.size());
+  const AlsoGathered shell{
+      [&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
+      [&bands](const Points& block) { bands.add(block); }};
   const Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
   datum.counts = ring.counts;
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {

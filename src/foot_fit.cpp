@@ -10,9 +10,13 @@
 namespace tank_datum {
 
 FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach) {
-  for (const PolarPoint& p : ring.points()) {
-    const double radius = shell.at(p.azimuth), d = side * (p.radius - radius);
-    if (d > -0.1 * reach && d < reach) entries_.push_back({p.azimuth, radius, d, p.z});
+  const std::vector<PolarPoint>& points = ring.points();
+  std::vector<double> radii(points.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < points.size(); ++i) radii[i] = shell.at(points[i].azimuth);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double d = side * (points[i].radius - radii[i]);
+    if (d > -0.1 * reach && d < reach) entries_.push_back({points[i].azimuth, radii[i], d, points[i].z});
   }
 }
 

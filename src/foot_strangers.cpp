@@ -31,11 +31,12 @@ Support supportOf(const Foot& foot, std::size_t station, const FootProfile& prof
 /// by points within a step on either side.
 std::vector<bool> findSupport(const Foot& foot, const FootProfile& profile) {
   constexpr double kPlenty = 20.0;
-  std::vector<Support> supports;
+  std::vector<Support> supports(foot.directions.size());
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t i = 0; i < supports.size(); ++i) supports[i] = supportOf(foot, i, profile);
   std::vector<double> counts;
-  for (std::size_t i = 0; i < foot.directions.size(); ++i) {
-    supports.push_back(supportOf(foot, i, profile));
-    if (supports[i].own > 0) counts.push_back(static_cast<double>(supports[i].own));
+  for (const Support& s : supports) {
+    if (s.own > 0) counts.push_back(static_cast<double>(s.own));
   }
   const bool coarse = median(counts) < kPlenty;
   std::vector<bool> supported;

@@ -17,7 +17,18 @@ Eigen::RowVectorXd harmonicRow(double azimuth, int order) {
   return row;
 }
 
-double PeriodicFit::operator()(double azimuth) const { return harmonicRow(azimuth, order()) * coefficients; }
+double PeriodicFit::operator()(double azimuth) const {
+  if (coefficients.size() == 0) return 0.0;
+  const double cosine = std::cos(azimuth), sine = std::sin(azimuth);
+  double value = coefficients[0], c = 1.0, s = 0.0;  // of n times the azimuth
+  for (Eigen::Index n = 1; n < coefficients.size(); n += 2) {
+    const double before = c;
+    c = c * cosine - s * sine;
+    s = s * cosine + before * sine;
+    value += coefficients[n] * c + coefficients[n + 1] * s;
+  }
+  return value;
+}
 
 PeriodicFit fitHarmonics(const std::vector<double>& azimuths, const std::vector<double>& values,
                          const std::vector<double>& weights, int order, bool robust, double ridge) {

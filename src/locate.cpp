@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "circle_search.h"
+#include "tank_datum/parallel.h"
 #include "tank_datum/statistics.h"
 #include "tank_datum/voxel_sample.h"
 #include "tank_datum/wall_map.h"
@@ -27,7 +29,7 @@ struct Sample {
 /// denser it was scanned than what stands around it.
 std::vector<Sample> samplesOf(const Scan& scan, const LocateOptions& options, int threads) {
   // a tank needs no more than every n-th point to be found; n is odd, since rows of a scan often have even lengths
-  constexpr std::uint64_t kLookedAt = 4'000'000;
+  constexpr std::uint64_t kLookedAt = 2'000'000;
   const std::uint64_t stride = scan.size() / kLookedAt | 1U;
   VoxelSample sample(options.sample_points, std::max(0.001, options.min_radius / 250.0));
   const auto choose = [stride](std::uint64_t block, const Points& points, Points& chosen) {
@@ -112,6 +114,15 @@ Tank describe(const Sample& sample, const Circle& circle, double rms) {
   return tank;
 }
 
+std::vector<Tank> tanksOf(const Sample& sample, const LocateOptions& options) {
+  std::vector<Tank> tanks;
+  for (const auto& found : findWallCircles(mapWalls(sample.points, sample.voxel), sample.voxel, options)) {
+    Tank tank = describe(sample, found.circle, found.rms);
+    if (tank.coverage >= options.min_arc) tanks.push_back(std::move(tank));
+  }
+  return tanks;
+}
+
 /// Whether the stretches of height over which two shells are seen are mostly the same; a ringwall ends where its shell
 /// begins.
 bool standAtOneHeight(const Tank& a, const Tank& b) {
@@ -174,13 +185,11 @@ std::string firstError(const LocateOptions& options) {
 }
 
 std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads) {
+  const std::vector<Sample> samples = samplesOf(scan, options, threads);
+  std::vector<std::vector<Tank>> found(samples.size());
+  forEachIndex(samples.size(), threads, [&](std::size_t i) { found[i] = tanksOf(samples[i], options); });
   std::vector<Tank> tanks;
-  for (const Sample& sample : samplesOf(scan, options, threads)) {
-    for (const auto& found : findWallCircles(mapWalls(sample.points, sample.voxel), sample.voxel, options)) {
-      Tank tank = describe(sample, found.circle, found.rms);
-      if (tank.coverage >= options.min_arc) tanks.push_back(std::move(tank));
-    }
-  }
+  for (auto& of_sample : found) std::move(of_sample.begin(), of_sample.end(), std::back_inserter(tanks));
   dropNested(tanks);
   std::sort(tanks.begin(), tanks.end(),
             [](const Tank& a, const Tank& b) { return a.coverage * a.circle.radius > b.coverage * b.circle.radius; });

@@ -15,12 +15,15 @@ inline std::uint64_t mixed(std::uint64_t x) {
 
 /// Of the coordinates in steps far above their rounding, so that the same tank in another frame has the same hashes.
 inline std::uint32_t pointHash(const Eigen::Vector3d& point) {
-  constexpr double kStep = 1e-5;  // [m]
+  constexpr double kSteps = 1e5;  // per metre
   const auto steps = [&](int axis) {
-    const double step = point[axis] / kStep;
+    const double step = point[axis] * kSteps;
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(step + std::copysign(0.5, step)));
   };
-  return static_cast<std::uint32_t>(mixed(steps(0) ^ mixed(steps(1) ^ mixed(steps(2)))));
+  // odd factors without a common pattern; the finaliser spreads their sum
+  const std::uint64_t sum =
+      steps(0) * 0x9e3779b97f4a7c15ULL + steps(1) * 0xc2b2ae3d27d4eb4fULL + steps(2) * 0x165667b19e3779f9ULL;
+  return static_cast<std::uint32_t>(mixed(sum));
 }
 
 }  // namespace tank_datum

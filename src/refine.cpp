@@ -25,17 +25,20 @@ constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 
 void lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
   constexpr std::size_t kFew = 5;
   const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
-  std::vector<double> guesses;
-  for (const double direction : foot.directions) {
-    foot.points.push_back(foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach));
+  foot.points.resize(foot.directions.size());
+  std::vector<double> guesses(foot.directions.size());
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t i = 0; i < guesses.size(); ++i) {
+    const double direction = foot.directions[i];
+    foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach);
     std::vector<double> heights;
     for (double to = near + 0.1 * foot.reach; heights.size() < kFew && to < foot.reach; to += 0.1 * foot.reach) {
       heights.clear();
-      for (const FootPoint& p : foot.points.back()) {
+      for (const FootPoint& p : foot.points[i]) {
         if (p.d >= near && p.d <= to) heights.push_back(p.z);
       }
     }
-    guesses.push_back(heights.size() < kFew ? FootFit::kUnknown : median(heights));
+    guesses[i] = heights.size() < kFew ? FootFit::kUnknown : median(heights);
   }
   foot.datum = filledUp(runningMedian(guesses, 3));
 }

@@ -122,21 +122,24 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
   std::vector<double> elevations;
   for (const Station& s : stations) elevations.push_back(s.z);
   elevations = filledUp(elevations);
-  for (std::size_t k = 0; k < bands.heights().size(); ++k) {
+  std::vector<std::vector<ShellCell>> rows(bands.heights().size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < rows.size(); ++k) {
     const Points points = bands.points(k);
     if (points.size() < kPlenty) continue;
     const PolarRing ring(points, circle.center);
     const ShellOutline outline = outlineBand(ring, circle.radius);
-    std::vector<ShellCell> row(stations.size());
-#pragma omp parallel for schedule(dynamic, 8)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      row[i] = fitCell(ring, outline, stations[i].direction, elevations[i] + bands.heights()[k], step, circle.radius,
-                       options.half_band);
+    rows[k].resize(stations.size());
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      rows[k][i] = fitCell(ring, outline, stations[i].direction, elevations[i] + bands.heights()[k], step,
+                           circle.radius, options.half_band);
     }
-    dropPoor(row);
-    if (std::none_of(row.begin(), row.end(), [](const ShellCell& cell) { return cell.seen(); })) continue;
+    dropPoor(rows[k]);
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (std::none_of(rows[k].begin(), rows[k].end(), [](const ShellCell& cell) { return cell.seen(); })) continue;
     grid.heights.push_back(bands.heights()[k]);
-    grid.cells.push_back(std::move(row));
+    grid.cells.push_back(std::move(rows[k]));
   }
   return grid;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quick_floor.h"
 #include "tank_datum/statistics.h"
 #include "units.h"
 
@@ -46,20 +47,29 @@ void dropStrays(std::vector<double>& radius, double noise, double cell_arc) {
 
 template <typename Keep>
 ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep) {
-  const auto count = static_cast<std::size_t>(std::count_if(ring.points().begin(), ring.points().end(), keep));
+  const std::vector<PolarPoint>& points = ring.points();
+  std::vector<char> kept(points.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < points.size(); ++i) kept[i] = keep(points[i]);
+  const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
   const std::size_t cells = std::clamp<std::size_t>(count / kPointsPerCell, 36, 1440);
-  std::vector<std::vector<double>> radii(cells);
-  for (const PolarPoint& p : ring.points()) {
-    const auto cell = static_cast<std::size_t>(p.azimuth / kTwoPi * static_cast<double>(cells));
-    if (keep(p)) radii[std::min(cell, cells - 1)].push_back(p.radius);
-  }
   ShellOutline result;
-  std::vector<double> spreads;
-  for (auto& cell : radii) {
-    std::sort(cell.begin(), cell.end());
-    result.radius.push_back(cell.size() < 5 ? ShellLine::kUnknown : halfSampleMode(cell));
-    if (cell.size() >= 5) spreads.push_back(robustSigma(cell, result.radius.back()));
+  result.radius.resize(cells);
+  std::vector<double> spreads(cells);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const double width = kTwoPi / static_cast<double>(cells), from = static_cast<double>(cell) * width;
+    std::vector<double> radii;
+    const std::size_t end = cell + 1 == cells ? points.size() : ring.firstFrom(from + width);
+    for (std::size_t i = ring.firstFrom(from); i < end; ++i) {
+      if (kept[i]) radii.push_back(points[i].radius);
+    }
+    std::sort(radii.begin(), radii.end());
+    const bool enough = radii.size() >= 5;
+    result.radius[cell] = enough ? halfSampleMode(radii) : ShellLine::kUnknown;
+    spreads[cell] = enough ? robustSigma(radii, result.radius[cell]) : ShellLine::kUnknown;
   }
+  spreads.erase(std::remove_if(spreads.begin(), spreads.end(), [](double s) { return std::isnan(s); }), spreads.end());
   result.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
   dropStrays(result.radius, result.noise, kTwoPi * tank_radius / static_cast<double>(cells));
   return result;
@@ -75,10 +85,12 @@ bool ShellLine::standsWithin(double step) const {
 double ShellOutline::at(double azimuth) const {
   const auto count = static_cast<std::ptrdiff_t>(radius.size());
   const double turn = azimuth / kTwoPi;
-  const double position = (turn - std::floor(turn)) * static_cast<double>(count) - 0.5;
-  const auto left = static_cast<std::ptrdiff_t>(std::floor(position));
+  const double position = (turn - quickFloor(turn)) * static_cast<double>(count) - 0.5;
+  const auto left = static_cast<std::ptrdiff_t>(quickFloor(position));
   const double share = position - static_cast<double>(left);
-  const auto cell = [&](std::ptrdiff_t i) { return radius[static_cast<std::size_t>((i + count) % count)]; };
+  const auto cell = [&](std::ptrdiff_t i) {  // i is off by less than a turn
+    return radius[static_cast<std::size_t>(i < 0 ? i + count : i >= count ? i - count : i)];
+  };
   const double between = (1.0 - share) * cell(left) + share * cell(left + 1);
   if (std::isfinite(between)) return between;
   for (std::ptrdiff_t away = 0; away <= 3; ++away) {
@@ -149,9 +161,9 @@ ShellModel::ShellModel(std::vector<ShellLine> lines, double first) : lines_(std:
 
 double ShellModel::at(double azimuth) const {
   const double turn = (azimuth - first_) / kTwoPi, step = kTwoPi / static_cast<double>(lines_.size());
-  const double position = (turn - std::floor(turn)) * static_cast<double>(lines_.size());
+  const double position = (turn - quickFloor(turn)) * static_cast<double>(lines_.size());
   const auto left = static_cast<std::size_t>(position) % lines_.size();
-  const double share = position - std::floor(position);
+  const double share = position - quickFloor(position);
   const ShellLine& a = lines_[left];
   const ShellLine& b = lines_[(left + 1) % lines_.size()];
   const auto radius = [&](const ShellLine& line, double angle) { return line.at(angle * line.radius, 0.0); };

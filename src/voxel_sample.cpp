@@ -5,31 +5,27 @@
 #include <cmath>
 
 #include "point_hash.h"
+#include "quick_floor.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr double kHalfRange = double(1 << 20) - 1;  // voxels on each side of the origin that 21 bits can number
 
+constexpr std::size_t kFewestSlots = std::size_t(1) << 12;
 constexpr std::size_t kAhead = 32;  // points whose slots are fetched before the first of them is put in
-
-/// std::floor without a call
-double floorOf(double value) {
-  const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
-  return whole > value ? whole - 1.0 : whole;
-}
 
 }  // namespace
 
 VoxelSample::VoxelSample(std::size_t max_points, double voxel)
-    : max_points_(max_points), voxel_(voxel), slots_(std::size_t(1) << 12) {}
+    : max_points_(max_points), voxel_(voxel), slots_(kFewestSlots) {}
 
 std::int64_t VoxelSample::keyOf(const Eigen::Vector3d& point) const {
   std::int64_t key = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double place = point[axis] / voxel_;
     if (!(std::abs(place) < kHalfRange)) return kEmpty;
-    const double index = floorOf(place);
+    const double index = quickFloor(place);
     key = (key << 21) | (static_cast<std::int64_t>(index) + (1 << 20));
   }
   return key;
@@ -53,19 +49,30 @@ void VoxelSample::insert(const Slot& slot) {
 }
 
 void VoxelSample::rebuild(std::size_t slots) {
-  std::vector<Slot> old(slots);
-  old.swap(slots_);
-  used_ = 0;
-  for (Slot& slot : old) {
+  std::vector<Slot> held;
+  held.reserve(used_);
+  for (const Slot& slot : slots_) {
     if (slot.key == kEmpty) continue;
-    slot.key = keyOf(slot.point);
-    insert(slot);
+    held.push_back(slot);
+    held.back().key = keyOf(slot.point);
+  }
+  slots_.assign(slots, Slot());
+  used_ = 0;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (i + kAhead < held.size()) prefetch(held[i + kAhead].key);
+    insert(held[i]);
   }
 }
 
 void VoxelSample::coarsen() {
   voxel_ *= 2.0;
-  rebuild(slots_.size());
+  std::size_t slots = slots_.size();
+  while (slots > kFewestSlots && 4 * used_ <= slots) slots /= 2;
+  rebuild(slots);
+}
+
+void VoxelSample::prefetch(std::int64_t key) const {
+  __builtin_prefetch(&slots_[mixed(static_cast<std::uint64_t>(key)) & (slots_.size() - 1)], 1);
 }
 
 void VoxelSample::add(const Points& block) {
@@ -78,7 +85,7 @@ void VoxelSample::add(const Points& block) {
       slot.rank = pointHash(slot.point);
       slot.count = 1;
       slot.key = keyOf(slot.point);
-      __builtin_prefetch(&slots_[mixed(static_cast<std::uint64_t>(slot.key)) & (slots_.size() - 1)], 1);
+      prefetch(slot.key);
     }
     for (std::size_t i = 0; i < count; ++i) addOne(next[i]);
   }
@@ -88,7 +95,7 @@ void VoxelSample::addOne(Slot slot) {
   while ((slot.key = keyOf(slot.point)) == kEmpty) coarsen();  // voxels may have grown since it was fetched
   insert(slot);
   while (used_ > max_points_) coarsen();
-  if (2 * used_ > slots_.size()) rebuild(2 * slots_.size());
+  if (2 * used_ > slots_.size()) rebuild(4 * slots_.size());
 }
 
 double VoxelSample::shareHolding(std::uint32_t count) const {

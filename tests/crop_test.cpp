@@ -174,7 +174,10 @@ TEST(CropRing, GathersAnotherPartOfTheScanInTheSamePass) {
   const Tank tank = tank10();
   const Points points = {{0, 0, 0}, place(tank, 1.0, 0, 0), place(tank, 1.0, 0, 9), place(tank, 2.0, 0, 0), {1, 1, 1}};
   Points given;
-  const AlsoGathered high{[](const Eigen::Vector3d& p) { return p.z() > 5.0; },
+  const auto mark = [](std::uint64_t /*n*/, const Points& block, std::vector<char>& wanted) {
+    for (std::size_t i = 0; i < block.size(); ++i) wanted[i] = block[i].z() > 5.0;
+  };
+  const AlsoGathered high{mark,
                           [&given](const Points& block) { given.insert(given.end(), block.begin(), block.end()); }};
   const Ring ring = cropRing(Scan::fromPoints(points), tank, {}, high);
   EXPECT_EQ(ring.points, (Points{points[1], points[3]}));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -24,10 +26,14 @@ TEST(ForEachIndex, DoesEachOnce) {
 TEST(ForEachIndex, UsesAsManyThreadsAsItIsTold) {
   for (const int threads : {1, 3}) {
     std::mutex mutex;
+    std::condition_variable another;
     std::set<std::thread::id> seen;
-    forEachIndex(300, threads, [&](std::size_t) {
-      const std::lock_guard lock(mutex);
+    forEachIndex(300, threads, [&](std::size_t) {  // nobody goes on before all have come
+      std::unique_lock lock(mutex);
       seen.insert(std::this_thread::get_id());
+      another.notify_all();
+      const auto all = [&] { return seen.size() >= static_cast<std::size_t>(threads); };
+      EXPECT_TRUE(another.wait_for(lock, std::chrono::seconds(20), all));
     });
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(threads));
   }

@@ -95,5 +95,36 @@ TEST(ShellBands, BlocksChangeNothing) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(parts.points(k), whole.points(k));
 }
 
+TEST(ShellBands, KeepsTheSamePointsInAnyOrder) {
+  MadeShell shell;
+  shell.from = 0.2, shell.to = 0.4;
+  Points all = shell.points();
+  ShellOptions options;
+  options.cell_points = 50;
+  const Points sample = bandsOf(all, options).points(0);
+  std::reverse(all.begin(), all.end());
+  EXPECT_EQ(bandsOf(all, options).points(0), sample);
+}
+
+TEST(ShellBands, MarksWhatItWouldKeep) {
+  const Points block = {place(1.0, 0.0, 1.3), place(1.0, 0.0, 1.8), place(2.0, 0.35, 1.3), place(3.0, 0.0, 0.3)};
+  std::vector<char> wanted(block.size(), 0);
+  const ShellBands bands(tank10(), {});
+  bands.mark(0, block, wanted);
+  EXPECT_EQ(wanted, (std::vector<char>{1, 0, 0, 1}));
+}
+
+TEST(ShellBands, OfAHugeScanEveryNthPointIsLookedAt) {
+  const Points block(100, place(1.0, 0.0, 1.3));
+  const auto marked = [&](std::uint64_t points, std::uint64_t n) {
+    std::vector<char> wanted(block.size(), 0);
+    ShellBands(tank10(), {}, points).mark(n, block, wanted);
+    return std::count(wanted.begin(), wanted.end(), 1);
+  };
+  EXPECT_EQ(marked(ShellBands::kLookedAt - 1, 0), 100);
+  EXPECT_EQ(marked(5 * ShellBands::kLookedAt, 0), 20);
+  EXPECT_EQ(marked(9 * ShellBands::kLookedAt, 2), 11);  // 2, 11, ... 92: blocks do not all begin with their first
+}
+
 }  // namespace
 }  // namespace tank_datum

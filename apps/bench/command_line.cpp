@@ -12,10 +12,16 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
+/// Refused before minutes of measuring, not after them.
+std::string inAFolder(const std::string& path) {
+  const auto folder = std::filesystem::absolute(path).parent_path();
+  return std::filesystem::is_directory(folder) ? "" : folder.string() + " is no folder";
+}
+
 void addOptions(CLI::App& app, Command& command, double& angle_deg) {
   const auto positive = CLI::PositiveNumber;
   app.add_option("scan", command.scan, "PCD file")->required();
-  app.add_option("--json", command.json, "file for the figures");
+  app.add_option("--json", command.json, "file for the figures")->check(inAFolder);
   app.add_option("--k", command.options.normals.k, "neighbours of a point, itself included, of both chains")
       ->check(CLI::Range(3, 1000));
   app.add_option("--angle-deg", angle_deg, "theta of both chains")->check(CLI::Range(0.1, 89.9));
@@ -29,7 +35,8 @@ void addOptions(CLI::App& app, Command& command, double& angle_deg) {
   app.add_option("--smallest", command.smallest, "scan that --scale makes [million points]")->check(positive);
   app.add_option("--largest", command.largest, "scan that --scale makes [million points]; 1000 needs 12 GB of disk")
       ->check(positive);
-  app.add_option("--folder", command.folder, "for the scans that --scale makes, each removed after its run");
+  app.add_option("--folder", command.folder, "for the scans that --scale makes, each removed after its run")
+      ->check(CLI::ExistingDirectory);
   app.set_version_flag("--version", std::string("tank_datum_bench ") + kVersion);
 }
 

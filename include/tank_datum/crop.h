@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "tank_datum/export.h"
 #include "tank_datum/locate.h"
@@ -28,8 +30,10 @@ struct Ring {
 
 /// A part of the scan beside the ring.
 struct AlsoGathered {
-  std::function<bool(const Eigen::Vector3d& point)> wants;  ///< asked from several threads; empty: nothing is
-  Scan::Visitor add;                                        ///< given, in file order, at least what is wanted
+  /// Marks the points of the scan's n-th block that are wanted, one mark per point; asked from several threads between
+  /// adds.
+  std::function<void(std::uint64_t n, const Points& block, std::vector<char>& wanted)> mark;
+  Scan::Visitor add;  ///< given at least what is wanted, in file order
 };
 
 /// Keeps the points whose distance from the shell and from the coarse foot is at most the reach (enlarged by the

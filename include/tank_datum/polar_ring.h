@@ -35,9 +35,10 @@ class PolarRing {
   }
 
   const std::vector<PolarPoint>& points() const { return points_; }
+  /// Index of the first point at an azimuth or beyond; the number of points if there is none.
+  std::size_t firstFrom(double azimuth) const;
 
  private:
-  std::size_t firstFrom(double azimuth) const;
   std::vector<PolarPoint> points_;
 };
 

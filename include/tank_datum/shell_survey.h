@@ -18,7 +18,7 @@ struct ShellOptions {
   double step = 1.0;              ///< between heights [m]; with the courses' height all lie 0.3 m above a seam
   double half_band = 0.1;         ///< a height takes the points this far above and below it [m]
   double reach = 0.3;             ///< the shell is looked for this far from the tank's circle [m]
-  std::size_t cell_points = 200;  ///< of half a degree and one height at most this many points are kept
+  std::size_t cell_points = 100;  ///< of half a degree and one height at most this many points are kept
 };
 
 /// One line naming the first refused field, or empty.

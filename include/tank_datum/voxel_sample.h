@@ -47,6 +47,7 @@ class VoxelSample {
   void insert(const Slot& slot);
   void addOne(Slot slot);
   void rebuild(std::size_t slots);
+  void prefetch(std::int64_t key) const;
 
   std::size_t max_points_, used_ = 0;
   double voxel_;

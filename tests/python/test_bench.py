@@ -1,0 +1,111 @@
+"""tank_datum_bench: what it measures is there, and means what it says. How fast is no test."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from conftest import ROOT, run_program
+from results import Run
+
+SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
+Synth = Callable[..., Path]
+
+
+def bench(*args: object) -> Run:
+    return run_program("tank_datum_bench", ["--repeats", 1, *args])
+
+
+def figures(folder: Path, *args: object) -> dict[str, Any]:
+    done = bench(SAMPLE, "--json", folder / "figures.json", *args)
+    assert done.returncode == 0, done.stderr
+    found: dict[str, Any] = json.loads((folder / "figures.json").read_text())
+    return found
+
+
+def test_chains_beside_each_other(tmp_path: Path) -> None:
+    found = figures(tmp_path)
+    assert [run["chain"] for run in found["ring"]] == ["stock PCL", "own, flann", "own, buckets"]
+    assert [run["chain"] for run in found["whole"]] == ["stock PCL", "tank_datum"]
+    assert list(found["ring"][0]["stages"]) == ["kd-tree", "normals", "angles"]
+    assert "crop" in found["whole"][1]["stages"]
+    assert found["same_candidates"] is True
+    for runs in (found["ring"], found["whole"]):
+        assert runs[0]["ratio"] == 1.0
+        assert len({run["points"] for run in runs}) == 1
+        for run in runs:
+            total, stages = run["total"], run["stages"].values()
+            assert total["seconds"] == pytest.approx(sum(s["seconds"] for s in stages))
+            assert total["peak_memory_bytes"] == max(s["peak_memory_bytes"] for s in stages) > 1e6
+            assert run["points_per_second"] == pytest.approx(run["points"] / total["seconds"])
+
+
+def test_both_chains_take_k_and_theta(tmp_path: Path) -> None:
+    def marked(*options: object) -> set[int]:
+        ring = figures(tmp_path, *options)["ring"]
+        assert max(run["candidates_not_both"] for run in ring) <= 0.001 * ring[0]["candidates"]
+        return {run["candidates"] for run in ring}
+
+    usual, wide, coarse = marked(), marked("--k", 40), marked("--angle-deg", 60)
+    assert min(wide) > max(usual) > max(coarse)
+
+
+def test_larger_scans_are_made_run_and_removed(tmp_path: Path) -> None:
+    folder = tmp_path / "scans"
+    folder.mkdir()
+    sizes = ("--scale", "--smallest", 0.01, "--largest", 0.1, "--folder", folder)
+    growth = figures(tmp_path, *sizes)["growth"]
+    assert [run["points"] for run in growth] == [10_000, 100_000]
+    assert all(run["bytes"] == pytest.approx(12 * run["points"], rel=0.05) for run in growth)
+    assert all(run["measured"] > 300 and run["read_seconds"] > 0 for run in growth)
+    assert growth[-1]["largest_difference_in_sigmas"] == 0.0
+    assert 0.0 < growth[0]["largest_difference_in_sigmas"] < 6.0
+    assert list(folder.iterdir()) == []
+
+
+def test_the_stock_chain_is_left_out_on_request(tmp_path: Path) -> None:
+    assert [run["chain"] for run in figures(tmp_path, "--stock-points", 1000)["whole"]] == [
+        "tank_datum"
+    ]
+
+
+def test_tables() -> None:
+    done = bench(SAMPLE)
+    for words in (
+        "stage",
+        "peak MB",
+        "stock PCL over own, buckets:",
+        ": the same",
+        "the whole scan",
+    ):
+        assert words in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("args", "status", "words"),
+    [
+        (["none.pcd"], 3, "none.pcd"),
+        ([SAMPLE, "--k=2"], 2, "--k"),
+        ([SAMPLE, "--repeats=0"], 2, "--repeats"),
+        ([SAMPLE, "--angle-deg=90"], 2, "--angle-deg"),
+        ([SAMPLE, "--scale", "--smallest=0"], 2, "--smallest"),
+        ([SAMPLE, "--json=/none/figures.json"], 2, "/none is no folder"),
+        ([SAMPLE, "--scale", "--folder=/none"], 2, "/none"),
+    ],
+)
+def test_refusals(args: list[object], status: int, words: str) -> None:
+    done = bench(*args)
+    assert done.returncode == status
+    assert words in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_scan_without_a_tank(synth: Synth, tmp_path: Path) -> None:
+    ground = synth(height=0.3)  # nothing stands on it
+    done = bench(ground)
+    assert done.returncode == 3
+    assert "no tank" in done.stderr
