@@ -7,6 +7,7 @@
 #include "movement_files.h"
 #include "movement_options.h"
 #include "tank_datum/error.h"
+#include "tank_datum/sha256.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {
@@ -81,8 +82,11 @@ int run(const CompareCommand& command) {
   requireValid(command.options);
   const std::vector<double> times = timesOf(command);
   std::vector<Epoch> epochs;
-  for (const std::string& path : command.epochs) epochs.push_back(readEpoch(path));
-  Comparison comparison{command.epochs, command.dates, {}, {}};
+  Comparison comparison{command.epochs, {}, command.dates, {}, {}, command.options};
+  for (const std::string& path : command.epochs) {
+    epochs.push_back(readEpoch(path));
+    comparison.hashes.push_back(sha256OfFile(epochFile(path)));
+  }
   for (std::size_t i = 1; i < epochs.size(); ++i) {
     comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
     const Movement& m = comparison.movements.back();

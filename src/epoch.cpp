@@ -58,8 +58,12 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
   return epoch;
 }
 
+std::string epochFile(const std::string& path) {
+  return std::filesystem::is_directory(path) ? path + "/datum.json" : path;
+}
+
 Epoch readEpoch(const std::string& path) {
-  const std::string file = std::filesystem::is_directory(path) ? path + "/datum.json" : path;
+  const std::string file = epochFile(path);
   std::ifstream in(file);
   if (!in) throw Error(Error::Kind::File, "epoch", path, "not read", "a datum.json or a folder with one");
   try {

@@ -33,6 +33,9 @@ struct Epoch {
 /// The survey in a result.
 Epoch epochOf(const Datum& datum, Method method, const std::string& name);
 
+/// The file of a survey: itself, or the datum.json in a result folder.
+std::string epochFile(const std::string& path);
+
 /// Reads a datum.json, or the one in a result folder.
 /// @throws Error (File) what cannot be read, or is no datum.json with its stations
 Epoch readEpoch(const std::string& path);

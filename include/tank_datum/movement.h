@@ -83,4 +83,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
 /// The `movement` of datum.json by itself. Metres, degrees; unknown values null.
 std::string movementJson(const Movement& movement);
 
+/// The `movement` of datum.json's options by itself, without the baseline's name. Metres, degrees.
+std::string movementOptionsJson(const MovementOptions& options);
+
 }  // namespace tank_datum

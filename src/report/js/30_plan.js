@@ -31,7 +31,9 @@ function addPlan() {
 }
 
 function drawPlan(svg, width, height, shown) {
-  const middle = [width / 2, Math.min(width, height) / 2 + (width < kNarrow ? 10 : 0)], ring = 0.33 * Math.min(width, height);
+  const middle = [width / 2, Math.min(width, height) / 2 + (width < kNarrow ? 10 : 0)], most = Math.min(width, height);
+  const ring = Math.min(0.33 * most, (0.5 * most - 20) / 1.43);  // with room for the azimuths
+
   const place = (azimuth, radius) => {
     const turn = (directionOf(azimuth) * Math.PI) / 180;
     return [middle[0] + radius * Math.cos(turn), middle[1] - radius * Math.sin(turn)];
@@ -105,8 +107,9 @@ function drawTiltArrow(svg, place, ring) {
 function drawDiameter(svg, place, ring) {
   const high = datum.antipodal.azimuth_deg, [x1, y1] = place(high, ring), [x2, y2] = place(high + 180, ring);
   svg.append("line").attr("class", "diameter").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
-  const [x, y] = place(high + 180 - 12, 0.72 * ring);
-  svg.append("text").attr("x", x).attr("y", y).attr("text-anchor", "middle").text(`${figure(1e3 * datum.antipodal.max_h, 1)} mm`);
+  const away = datum.tilt && ((high - datum.tilt.direction_deg + 540) % 360) - 180 < 0 ? -1 : 1;  // of the arrow
+  const [x, y] = place(high + 180 + away * 16, 0.44 * ring);
+  svg.append("text").attr("x", x).attr("y", y + 4).attr("text-anchor", "middle").text(`${figure(1e3 * datum.antipodal.max_h, 1)} mm`);
 }
 
 function planMarks(svg, place, ring, offset) {

@@ -7,7 +7,7 @@ function addMovement() {
   const m = datum.movement;
   if (!m.stations || m.stations.length === 0) return sayAbsent(section, `Movement since ${m.baseline}: none (${m.message || "nothing to compare"}).`);
   section.append(make("p", { class: "breakable" }, movementSentence(m)));
-  drawMovements(section, "movement-chart", [{ name: "this survey", movement: m }]);
+  drawMovements(section, "movement-chart", [{ name: "This survey", movement: m }]);
 }
 
 function movementSentence(m) {
@@ -18,6 +18,15 @@ function movementSentence(m) {
 }
 
 const kSurveyColours = ["datum", "reference", "shell", "fit", "tilt"];
+const surveyColour = (i) => `var(--${kSurveyColours[i % kSurveyColours.length]})`;
+
+/** One entry for a survey alone; of several one each, to be left out, and what the band is of. */
+function movementLegend(surveys) {
+  const marks = "band: level of detection (95 %); dots: significant";
+  if (surveys.length === 1) return [{ name: "0", label: `movement; ${marks}`, colour: "datum" }];
+  return surveys.map(({ name }, i) => ({ name: String(i), colour: kSurveyColours[i % kSurveyColours.length], on: true,
+    label: i === surveys.length - 1 ? `${name}; ${marks}` : name }));
+}
 
 /** Differences against azimuth; the level of detection as a band, significant stations as dots. */
 function drawMovements(section, id, surveys) {
@@ -25,8 +34,7 @@ function drawMovements(section, id, surveys) {
     mm: known(s.dz) ? 1e3 * s.dz : null, lod: known(s.lod95) ? 1e3 * s.lod95 : null })));
   addChart(section, {
     id, label: "Movement of the datum against azimuth, with the level of detection", ratio: 0.36, least: 280, most: 420,
-    legend: surveys.map(({ name }, i) => ({ name: String(i), label: surveys.length > 1 ? name : "movement; band: level of detection (95 %); dots: significant",
-      colour: kSurveyColours[i % kSurveyColours.length], on: surveys.length > 1 ? true : undefined })),
+    legend: movementLegend(surveys),
     draw: (svg, width, height, shown) => {
       const drawn = rows.filter((_, i) => shown[i]), last = drawn[drawn.length - 1] || [];
       const values = [...drawn.flat().map((r) => r.mm), ...last.flatMap((r) => [r.lod, known(r.lod) ? -r.lod : null])];
@@ -35,9 +43,9 @@ function drawMovements(section, id, surveys) {
       drawLevel(svg, axes, 0, "zero");
       rows.forEach((list, i) => {
         if (!shown[i]) return;
-        drawLine(svg, axes, list, (r) => r.mm, "survey").style("stroke", `var(--${kSurveyColours[i % kSurveyColours.length]})`);
+        drawLine(svg, axes, list, (r) => r.mm, "survey").style("stroke", surveyColour(i));
         list.filter((r) => r.significant && known(r.mm)).forEach((r) => svg.append("circle").attr("class", "significant").attr("r", 2.5)
-          .attr("cx", axes.x(r.azimuth_deg)).attr("cy", axes.y(r.mm)));
+          .attr("cx", axes.x(r.azimuth_deg)).attr("cy", axes.y(r.mm)).style("fill", surveyColour(i)));
       });
       followPointer(svg, azimuthUnder(axes), (azimuth) => describeMovement(azimuth, surveys));
       return azimuthMarks(svg, axes, height, (azimuth) => {
