@@ -1,6 +1,7 @@
 // The tank from above, its settlement drawn outwards and inwards of the ring.
 
 const plan = { exaggeration: 1 };
+const kAzimuthGap = 18;  // px: from the ring's ticks to their azimuths
 const kNarrow = 520;  // px: below it the colours' key stands under the plan
 
 function addPlan() {
@@ -32,7 +33,7 @@ function addPlan() {
 
 function drawPlan(svg, width, height, shown) {
   const middle = [width / 2, Math.min(width, height) / 2 + (width < kNarrow ? 10 : 0)], most = Math.min(width, height);
-  const ring = Math.min(0.33 * most, (0.5 * most - 20) / 1.43);  // with room for the azimuths
+  const ring = Math.min(0.33 * most, (0.5 * most - kAzimuthGap - 14) / 1.36);  // with room for the azimuths
 
   const place = (azimuth, radius) => {
     const turn = (directionOf(azimuth) * Math.PI) / 180;
@@ -68,7 +69,7 @@ function drawPlanFrame(svg, middle, ring, place) {
     const [x1, y1] = place(azimuth, 1.36 * ring), [x2, y2] = place(azimuth, azimuth === 0 ? 1.26 * ring : 1.33 * ring);
     svg.append("line").attr("class", "zero").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2)
       .style("stroke-width", azimuth === 0 ? 3 : 1);
-    const [x, y] = place(azimuth, 1.43 * ring);
+    const [x, y] = place(azimuth, 1.36 * ring + kAzimuthGap);
     svg.append("text").attr("x", x).attr("y", y + 4).attr("text-anchor", "middle").attr("class", "axis-title").text(`${azimuth}\u00b0`);
   }
   const corner = [26, 56], long = 22;
