@@ -109,7 +109,7 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   }
   const Limit* limit = rowFor(table, facts, diameter, check.note);
   if (candidates.empty()) {
-    check.note = "the scan does not hold it";
+    check.note = "the survey does not hold it";
     return check;
   }
   const Measure& measure = worstOf(candidates, limit ? *limit : first, facts, diameter);

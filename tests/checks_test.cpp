@@ -103,7 +103,7 @@ TEST(Judge, WhatIsShownIsNotJudged) {
 }
 
 TEST(Judge, WhatCouldNotBeHadIsNotApplicable) {
-  EXPECT_EQ(one(kTilt, {}).note, "the scan does not hold it");
+  EXPECT_EQ(one(kTilt, {}).note, "the survey does not hold it");
   Measure m = measure("tilt_slope", NAN, NAN);
   m.unavailable = "too few stations";
   EXPECT_EQ(one(kTilt, {m}).note, "too few stations");

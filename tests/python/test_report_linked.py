@@ -25,6 +25,8 @@ def test_hover_shows_the_station_and_marks_it_everywhere(page: Opened, sample_re
     for chart in LINKED:
         mark = page.page.locator(f"#{chart} circle.hovered")
         assert mark.get_attribute("visibility") is None, chart
+    for chart in ("shell-map", "roundness-chart"):
+        assert page.page.locator(f"#{chart} line.hovered").get_attribute("visibility") is None
     a, b = scale_of(page, "out-of-plane-chart", 0)
     across = page.page.locator("#out-of-plane-chart line.hovered").get_attribute("x1")
     assert a + b * float(across) == pytest.approx(90, abs=0.01)

@@ -85,6 +85,7 @@ def test_trend_over_dates(browser: Any, tmp_path: Path) -> None:
         a, b = scale_of(page, "rate-chart", 0)
         page.hover("rate-chart", (100 - a) / b, 120)
         assert f"Trend {said}" in page.text("#tip")
+        assert page.page.locator("#trend-chart line.hovered").get_attribute("visibility") is None
         page.click("rate-chart", (100 - a) / b, 120)
         assert said in page.text("#spoken")
         assert said in page.page.locator("#course-chart").text_content()

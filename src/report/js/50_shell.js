@@ -16,7 +16,7 @@ function addShell() {
   else sayAbsent(section, kNoPlumbness);
 }
 
-/** The shell's points by height: [{height, points}], lowest first, deviations in mm. */
+/** The shell's points by height: [{height, points}], lowest first, deviations in mm; heights without a circle left out. */
 function shellRows() {
   const rows = new Map();
   for (const point of shellPoints) {
@@ -24,7 +24,7 @@ function shellRows() {
     if (!rows.has(key)) rows.set(key, { height: point.height, points: [] });
     rows.get(key).points.push({ ...point, mm: known(point.deviation) ? 1e3 * point.deviation : null });
   }
-  return [...rows.values()].sort((a, b) => a.height - b.height);
+  return [...rows.values()].filter((row) => row.points.some((p) => known(p.mm))).sort((a, b) => a.height - b.height);
 }
 
 /** What is known of the shell at an azimuth and height. */
