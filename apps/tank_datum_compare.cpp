@@ -25,7 +25,7 @@ struct CompareCommand {
 bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& status) {
   CLI::App app("Movement of a tank's datum since the first of its surveys.", "tank_datum_compare");
   app.option_defaults()->always_capture_default();
-  app.add_option("epoch", command.epochs, "datum.json or folder of each survey, in time order")
+  app.add_option("epoch", command.epochs, "datum.json or folder of each survey, scanned or levelled, in time order")
       ->required()
       ->expected(2, -1);
   app.add_option("-o,--output", command.output, "folder for movement.json, movement.csv and report.html");
