@@ -9,7 +9,22 @@ from typing import Any
 import numpy as np
 import pytest
 
-from report_pages import CHARTS, PHONE, Opened, opened, pixels
+from report_pages import CHARTS, PHONE, WIDE, Opened, opened, pixels
+
+# Labels that leave their chart, or lie on another one.
+LABEL_CLASHES = """() => [...document.querySelectorAll('main svg')].flatMap(svg => {
+  const frame = svg.getBoundingClientRect(), name = svg.closest('.canvas').id;
+  const all = [...svg.querySelectorAll('text')]
+    .map(t => [t.textContent, t.getBoundingClientRect()]);
+  const leaves = b => b.left < frame.left - 1 || b.right > frame.right + 1
+    || b.top < frame.top - 1 || b.bottom > frame.bottom + 1;
+  const found = all.filter(([, b]) => leaves(b)).map(([t]) => `${name}: ${t} outside`);
+  all.forEach(([t, a], i) => all.slice(i + 1).forEach(([u, b]) => {
+    const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+    const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+    if (across > 1 && down > 3) found.push(`${name}: ${t} on ${u}`);
+  }));
+  return found; })"""
 
 
 def contrast(page: Opened, selector: str) -> float:
@@ -60,3 +75,11 @@ def test_structure_for_listeners(still: Opened) -> None:
     )
     assert unnamed == 0
     assert page.page.locator("#spoken").get_attribute("aria-live") == "polite"
+
+
+@pytest.mark.parametrize("size", [WIDE, PHONE, (340, 700)], ids=["wide", "phone", "small"])
+def test_labels_lie_inside_and_apart(
+    browser: Any, sample_report: Path, size: tuple[int, int]
+) -> None:
+    with opened(browser, sample_report / "report.html", size=size) as page:
+        assert page.page.evaluate(LABEL_CLASHES) == []

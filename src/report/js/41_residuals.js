@@ -40,7 +40,7 @@ function drawHistogram(svg, from, to, height, all, own, title) {
   const share = (values) => count(values).map((bin) => ({ x0: bin.x0, x1: bin.x1, part: values.length ? bin.length / values.length : 0 }));
   const bars = share(all), outline = share(own);
   const top = d3.max([...bars, ...outline], (bin) => bin.part) || 1, y = d3.scaleLinear([0, 100 * top], [height - 44, 26]).nice();
-  drawAxes(svg, x, y, null, "", "Distance from the line [mm]");
+  drawAxes(svg, x, y, null, "", to - from < 190 ? "Distance [mm]" : "Distance from the line [mm]");
   const spread = all.length > 1 ? `, two thirds within \u00b1 ${(d3.quantile(sorted, 0.683)).toFixed(2)} mm` : "";
   svg.append("text").attr("x", from + 52).attr("y", 14).text(to - from < 380 ? `${title} [%]` : `${title} [%]: ${all.length} points${spread}`);
   svg.append("g").selectAll("rect").data(bars).enter().append("rect").attr("class", "bar-all")
