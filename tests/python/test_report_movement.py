@@ -108,3 +108,29 @@ def test_trend_over_dates(browser: Any, tmp_path: Path) -> None:
             assert survey["sha256"] in made
         for chart in ("trend-chart", "rate-chart", "course-chart"):
             assert inked(page.picture(f"#{chart} svg")) > 0.005
+
+
+def test_few_stations_are_each_seen(browser: Any, tmp_path: Path) -> None:
+    """Of a coarse baseline 24 stations are compared: dots with lines between, and no others."""
+    coarse, later = epoch(tmp_path / "a.json"), epoch(tmp_path / "b.json", 0.005)
+    survey = json.loads(coarse.read_text())
+    survey["stations"] = survey["stations"][10::15]
+    coarse.write_text(json.dumps(survey))
+    assert compare(coarse, later, "-o", tmp_path / "m").returncode == 0
+    movement = json.loads((tmp_path / "m" / "movement.json").read_text())["movements"][0]
+    assert movement["matched"] == 24 and 0 < movement["significant"] < 24
+    with opened(browser, tmp_path / "m" / "report.html") as page:
+        assert page.slips() == []
+        assert f"{movement['significant']} of 24 stations moved" in page.text("#trend .verdict")
+        count = page.page.locator
+        assert count("#trend-chart circle.significant").count() == movement["significant"]
+        assert count("#trend-chart circle.unmoved").count() == 24 - movement["significant"]
+        assert count("#rate-chart circle.station").count() == 24
+        assert count("#trend-chart path.survey").get_attribute("d").count("L") == 24
+        a, b = scale_of(page, "trend-chart", 0)
+        page.hover("trend-chart", (15 - a) / b, 120)
+        assert "not compared here" in page.text("#tip")
+        page.click("trend-chart", (15 - a) / b, 120)
+        assert "no later survey was compared here" in count("#course-chart").text_content()
+        page.hover("trend-chart", (100 - a) / b, 120)
+        assert "\u22125.00\u00a0mm" in page.text("#tip")

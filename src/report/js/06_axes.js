@@ -61,9 +61,17 @@ function drawLine(svg, axes, rows, value, name) {
   return svg.append("path").attr("class", `line ${name}`).attr("d", path(closed(rows)));
 }
 
-/** Dots on the stations where there are so few that each is seen: a line alone hides how far apart they are. */
+const kFew = 72;  // stations or fewer are each seen
+
+/** The rows with a value where those are few, for a line from one to the next; else all, for a line with gaps. */
+function fewOrAll(rows, value) {
+  const seen = rows.filter((r) => known(value(r)));
+  return seen.length > kFew ? rows : seen;
+}
+
+/** Dots on few stations: a line alone hides how far apart they are. */
 function drawFew(svg, axes, rows, value) {
-  if (rows.length > 72) return;
+  if (rows.length > kFew) return;
   svg.append("g").selectAll("circle").data(rows.filter((r) => known(value(r)))).enter().append("circle").attr("class", "station")
     .attr("r", 3).attr("cx", (r) => axes.x(r.azimuth_deg)).attr("cy", (r) => axes.y(value(r)));
 }

@@ -13,7 +13,7 @@ function addMovement() {
 function movementSentence(m) {
   const turned = m.azimuth_offset_deg ? `, this survey turned by ${degrees(m.azimuth_offset_deg, 2)}` : "";
   const moved = m.stations.filter((s) => s.significant).length;
-  return `Since ${m.baseline}: largest ${millimetres(m.max, 2)}, RMS ${millimetres(m.rms, 2)}; ${moved} of ${m.stations.length} stations moved significantly. `
+  return `Since ${m.baseline}: largest ${millimetres(m.max, 2)}, RMS ${millimetres(m.rms, 2)}; ${moved} of ${plural(m.matched, "station")} moved significantly. `
     + `Removed: ${m.removed}; error of registration ${millimetres(m.registration_error, 2)}${turned}.`;
 }
 
@@ -30,8 +30,8 @@ function movementLegend(surveys) {
 
 /** Differences against azimuth; the level of detection as a band, significant stations as dots. */
 function drawMovements(section, id, surveys) {
-  const rows = surveys.map(({ movement }) => movement.stations.map((s) => ({ ...s,
-    mm: known(s.dz) ? 1e3 * s.dz : null, lod: known(s.lod95) ? 1e3 * s.lod95 : null })));
+  const rows = surveys.map(({ movement }) => fewOrAll(movement.stations.map((s) => ({ ...s,
+    mm: known(s.dz) ? 1e3 * s.dz : null, lod: known(s.lod95) ? 1e3 * s.lod95 : null })), (r) => r.mm));
   addChart(section, {
     id, label: "Movement of the datum against azimuth, with the level of detection", ratio: 0.36, least: 280, most: 420,
     legend: movementLegend(surveys),
@@ -44,23 +44,32 @@ function drawMovements(section, id, surveys) {
       rows.forEach((list, i) => {
         if (!shown[i]) return;
         drawLine(svg, axes, list, (r) => r.mm, "survey").style("stroke", surveyColour(i));
-        list.filter((r) => r.significant && known(r.mm)).forEach((r) => svg.append("circle").attr("class", "significant").attr("r", 2.5)
-          .attr("cx", axes.x(r.azimuth_deg)).attr("cy", axes.y(r.mm)).style("fill", surveyColour(i)));
+        drawMoved(svg, axes, list, surveyColour(i));
       });
       followPointer(svg, azimuthUnder(axes), (azimuth) => describeMovement(azimuth, surveys));
       return azimuthMarks(svg, axes, height, (azimuth) => {
         const r = nearestRow(last, azimuth);
-        return r ? r.mm : null;
+        return r && angleApart(r.azimuth_deg, azimuth) < 2 ? r.mm : null;
       });
     },
   });
+}
+
+/** A dot on each station that moved significantly; where stations are few, a ring on the others. */
+function drawMoved(svg, axes, list, colour) {
+  for (const r of list) {
+    if (!known(r.mm) || (!r.significant && list.length > kFew)) continue;
+    svg.append("circle").attr("class", r.significant ? "significant" : "unmoved").attr("r", 2.5).attr("cx", axes.x(r.azimuth_deg))
+      .attr("cy", axes.y(r.mm)).style("stroke", colour).style("fill", r.significant ? colour : null);
+  }
 }
 
 function describeMovement(azimuth, surveys) {
   const lines = [["Azimuth", degrees(azimuth, 1)]];
   for (const { name, movement } of surveys) {
     const s = nearestRow(movement.stations, azimuth);
-    if (s) lines.push([name, `${millimetres(s.dz, 2)}, detectable from ${millimetres(s.lod95, 2)}${s.significant ? ", significant" : ""}`]);
+    if (s === null || !known(s.dz)) lines.push([name, "not compared here"]);
+    else lines.push([name, `${millimetres(s.dz, 2)}, detectable from ${millimetres(s.lod95, 2)}${s.significant ? ", significant" : ""}`]);
   }
   return lines;
 }

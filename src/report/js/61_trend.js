@@ -19,7 +19,7 @@ function addMovements(surveys, rates) {
   const fastest = rates.reduce((best, s) => (best === null || Math.abs(s.rate) > Math.abs(best.rate) ? s : best), null);
   const moved = last.stations.filter((s) => s.significant).length;
   section.append(make("div", { class: "verdict none", role: "status" },
-    make("p", {}, make("strong", { class: "breakable" }, `${moved} of ${plural(last.stations.length, "station")} moved significantly since ${dated(trend.baseline, trend.baseline_date)}; `
+    make("p", {}, make("strong", { class: "breakable" }, `${moved} of ${plural(last.matched, "station")} moved significantly since ${dated(trend.baseline, trend.baseline_date)}; `
       + `largest ${millimetres(last.max, 2)} at ${degrees(last.max_azimuth_deg, 1)}.`)),
     make("p", {}, `${fastest ? `Fastest trend ${rateOf(fastest)} (2\u03c3) at ${degrees(fastest.azimuth_deg, 1)}. ` : ""}`
       + `Removed from the differences: ${last.removed}; error of registration ${millimetres(last.registration_error, 2)} and ${figure(last.registration_tilt_arcsec, 1)}\u2033.`)),
@@ -41,7 +41,8 @@ function addRates(rates) {
   const section = addSection("rates", "Trend of each station");
   if (rates.length === 0) return sayAbsent(section, "Trends: none, because no station is in two surveys.");
   section.append(make("p", { class: "quiet" }, `Least-squares slope of the elevation against ${trend.baseline_date ? "the date" : "the number of the survey"}.`));
-  const rows = trend.trend.stations.map((s) => ({ ...s, mm: known(s.rate) ? 1e3 * s.rate : null, half: known(s.lod95) ? 1e3 * s.lod95 : null }));
+  const rows = fewOrAll(trend.trend.stations.map((s) => ({ ...s, mm: known(s.rate) ? 1e3 * s.rate : null, half: known(s.lod95) ? 1e3 * s.lod95 : null })),
+    (r) => r.mm);
   addChart(section, {
     id: "rate-chart", label: "Trend of the elevation against azimuth", ratio: 0.34, least: 270, most: 400,
     legend: [{ name: "rate", label: "trend; band: 95 %", colour: "fit" }],
@@ -53,7 +54,10 @@ function addRates(rates) {
       drawLine(svg, axes, rows, (r) => r.mm, "fit");
       drawFew(svg, axes, rows, (r) => r.mm);
       followPointer(svg, azimuthUnder(axes), (azimuth) => [["Azimuth", degrees(azimuth, 1)], ...describeRate(rates, azimuth)]);
-      return azimuthMarks(svg, axes, height, (azimuth) => nearestRow(rows, azimuth).mm);
+      return azimuthMarks(svg, axes, height, (azimuth) => {
+        const r = nearestRow(rows, azimuth);
+        return angleApart(r.azimuth_deg, azimuth) < 2 ? r.mm : null;
+      });
     },
   });
 }

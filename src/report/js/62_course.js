@@ -37,6 +37,9 @@ function drawCourse(svg, width, height, at, rate) {
   drawAxes(svg, x, y, [], `Movement at ${degrees(link.chosen, 1)} [mm]`, trend.baseline_date ? "Date of the survey, the baseline first" : "Survey, 0 the baseline");
   drawSurveyTicks(svg, x, y, at);
   svg.append("path").attr("class", "line datum").attr("d", d3.line().x((p) => x(p.time)).y((p) => y(p.mm))(seen));
+  if (seen.length === 1) {
+    svg.append("text").attr("class", "gap-label").attr("x", width / 2).attr("y", 44).attr("text-anchor", "middle").text("no later survey was compared here");
+  }
   if (rate !== null && seen.length > 1) {
     const time = d3.mean(seen, (p) => p.time), middle = d3.mean(seen, (p) => p.mm);
     const level = (t) => y(middle + 1e3 * rate.rate * (t - time));
