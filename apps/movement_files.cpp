@@ -10,6 +10,7 @@
 #include "tank_datum/error.h"
 #include "tank_datum/report_page.h"
 #include "tank_datum/statistics.h"
+#include "tank_datum/version.h"
 
 namespace tank_datum {
 namespace {
@@ -65,6 +66,20 @@ std::string movementCsv(const std::vector<StationHistory>& histories) {
   return csv;
 }
 
+namespace {
+
+Json surveysSection(const Comparison& comparison) {
+  Json surveys = Json::array();
+  for (std::size_t i = 0; i < comparison.names.size(); ++i) {
+    surveys.push_back({{"path", comparison.names[i]},
+                       {"sha256", comparison.hashes[i]},
+                       {"date", comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates[i])}});
+  }
+  return surveys;
+}
+
+}  // namespace
+
 std::string movementsJson(const Comparison& comparison) {
   Json surveys = Json::array(), stations = Json::array();
   for (std::size_t i = 0; i < comparison.movements.size(); ++i) {
@@ -80,6 +95,9 @@ std::string movementsJson(const Comparison& comparison) {
                         {"lod95", number(place.lod95())}});
   }
   const Json json = {{"schema", 1},
+                     {"version", kVersion},
+                     {"surveys", surveysSection(comparison)},
+                     {"options", Json::parse(movementOptionsJson(comparison.options))},
                      {"baseline", comparison.names.front()},
                      {"baseline_date", comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates.front())},
                      {"movements", surveys},
@@ -91,8 +109,9 @@ void writeMovement(const ResultFolder& folder, const Comparison& comparison) {
   const fs::path to(folder.stage(""));
   const std::string json = movementsJson(comparison);
   write(to / "movement.json", json);
-  write(to / "movement.csv", movementCsv(comparison.histories));
-  write(to / "report.html", trendPage(json));
+  const std::string csv = movementCsv(comparison.histories);
+  write(to / "movement.csv", csv);
+  write(to / "report.html", trendPage(json, csv));
 }
 
 }  // namespace tank_datum

@@ -11,9 +11,11 @@ namespace tank_datum {
 /// Surveys of one tank in time order, each compared with the first.
 struct Comparison {
   std::vector<std::string> names;   ///< of the surveys, the baseline first
+  std::vector<std::string> hashes;  ///< SHA-256 of each one's datum.json
   std::vector<std::string> dates;   ///< as typed, one per survey; or none
   std::vector<Movement> movements;  ///< one fewer
   std::vector<StationHistory> histories;
+  MovementOptions options;
 };
 
 /// What a trend is in: "m/year" with dates, "m/survey" without.

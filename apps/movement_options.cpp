@@ -27,7 +27,10 @@ void TypedMovement::putInto(MovementOptions& options) const {
 }
 
 void addMovementOptions(CLI::App& app, MovementOptions& options, TypedMovement& typed) {
-  app.add_option("--remove", typed.removal, "what is taken from the movement: nothing, the mean, mean and tilt")
+  app.add_option(
+         "--remove", typed.removal,
+         "what is taken from the movement: nothing, the mean, mean and tilt; between levelling and scan the mean, "
+         "since the rod does not stand where the scan's datum is")
       ->check(CLI::IsMember(kRemovals));
   app.add_option("--registration-error", options.registration_error,
                  "1 sigma of the height left between the surveys [m]");
@@ -36,7 +39,8 @@ void addMovementOptions(CLI::App& app, MovementOptions& options, TypedMovement& 
   app.add_option("--azimuth-offset-deg", typed.offset_deg, "turn of the later survey's frame, counter-clockwise");
   app.add_flag("--estimate-azimuth-offset,!--no-estimate-azimuth-offset", options.estimate_offset,
                "find that turn by the datum's shape");
-  app.add_option("--correlation-deg", typed.correlation_deg, "arc over which stations' errors fall to 1/e");
+  app.add_option("--correlation-deg", typed.correlation_deg,
+                 "arc within which stations share errors; 0: as the surveys say themselves");
   app.add_option("--radius-difference", options.radius_difference,
                  "surveys whose radii differ by more are of different tanks [m]");
   app.add_option("--centre-distance", options.centre_distance, "the same of their centres [m]");

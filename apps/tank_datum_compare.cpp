@@ -7,6 +7,7 @@
 #include "movement_files.h"
 #include "movement_options.h"
 #include "tank_datum/error.h"
+#include "tank_datum/sha256.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {
@@ -24,7 +25,7 @@ struct CompareCommand {
 bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& status) {
   CLI::App app("Movement of a tank's datum since the first of its surveys.", "tank_datum_compare");
   app.option_defaults()->always_capture_default();
-  app.add_option("epoch", command.epochs, "datum.json or folder of each survey, in time order")
+  app.add_option("epoch", command.epochs, "datum.json or folder of each survey, scanned or levelled, in time order")
       ->required()
       ->expected(2, -1);
   app.add_option("-o,--output", command.output, "folder for movement.json, movement.csv and report.html");
@@ -81,8 +82,11 @@ int run(const CompareCommand& command) {
   requireValid(command.options);
   const std::vector<double> times = timesOf(command);
   std::vector<Epoch> epochs;
-  for (const std::string& path : command.epochs) epochs.push_back(readEpoch(path));
-  Comparison comparison{command.epochs, command.dates, {}, {}};
+  Comparison comparison{command.epochs, {}, command.dates, {}, {}, command.options};
+  for (const std::string& path : command.epochs) {
+    epochs.push_back(readEpoch(path));
+    comparison.hashes.push_back(sha256OfFile(epochFile(path)));
+  }
   for (std::size_t i = 1; i < epochs.size(); ++i) {
     comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
     const Movement& m = comparison.movements.back();

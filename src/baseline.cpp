@@ -33,6 +33,7 @@ Baseline readBaseline(const std::string& path, const MovementOptions& options, c
     throw Error(Error::Kind::Option, "movement", "baseline", path + " of method " + epoch.method,
                 std::string("the method of this survey, ") + nameOf(current.method));
   }
+  requireErrors(epoch);
   if (current.tank) requireSameTank(epoch, "--tank", *current.tank, widened(options, current.crop.reach));
   return baseline;
 }

@@ -109,7 +109,7 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   }
   const Limit* limit = rowFor(table, facts, diameter, check.note);
   if (candidates.empty()) {
-    check.note = "the scan does not hold it";
+    check.note = "the survey does not hold it";
     return check;
   }
   const Measure& measure = worstOf(candidates, limit ? *limit : first, facts, diameter);
@@ -136,16 +136,28 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   return check;
 }
 
+/// A fact and what it can be: a limit in proportion to one of another unit would pass, or fail, every tank.
+struct Range {
+  const char* name;
+  double value, above, at_most;
+  const char* unit;
+};
+
+std::string outside(const Range& range) {
+  if (std::isnan(range.value) || (range.value > range.above && range.value <= range.at_most)) return {};
+  char text[96];
+  std::snprintf(text, sizeof text, "facts.%s = %g (must be in %s, > %g and at most %g)", range.name, range.value,
+                range.unit, range.above, range.at_most);
+  return text;
+}
+
 }  // namespace
 
 std::string firstError(const TankFacts& facts) {
-  const auto refused = [](const char* name, double value) {
-    char text[96];
-    std::snprintf(text, sizeof text, "facts.%s = %g (must be > 0)", name, value);
-    return std::isnan(value) || (value > 0.0 && std::isfinite(value)) ? std::string() : std::string(text);
-  };
-  for (const std::string& error :
-       {refused("height", facts.height), refused("yield", facts.yield), refused("modulus", facts.modulus)}) {
+  for (const Range& range : {Range{"height", facts.height, 0.0, 100.0, "m"},
+                             {"yield", facts.yield, 50.0, 2000.0, "MPa"},
+                             {"modulus", facts.modulus, 5e4, 5e5, "MPa"}}) {
+    const std::string error = outside(range);
     if (!error.empty()) return error;
   }
   if (!facts.roof.empty() && facts.roof != "open" && facts.roof != "fixed") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "datum_stages.h"
 #include "shell_measures.h"
@@ -46,7 +47,9 @@ Datum withoutTank(const Scan& scan, const DatumOptions& options) {
   if (finite < static_cast<std::uint64_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
   }
-  return stopped(datum, Status::NoTank, "no vertical cylinder of the smallest radius or more stands in the scan");
+  std::ostringstream message;
+  message << "no vertical cylinder with a radius of " << options.locate.min_radius << " m or more stands in the scan";
+  return stopped(datum, Status::NoTank, message.str());
 }
 
 void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {

@@ -79,14 +79,18 @@ WaveData waveData(const std::vector<Station>& stations, int order) {
   return data;
 }
 
-int highestOrder(const WaveData& data, int wanted, int least) {
+bool tellsApart(const WaveData& data, int order) {
   constexpr double kDearest = 25.0;  // variance of a coefficient over that of stations all round
-  const auto count = static_cast<int>(data.count());
   double total = 0;
   for (const double w : data.weights) total += w;
+  const PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, order, false, 0.0);
+  return fit.covariance.diagonal().maxCoeff() < kDearest * 2.0 / total;
+}
+
+int highestOrder(const WaveData& data, int wanted, int least) {
+  const auto count = static_cast<int>(data.count());
   for (int order = std::min(wanted, (count - 1) / 4); order > least; --order) {
-    const PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, order, false, 0.0);
-    if (fit.covariance.diagonal().maxCoeff() < kDearest * 2.0 / total) return order;
+    if (tellsApart(data, order)) return order;
   }
   return std::min(least, std::max(0, (count - 1) / 4));
 }

@@ -21,8 +21,11 @@ struct WaveData {
 /// (Mandel and Paule 1970).
 WaveData waveData(const std::vector<Station>& stations, int order);
 
-/// The highest order up to `wanted` that the stations' places can tell apart: a quarter as many waves as stations, and
-/// no coefficient with more than five times the standard error that stations all round would give. At least `least`.
+/// Whether the stations' places tell the waves up to `order` apart: no coefficient has more than five times the
+/// standard error that stations all round would give.
+bool tellsApart(const WaveData& data, int order);
+
+/// The highest order up to `wanted` that the stations' places tell apart, with four stations a wave. At least `least`.
 int highestOrder(const WaveData& data, int wanted, int least);
 
 /// Weighted least squares of all waves up to `order`. The covariance is scaled up by the power that the residuals have

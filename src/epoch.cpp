@@ -1,5 +1,7 @@
 #include "tank_datum/epoch.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -23,6 +25,7 @@ Epoch epochFrom(const Json& json, const std::string& path) {
   epoch.method = json.at("options").at("method").get<std::string>();
   const Json& surface = json.at("datum").at("surface");
   if (!surface.is_null()) epoch.surface = surface.get<std::string>();
+  epoch.levelled = json.value("input", Json::object()).value("kind", "scan") == "levelling";
   const Json& tank = json.at("tank");
   epoch.circle.center = {tank.at("center").at(0).get<double>(), tank.at("center").at(1).get<double>()};
   epoch.circle.radius = tank.at("radius").get<double>();
@@ -42,12 +45,18 @@ Epoch epochFrom(const Json& json, const std::string& path) {
 
 }  // namespace
 
+std::size_t Epoch::judgeable() const {
+  const auto judged = [](const Elevation& e) { return std::isfinite(e.z) && e.sigma_z > 0.0; };
+  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), judged));
+}
+
 Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
   Epoch epoch;
   epoch.name = name;
   epoch.status = nameOf(datum.status);
   epoch.method = nameOf(method);
   if (datum.refined.valid()) epoch.surface = nameOf(datum.refined.profile.surface);
+  epoch.levelled = datum.levelled;
   epoch.circle = {datum.circle.center + datum.origin.head<2>(), datum.circle.radius};
   for (const Station& s : datum.stations) {
     Elevation e;
@@ -58,8 +67,12 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
   return epoch;
 }
 
+std::string epochFile(const std::string& path) {
+  return std::filesystem::is_directory(path) ? path + "/datum.json" : path;
+}
+
 Epoch readEpoch(const std::string& path) {
-  const std::string file = std::filesystem::is_directory(path) ? path + "/datum.json" : path;
+  const std::string file = epochFile(path);
   std::ifstream in(file);
   if (!in) throw Error(Error::Kind::File, "epoch", path, "not read", "a datum.json or a folder with one");
   try {

@@ -51,37 +51,62 @@ Elevation elevationAt(const std::vector<Elevation>& known, double direction, dou
   return at;
 }
 
-/// Mean squared standardised difference at a turn; NaN with too few stations.
-double misfitAt(const Epoch& baseline, const Epoch& current, double offset, Removal removal) {
-  std::vector<MatchedStation> matched = matchStations(baseline, current, offset);
-  CommonPart(matched, removal).removeFrom(matched);
-  double sum = 0;
-  for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
-  return 2 * matched.size() < current.stations.size() ? std::nan("") : sum / static_cast<double>(matched.size());
-}
+/// Whose stations are compared, and at which turn against the other survey.
+struct Places {
+  const Epoch& epoch;
+  bool of_baseline;
+  double turned;  ///< from their directions to the baseline's [rad]
+};
 
-}  // namespace
-
-std::vector<MatchedStation> matchStations(const Epoch& baseline, const Epoch& current, double offset) {
-  const std::vector<Elevation> known = byDirection(baseline);
+/// @param other  of the other survey, in the directions that the places are turned to
+std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elevation>& other, double other_turned) {
   std::vector<MatchedStation> matched;
-  if (known.empty()) return matched;
-  for (std::size_t i = 0; i < current.stations.size(); ++i) {
-    const Elevation& now = current.stations[i];
-    if (!std::isfinite(now.z) || !(now.sigma_z > 0.0)) continue;
+  if (other.empty()) return matched;
+  for (std::size_t i = 0; i < places.epoch.stations.size(); ++i) {
+    const Elevation& here = places.epoch.stations[i];
+    if (!std::isfinite(here.z) || !(here.sigma_z > 0.0)) continue;
     MatchedStation m;
     m.station = i;
-    m.direction = turn(now.direction + offset);
-    const Elevation then = elevationAt(known, m.direction, m.slope);
-    if (!std::isfinite(then.z)) continue;
-    m.dz = now.z - then.z;
-    m.sigma = std::hypot(now.sigma_z, then.sigma_z);
-    m.sigma_baseline = then.sigma_z;
-    m.window = std::fmax(std::fmax(now.window, then.window), kLeastShared);
+    m.direction = turn(here.direction + places.turned);
+    const Elevation there = elevationAt(other, turn(m.direction - other_turned), m.slope);
+    if (!std::isfinite(there.z)) continue;
+    m.dz = places.of_baseline ? there.z - here.z : here.z - there.z;
+    m.sigma = std::hypot(here.sigma_z, there.sigma_z);
+    m.sigma_baseline = places.of_baseline ? here.sigma_z : there.sigma_z;
+    m.window = std::fmax(std::fmax(here.window, there.window), kLeastShared);
     matched.push_back(m);
   }
   std::sort(matched.begin(), matched.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
   return matched;
+}
+
+/// Mean squared standardised difference at a turn; NaN with too few stations.
+double misfitAt(const Epoch& baseline, const Epoch& current, double offset, Removal removal) {
+  Matching matching = matchStations(baseline, current, offset);
+  std::vector<MatchedStation>& matched = matching.stations;
+  const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
+  if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
+  CommonPart(matched, removal).removeFrom(matched);
+  double sum = 0;
+  for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
+  return sum / static_cast<double>(matched.size());
+}
+
+}  // namespace
+
+Matching matchStations(const Epoch& baseline, const Epoch& current, double offset) {
+  Matching at_current{false, matchAt({current, false, offset}, byDirection(baseline), 0.0)};
+  if (at_current.stations.size() == current.judgeable()) return at_current;
+  Matching at_baseline{true, matchAt({baseline, true, 0.0}, byDirection(current), offset)};
+  return at_baseline.stations.size() > at_current.stations.size() ? at_baseline : at_current;
+}
+
+double azimuthIn(const Epoch& epoch, double direction) {
+  const Elevation &first = epoch.stations.front(), &second = epoch.stations[epoch.stations.size() > 1 ? 1 : 0];
+  const double azimuths = std::remainder(second.azimuth - first.azimuth, kTwoPi);
+  const double directions = std::remainder(second.direction - first.direction, kTwoPi);
+  return turn(first.azimuth +
+              (azimuths * directions < 0.0 ? first.direction - direction : direction - first.direction));
 }
 
 CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal removal) {
@@ -139,7 +164,7 @@ AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const 
   offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);
   // neighbours share points: as many independent differences as their windows fit into the turn
   std::vector<double> windows;
-  for (const MatchedStation& m : matchStations(baseline, current, offset.value)) windows.push_back(m.window);
+  for (const MatchedStation& m : matchStations(baseline, current, offset.value).stations) windows.push_back(m.window);
   const double shared = options.correlation > 0.0 ? options.correlation : median(windows);
   const double independent = std::min(static_cast<double>(windows.size()), kTwoPi / std::max(shared, kStep));
   offset.sigma = std::sqrt(2.0 * std::max(middle, 1.0) / (independent * curvature));

@@ -8,19 +8,26 @@
 
 namespace tank_datum {
 
-/// A station of the current survey measured in both.
+/// A station measured in both surveys.
 struct MatchedStation {
-  std::size_t station = 0;      ///< its index in the current survey
+  std::size_t station = 0;      ///< its index in the survey whose station it is
   double direction = 0.0;       ///< in the baseline's frame [rad]
   double dz = 0.0;              ///< current less baseline [m]
   double sigma = 0.0;           ///< from both sigmas [m]
   double sigma_baseline = 0.0;  ///< the baseline's part of it [m]
   double window = 0.0;          ///< the wider of the arcs that the two elevations come from [rad]
-  double slope = 0.0;           ///< of the baseline's elevation along the direction [m/rad]
+  double slope = 0.0;           ///< of the interpolated elevation along the direction [m/rad]
 };
 
-/// The stations measured in both when the current survey is turned by `offset` [rad], by direction.
-std::vector<MatchedStation> matchStations(const Epoch& baseline, const Epoch& current, double offset);
+/// Stations measured in both surveys, by direction.
+struct Matching {
+  bool of_baseline = false;  ///< whose stations they are: the other survey's elevations are interpolated at them
+  std::vector<MatchedStation> stations;
+};
+
+/// Matches the surveys when the current one is turned by `offset` [rad]: at the current survey's stations, or at the
+/// baseline's where that compares more of them.
+Matching matchStations(const Epoch& baseline, const Epoch& current, double offset);
 
 /// Takes a common height or tilt, fitted with weights 1/sigma^2, from dz.
 class CommonPart {
@@ -36,6 +43,9 @@ struct AzimuthOffset {
   double value = 0.0;  ///< [rad]
   double sigma = 0.0;  ///< its standard error [rad]
 };
+
+/// A direction as a survey counts azimuths, from where its own zero is and whichever way round [rad].
+double azimuthIn(const Epoch& epoch, double direction);
 
 /// The turn of the current survey at which the shapes agree best.
 /// @throws Error (Option) when the shape does not single out one turn

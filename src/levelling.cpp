@@ -14,6 +14,8 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kFewest = 4;  // stations, for a plane and something left over
+/// Elevations over the diameter: ten times the tilt that any code allows. Beyond it they are in another unit [m/m].
+constexpr double kSteepest = 0.1;
 
 Error refused(const std::string& what, const std::string& value, const std::string& expected) {
   return Error(Error::Kind::Option, "levelling", what, value, expected);
@@ -23,13 +25,20 @@ struct Columns {
   std::size_t azimuth, elevation, sigma, count;
 };
 
+std::string joined(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + cell;
+  return line.size() > 60 ? line.substr(0, 60) + "..." : line;
+}
+
 Columns columnsOf(const CsvRow& header, const std::string& file) {
   const auto column = [&](const char* name) {
     return static_cast<std::size_t>(std::find(header.cells.begin(), header.cells.end(), name) - header.cells.begin());
   };
   const Columns columns{column("azimuth_deg"), column("elevation"), column("sigma"), header.cells.size()};
   if (columns.azimuth == columns.count || columns.elevation == columns.count) {
-    throw refused(placeOf(file, header), "another header", "the columns azimuth_deg,elevation and perhaps sigma");
+    throw refused(placeOf(file, header), "\"" + joined(header.cells) + "\"",
+                  "the header azimuth_deg,elevation or azimuth_deg,elevation,sigma");
   }
   return columns;
 }
@@ -55,11 +64,15 @@ void place(Station& s, double azimuth, double radius, const StationOptions& opti
 
 Station stationFrom(const CsvRow& row, const Columns& columns, const std::string& file, double metres_per_unit) {
   if (row.cells.size() != columns.count) {
-    throw refused(placeOf(file, row), std::to_string(row.cells.size()) + " cells",
-                  std::to_string(columns.count) + " as in the header line");
+    throw refused(
+        placeOf(file, row), std::to_string(row.cells.size()) + " cells",
+        std::to_string(columns.count) + " as in the header line, parted by commas, numbers with decimal points");
   }
   Station s;
   s.azimuth = numberIn(row, columns.azimuth, "azimuth_deg", file) * kPi / 180.0;
+  if (std::abs(s.azimuth) > kTwoPi + 1e-9) {
+    throw refused(placeOf(file, row) + " azimuth_deg", row.cells[columns.azimuth], "degrees, -360 to 360");
+  }
   s.azimuth -= kTwoPi * std::floor(s.azimuth / kTwoPi);
   if (row.cells[columns.elevation].empty()) return s;
   s.flag = StationFlag::Measured;
@@ -106,6 +119,10 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
   datum.circle = datum.tank.circle = {{0.0, 0.0}, 0.5 * diameter};
   datum.stations = std::move(stations);
   datum.level = levelOf(datum.stations);
+  if (datum.level.range() > kSteepest * diameter) {
+    throw refused("elevations", std::to_string(datum.level.range()) + " m apart",
+                  "at most a tenth of the diameter; are they in --units, and the columns as the header says?");
+  }
   if (datum.level.measured < kFewest) {
     datum.status = Status::TooFewPoints;
     datum.message = std::to_string(datum.level.measured) + " stations have an elevation, and a datum needs 4";

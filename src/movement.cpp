@@ -41,9 +41,23 @@ void requireSameKind(const Epoch& baseline, const Epoch& current) {
   if (baseline.method != current.method) {
     refuse("method of " + current.name, current.method, "the baseline's, " + baseline.method);
   }
-  if (baseline.surface != current.surface) {
+  if (!baseline.levelled && !current.levelled && baseline.surface != current.surface) {
     refuse("foundation surface of " + current.name, current.surface, "the baseline's, " + baseline.surface);
   }
+}
+
+/// The stations that a matching is of, without their movement.
+std::vector<StationMovement> stationsOf(const Epoch& baseline, const Epoch& current, const Matching& matching,
+                                        double offset) {
+  std::vector<StationMovement> stations;
+  for (const Elevation& e : (matching.of_baseline ? baseline : current).stations) {
+    if (matching.of_baseline) {
+      stations.push_back({azimuthIn(current, e.direction - offset), e.direction});
+    } else {
+      stations.push_back({e.azimuth, e.direction + offset});
+    }
+  }
+  return stations;
 }
 
 void summarise(Movement& movement) {
@@ -90,6 +104,13 @@ void requireValid(const MovementOptions& options) {
               error.substr(must + 10, error.size() - must - 11));
 }
 
+void requireErrors(const Epoch& epoch) {
+  if (epoch.judgeable() > 0) return;
+  refuse("standard errors of " + epoch.name, "none",
+         epoch.levelled ? "a sigma column in the levelling's table: the standard error of each elevation"
+                        : "sigma_z of its measured stations");
+}
+
 void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
                      const MovementOptions& options) {
   const double from = baseline.circle.radius, to = circle.radius;
@@ -98,8 +119,8 @@ void requireSameTank(const Epoch& baseline, const std::string& name, const Circl
            "within " + text(options.radius_difference) + " m of the baseline's " + text(from) + unitBehind(to / from));
   }
   const double apart = (circle.center - baseline.circle.center).norm();
-  const bool turned = options.estimate_offset || options.azimuth_offset != 0.0;
-  if (!turned && !(apart <= options.centre_distance)) {
+  const bool elsewhere = baseline.levelled || options.estimate_offset || options.azimuth_offset != 0.0;
+  if (!elsewhere && !(apart <= options.centre_distance)) {
     refuse("centre of " + name, text(apart) + " m from the baseline's",
            "within " + text(options.centre_distance) + " m, the same tank in the same frame");
   }
@@ -117,18 +138,22 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
     movement.message = epoch->name + " holds no usable datum: " + epoch->status;
     return movement;
   }
-  requireSameTank(baseline, current.name, current.circle, options);
+  const Eigen::Vector2d center = current.levelled ? baseline.circle.center : current.circle.center;
+  requireSameTank(baseline, current.name, {center, current.circle.radius}, options);
   requireSameKind(baseline, current);
+  requireErrors(baseline);
+  requireErrors(current);
   const AzimuthOffset offset =
       options.estimate_offset ? estimateOffset(baseline, current, options) : AzimuthOffset{options.azimuth_offset, 0.0};
   movement.azimuth_offset = offset.value;
   movement.sigma_azimuth_offset = offset.sigma;
-  for (const Elevation& e : current.stations) movement.stations.push_back({e.azimuth, e.direction + offset.value});
-
-  std::vector<MatchedStation> matched = matchStations(baseline, current, offset.value);
+  Matching matching = matchStations(baseline, current, offset.value);
+  std::vector<MatchedStation>& matched = matching.stations;
+  movement.stations = stationsOf(baseline, current, matching, offset.value);
   movement.matched = matched.size();
   if (matched.size() < kFewest) {
-    movement.message = "only " + std::to_string(matched.size()) + " stations are measured in both surveys";
+    movement.message = "only " + std::to_string(matched.size()) + " stations are measured in both surveys, and " +
+                       std::to_string(kFewest) + " are needed";
     return movement;
   }
   CommonPart(matched, options.removal).removeFrom(matched);

@@ -64,6 +64,12 @@ Json movementSection(const Movement& movement) {
           {"stations", stations}};
 }
 
+std::string movementOptionsJson(const MovementOptions& options) {
+  Json json = movementOptionsSection("", options);
+  json.erase("baseline");
+  return json.dump(2) + "\n";
+}
+
 std::string movementJson(const Movement& movement) {
   return movementSection(movement).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

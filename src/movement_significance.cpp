@@ -6,50 +6,17 @@
 
 #include "tank_datum/statistics.h"
 #include "units.h"
+#include "window_means.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr std::size_t kDraws = 2000;
-constexpr double kFalseAlarms = 0.05;
-constexpr double kWidthsDeg[] = {0.0, 3.0, 6.0, 12.0, 24.0, 48.0};  ///< whole
-
-/// Stations first ... first + count - 1, counted on round the tank.
-struct Window {
-  std::size_t first = 0, end = 0;
-  double per_weight = 0.0;  ///< 1 / sum of the weights
-};
-
-std::vector<Window> windowsOver(const std::vector<MatchedStation>& stations) {
-  const std::size_t n = stations.size();
-  std::vector<double> weights(2 * n + 1, 0.0);
-  for (std::size_t i = 0; i < 2 * n; ++i) {
-    weights[i + 1] = weights[i] + 1.0 / (stations[i % n].sigma * stations[i % n].sigma);
-  }
-  std::vector<Window> windows;
-  for (const double width : kWidthsDeg) {
-    const double half = toRadians(width) / 2.0 + 1e-9;
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto within = [&](std::size_t j) {
-        return std::abs(std::remainder(stations[j].direction - stations[i].direction, kTwoPi)) <= half;
-      };
-      std::size_t first = i, count = 1;
-      while (count < n && within((first + n - 1) % n)) first = (first + n - 1) % n, ++count;
-      while (count < n && within((first + count) % n)) ++count;
-      windows.push_back({first, first + count, 1.0 / (weights[first + count] - weights[first])});
-    }
-  }
-  return windows;
-}
-
-/// Weighted means of dz, one per window, into `means`.
-void meansOf(const std::vector<MatchedStation>& stations, const std::vector<Window>& windows, float* means) {
-  const std::size_t n = stations.size();
-  std::vector<double> sums(2 * n + 1, 0.0);
-  for (std::size_t i = 0; i < n; ++i) sums[i + 1] = sums[i] + stations[i].dz / (stations[i].sigma * stations[i].sigma);
-  for (std::size_t i = 0; i < n; ++i) sums[n + i + 1] = sums[n] + sums[i + 1];
-  for (const Window& w : windows) *means++ = static_cast<float>((sums[w.end] - sums[w.first]) * w.per_weight);
-}
+/// Aimed at, so that at most 5 % are left where errors reach somewhat beyond the windows that surveys give for them.
+constexpr double kFalseAlarms = 0.03;
+constexpr double kDegree = kPi / 180.0;
+constexpr double kWidths[] = {0.0,          3 * kDegree,  6 * kDegree,
+                              12 * kDegree, 24 * kDegree, 48 * kDegree};  ///< whole [rad]
 
 /// Leaves no station by itself (a Hampel filter): one that is further from the median of the stations within 2 degrees
 /// than kOutlier of its sigmas is put there. A shell carries no step over one degree, but scans have single stations
@@ -164,42 +131,107 @@ class Unmoved {
   Deviates normal_;
 };
 
-/// A wide window may be carried by a movement at its edge: its middle must have moved too, by half as much.
-bool middleMoved(const std::vector<float>& means, std::size_t window, std::size_t stations) {
-  if (window < stations) return true;
-  const float inner = means[window - stations], outer = means[window];
-  return inner / outer >= 0.5F;
+std::vector<float> dzOf(const std::vector<MatchedStation>& stations) {
+  std::vector<float> dz;
+  for (const MatchedStation& m : stations) dz.push_back(static_cast<float>(m.dz));
+  return dz;
+}
+
+/// The windows of one width against what they are in draws of an unmoved tank.
+class Scale {
+ public:
+  /// @param draws  one row of dz per draw
+  Scale(const std::vector<MatchedStation>& stations, const std::vector<bool>& moved, double width,
+        const std::vector<float>& draws)
+      : means_(windowsOver(directionsOf(stations), width), weightsOf(stations, moved)), sigmas_(stations.size(), 0.0) {
+    const std::size_t n = stations.size();
+    drawn_.resize(draws.size());
+    for (std::size_t at = 0; at < draws.size(); at += n) {
+      means_.of(&draws[at], &drawn_[at]);
+      for (std::size_t w = 0; w < n; ++w) sigmas_[w] += drawn_[at + w] * drawn_[at + w];
+    }
+    for (double& sigma : sigmas_) sigma = std::sqrt(sigma * static_cast<double>(n) / static_cast<double>(draws.size()));
+  }
+
+  /// Raises each draw's largest standardised mean to that of these windows.
+  void raise(std::vector<double>& maxima) const {
+    const std::size_t n = sigmas_.size();
+    for (std::size_t draw = 0; draw < maxima.size(); ++draw) {
+      for (std::size_t w = 0; w < n; ++w) {
+        maxima[draw] = std::max(maxima[draw], std::abs(drawn_[draw * n + w]) / sigmas_[w]);
+      }
+    }
+  }
+
+  /// Whether the window about each station has moved.
+  std::vector<bool> beyond(double threshold, const std::vector<float>& dz) {
+    std::vector<float> means(sigmas_.size());
+    means_.of(dz.data(), means.data());
+    std::vector<bool> moved;
+    for (std::size_t w = 0; w < means.size(); ++w) moved.push_back(std::abs(means[w]) > threshold * sigmas_[w]);
+    return moved;
+  }
+
+ private:
+  static std::vector<double> directionsOf(const std::vector<MatchedStation>& stations) {
+    std::vector<double> directions;
+    for (const MatchedStation& m : stations) directions.push_back(m.direction);
+    return directions;
+  }
+
+  static std::vector<double> weightsOf(const std::vector<MatchedStation>& stations, const std::vector<bool>& moved) {
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      weights.push_back(moved[i] ? 0.0 : 1.0 / (stations[i].sigma * stations[i].sigma));
+    }
+    return weights;
+  }
+
+  WindowMeans means_;
+  std::vector<double> sigmas_;
+  std::vector<float> drawn_;  ///< means, one row per draw
+};
+
+/// Whether stations on either side, within the window, have moved.
+bool isFlanked(const std::vector<MatchedStation>& stations, const std::vector<bool>& moved, std::size_t at,
+               double width) {
+  bool before = false, after = false;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const double off = std::remainder(stations[i].direction - stations[at].direction, kTwoPi);
+    if (!moved[i] || std::abs(off) > 0.5 * width) continue;
+    before = before || off < 0.0, after = after || off > 0.0;
+  }
+  return before && after;
 }
 
 }  // namespace
 
 Significance findMoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
                        const MovementOptions& options) {
-  const std::vector<Window> windows = windowsOver(stations);
   Unmoved unmoved(stations, common, options);
   Steadied steadied(stations);
-  const std::size_t count = windows.size();
-  std::vector<float> draws(kDraws * count);
-  std::vector<double> sigmas(count, 0.0), maxima;
+  std::vector<float> draws;
   for (std::size_t draw = 0; draw < kDraws; ++draw) {
-    float* means = &draws[draw * count];
-    meansOf(steadied.of(unmoved.draw()), windows, means);
-    for (std::size_t w = 0; w < count; ++w) sigmas[w] += means[w] * means[w];
-  }
-  for (double& sigma : sigmas) sigma = std::sqrt(sigma / kDraws);
-  for (std::size_t draw = 0; draw < kDraws; ++draw) {
-    double largest = 0.0;
-    for (std::size_t w = 0; w < count; ++w) largest = std::max(largest, std::abs(draws[draw * count + w]) / sigmas[w]);
-    maxima.push_back(largest);
+    const std::vector<float> dz = dzOf(steadied.of(unmoved.draw()));
+    draws.insert(draws.end(), dz.begin(), dz.end());
   }
   Significance result;
-  result.threshold = quantile(maxima, 1.0 - kFalseAlarms);
   result.moved.assign(stations.size(), false);
-  std::vector<float> means(count);
-  meansOf(steadied.of(stations), windows, means.data());
-  for (std::size_t w = 0; w < count; ++w) {
-    const bool found = std::abs(means[w]) > result.threshold * sigmas[w];
-    if (found && middleMoved(means, w, stations.size())) result.moved[w % stations.size()] = true;
+  std::vector<double> maxima(kDraws, 0.0);
+  std::vector<Scale> scales;
+  for (const double width : kWidths) {
+    scales.emplace_back(stations, result.moved, width, draws);
+    scales.back().raise(maxima);
+  }
+  result.threshold = quantile(maxima, 1.0 - kFalseAlarms);
+  const std::vector<float> dz = dzOf(steadied.of(stations));
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    const std::vector<bool> before = result.moved, whole = scales[k].beyond(result.threshold, dz);
+    if (std::find(whole.begin(), whole.end(), true) == whole.end()) continue;
+    const std::vector<bool> left = Scale(stations, before, kWidths[k], draws).beyond(result.threshold, dz);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      if (whole[i] && (left[i] || isFlanked(stations, before, i, kWidths[k]))) result.moved[i] = true;
+    }
   }
   for (const MatchedStation& m : stations) {
     const double own = std::hypot(m.sigma, m.slope * common.turn);

@@ -111,6 +111,10 @@ OutOfPlane fitOutOfPlane(std::vector<Station>& stations, double radius) {
     result.message = "a diameter below 18.6 m (61 ft) is too small for trigonometric regression";
     return result;
   }
+  if (!tellsApart(data, kLeastOrder)) {
+    result.message = "so little of the datum was seen that its waves cannot be told apart";
+    return result;
+  }
   const int order = chosenOrder(data, highestOrder(data, longest, kLeastOrder));
   result.message.clear();
   result.order = order;

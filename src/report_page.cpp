@@ -57,8 +57,8 @@ std::string reportPage(const Datum& datum, const Provenance& provenance) {
   return pageWith(data);
 }
 
-std::string trendPage(const std::string& movement_json) {
-  return pageWith({{"trend", "application/json", movement_json}});
+std::string trendPage(const std::string& movement_json, const std::string& movement_csv) {
+  return pageWith({{"trend", "application/json", movement_json}, {"movements", "text/csv", movement_csv}});
 }
 
 void writeReportPage(const std::string& folder, const std::string& page) {

@@ -109,7 +109,7 @@ TEST(AnalysisOptions, AreRefusedByName) {
   options.classic_points = -1;
   EXPECT_EQ(firstError(options), "analysis.classic_points = -1 (must be >= 0)");
   options.facts.height = 0;
-  EXPECT_EQ(firstError(options), "facts.height = 0 (must be > 0)");
+  EXPECT_EQ(firstError(options), "facts.height = 0 (must be in m, > 0 and at most 100)");
 }
 
 }  // namespace

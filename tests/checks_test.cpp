@@ -103,7 +103,7 @@ TEST(Judge, WhatIsShownIsNotJudged) {
 }
 
 TEST(Judge, WhatCouldNotBeHadIsNotApplicable) {
-  EXPECT_EQ(one(kTilt, {}).note, "the scan does not hold it");
+  EXPECT_EQ(one(kTilt, {}).note, "the survey does not hold it");
   Measure m = measure("tilt_slope", NAN, NAN);
   m.unavailable = "too few stations";
   EXPECT_EQ(one(kTilt, {m}).note, "too few stations");
@@ -114,13 +114,20 @@ TEST(TankFacts, AreRefusedByName) {
   EXPECT_EQ(firstError(TankFacts{}), "");
   TankFacts facts;
   facts.height = -3;
-  EXPECT_EQ(firstError(facts), "facts.height = -3 (must be > 0)");
+  EXPECT_EQ(firstError(facts), "facts.height = -3 (must be in m, > 0 and at most 100)");
   facts = {};
   facts.yield = 0;
-  EXPECT_EQ(firstError(facts), "facts.yield = 0 (must be > 0)");
+  EXPECT_EQ(firstError(facts), "facts.yield = 0 (must be in MPa, > 50 and at most 2000)");
+  facts.yield = 36000;  // psi
+  EXPECT_EQ(firstError(facts), "facts.yield = 36000 (must be in MPa, > 50 and at most 2000)");
   facts = {};
   facts.modulus = INFINITY;
-  EXPECT_EQ(firstError(facts), "facts.modulus = inf (must be > 0)");
+  EXPECT_EQ(firstError(facts), "facts.modulus = inf (must be in MPa, > 50000 and at most 500000)");
+  facts.modulus = 206;  // GPa
+  EXPECT_EQ(firstError(facts), "facts.modulus = 206 (must be in MPa, > 50000 and at most 500000)");
+  facts = {};
+  facts.height = 16000;  // mm
+  EXPECT_EQ(firstError(facts), "facts.height = 16000 (must be in m, > 0 and at most 100)");
   facts = {};
   facts.roof = "dome";
   EXPECT_EQ(firstError(facts), "facts.roof = dome (must be open or fixed)");

@@ -51,7 +51,12 @@ TEST(LevellingStations, RefusesWithFileAndLine) {
   EXPECT_NE(refusal("azimuth_deg,elevation\n0,1,2\n").find("line 2, 3 cells"), std::string::npos);
   EXPECT_NE(refusal("azimuth_deg,elevation\nnan,1\n").find("azimuth_deg, \"nan\""), std::string::npos);
   EXPECT_NE(refusal("azimuth_deg,elevation,sigma\n0,1,0\n").find("sigma, 0, expected > 0"), std::string::npos);
-  EXPECT_NE(refusal("angle,height\n0,1\n").find("another header"), std::string::npos);
+  EXPECT_EQ(refusal("azimuth_deg;elevation\n0;1\n"),
+            "levelling: l.csv line 1, \"azimuth_deg;elevation\", expected the header azimuth_deg,elevation or "
+            "azimuth_deg,elevation,sigma");
+  EXPECT_NE(refusal("azimuth_deg,elevation\n0,1,5\n").find("decimal points"), std::string::npos);
+  EXPECT_NE(refusal("azimuth_deg,elevation\n366,1\n").find("azimuth_deg, 366, expected degrees, -360 to 360"),
+            std::string::npos);
   EXPECT_NE(refusal("").find("no lines"), std::string::npos);
   EXPECT_NE(refusal("azimuth_deg,elevation\n0,1\n360,2\n").find("two rows at 0.0"), std::string::npos);
 }
@@ -63,6 +68,19 @@ std::vector<Station> ring(std::size_t count) {
     text += std::to_string(a) + "," + std::to_string(2.0 + 0.01 * std::cos(a * kDegree)) + "\n";
   }
   return levellingStations(text, "l", 1.0, 20.0, {});
+}
+
+TEST(DatumOfLevelling, ElevationsInAnotherUnitAreRefused) {
+  std::vector<Station> stations = ring(16);
+  stations[3].z += 1.95;
+  EXPECT_NO_THROW(datumOfLevelling(stations, 20.0, {}));
+  stations[3].z += 0.1;
+  try {
+    datumOfLevelling(stations, 20.0, {});
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("are they in --units"), std::string::npos);
+  }
 }
 
 TEST(DatumOfLevelling, IsDescribedAsThatOfAScan) {

@@ -107,6 +107,34 @@ TEST(CompareEpochs, ALargeDipDoesNotSpreadOverTheWidestWindow) {
   }
 }
 
+TEST(CompareEpochs, ADipIsSignificantElsewhereNoMoreOftenThanAnUnmovedTank) {
+  int elsewhere = 0;
+  for (unsigned run = 1; run <= 40; ++run) {
+    Survey after = with(&Survey::dip, 0.002, 100 + run);
+    const Movement m = compareEpochs(with(&Survey::dip, 0.0, run).epoch(), after.epoch(), {});
+    bool far = false;
+    for (std::size_t i = 0; i < 360; ++i) far = far || (m.stations[i].significant && (i < 90 || i > 110));
+    elsewhere += far ? 1 : 0;
+  }
+  EXPECT_LE(elsewhere, 6);  // binomial(40, 0.05) exceeds it once in 300
+}
+
+TEST(CompareEpochs, AWideMovementBesideADipIsFoundToo) {
+  Survey before = with(&Survey::sigma, 0.0002, 1), after = with(&Survey::sigma, 0.0002, 2);
+  after.dip = 0.004;
+  Epoch later = after.epoch();
+  for (std::size_t i = 200; i < 260; ++i) later.stations[i].z -= 0.0004;
+  const Movement m = compareEpochs(before.epoch(), later, {});
+  std::size_t wide = 0, none = 0;
+  for (std::size_t i = 0; i < 360; ++i) {
+    if (i >= 210 && i < 250) wide += m.stations[i].significant ? 1 : 0;
+    if (i >= 130 && i < 170) none += m.stations[i].significant ? 1 : 0;
+  }
+  EXPECT_GT(wide, 30U);
+  EXPECT_EQ(none, 0U);
+  EXPECT_TRUE(m.stations[100].significant);
+}
+
 TEST(CompareEpochs, ASingleStationOffIsNoMovement) {
   Survey wide;
   wide.count = 36;

@@ -91,6 +91,23 @@ TEST(FitOutOfPlane, FindsTheCurvatureOfAWave) {
   }
 }
 
+TEST(FitOutOfPlane, RefusesWavesThatAGapHides) {
+  const auto fitBeside = [](std::size_t gap) {
+    std::vector<double> z = wave(360, sixWaves);
+    blank(z, 60, gap);
+    auto stations = survey(z, 30.0);
+    const OutOfPlane fit = fitOutOfPlane(stations, 30.0);
+    EXPECT_EQ(std::isfinite(stations[0].curvature), fit.valid());
+    EXPECT_GT(fit.max_u, 0.0);
+    return fit;
+  };
+  EXPECT_TRUE(fitBeside(85).valid());
+  for (const std::size_t gap : {100U, 240U}) {
+    EXPECT_FALSE(fitBeside(gap).valid());
+    EXPECT_NE(fitBeside(gap).message.find("cannot be told apart"), std::string::npos);
+  }
+}
+
 TEST(FitOutOfPlane, TakesMoreWavesOnlyWhileTheyExplainMore) {
   const auto order = [](double (*shape)(double)) {
     auto stations = survey(noisy(wave(360, shape), 1e-5, 1), 30.0, 1e-5);

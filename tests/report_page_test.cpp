@@ -87,7 +87,8 @@ TEST(ReportPage, HoldsSectionsInTheScansFrame) {
 }
 
 TEST(TrendPage, HoldsTheMovementsAlone) {
-  const std::string page = trendPage("{\"movements\": []}");
+  const std::string page = trendPage("{\"movements\": []}", "azimuth_deg,trend\n0,1\n");
+  EXPECT_EQ(dataOf(page, "movements"), "azimuth_deg,trend\n0,1\n");
   EXPECT_EQ(dataOf(page, "trend"), "{\"movements\": []}");
   EXPECT_EQ(page.find("id=\"data-datum\""), std::string::npos);
 }

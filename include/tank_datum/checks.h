@@ -13,9 +13,9 @@ namespace TANK_DATUM_API tank_datum {
 
 /// What is known of the tank beside the scan; NaN or empty when not given.
 struct TankFacts {
-  double height = Station::kUnknown;   ///< of the shell, H [m]
-  double yield = Station::kUnknown;    ///< yield strength of its steel, Y [MPa]
-  double modulus = Station::kUnknown;  ///< its elastic modulus, E [MPa]
+  double height = Station::kUnknown;   ///< of the shell, H, at most 100 [m]
+  double yield = Station::kUnknown;    ///< yield strength of its steel, Y, 50 to 2000 [MPa]
+  double modulus = Station::kUnknown;  ///< its elastic modulus, E, 5e4 to 5e5 [MPa]
   std::string roof;                    ///< "open" (floating roof) or "fixed"
   std::string foundation;              ///< "ringwall" or "earth"
 };

@@ -23,17 +23,23 @@ struct Epoch {
   std::string name;                 ///< where it was read from
   std::string status;               ///< "ok", "partial": usable
   std::string method;               ///< what z is
-  std::string surface;              ///< the foundation surface that was intersected; empty with the paper's method
+  std::string surface;              ///< the foundation surface that was intersected; else empty
   Circle circle;                    ///< in the scan's own frame [m]
   std::vector<Elevation> stations;  ///< every one in order; z is NaN where it was not measured
+  bool levelled = false;            ///< elevations typed in: its azimuths are about its own centre, (0, 0)
 
   bool usable() const { return status == "ok" || status == "partial"; }
+  std::size_t judgeable() const;  ///< measured stations with a standard error
 };
 
-/// The survey in a result.
+/// The survey in a result, of a scan or of a levelling.
 Epoch epochOf(const Datum& datum, Method method, const std::string& name);
 
-/// Reads a datum.json, or the one in a result folder.
+/// The file of a survey: itself, or the datum.json in a result folder.
+std::string epochFile(const std::string& path);
+
+/// Reads a datum.json, or the one in a result folder. Its `input.kind` says whether it is of a levelling; without one
+/// it is of a scan.
 /// @throws Error (File) what cannot be read, or is no datum.json with its stations
 Epoch readEpoch(const std::string& path);
 

@@ -19,7 +19,7 @@ std::vector<Station> levellingStations(const std::string& text, const std::strin
                                        double diameter, const StationOptions& options);
 
 /// The datum that such stations are, described and judged as that of a scan: about the centre (0, 0).
-/// @throws Error (Option) a refused option
+/// @throws Error (Option) a refused option; elevations further apart than a tenth of the diameter
 Datum datumOfLevelling(std::vector<Station> stations, double diameter, const DatumOptions& options);
 
 /// Reads the file, "m", "mm", "ft" or "in" being its units, and describes its datum; with its record.

@@ -36,14 +36,18 @@ std::string firstError(const MovementOptions& options);
 /// @throws Error (Option) naming the first refused field
 void requireValid(const MovementOptions& options);
 
-/// Refuses a circle that is not that of the baseline's tank.
+/// Refuses a circle that is not that of the baseline's tank. The centre of a levelled baseline is not looked at.
 /// @throws Error (Option) naming radius or centre, and the units that may have been confused
 void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
                      const MovementOptions& options);
 
 constexpr double kNormal95 = 1.959963984540054;  ///< two-sided 95 % point of the normal distribution
 
-/// The movement of one station, those of the current survey in order.
+/// Refuses a survey none of whose stations has a standard error.
+/// @throws Error (Option) naming it and, of a levelling, the column that its table lacks
+void requireErrors(const Epoch& epoch);
+
+/// The movement of one station.
 struct StationMovement {
   double azimuth = Station::kUnknown;    ///< as the current survey counts it [rad]
   double direction = Station::kUnknown;  ///< in the baseline's frame [rad]
@@ -59,13 +63,13 @@ struct StationMovement {
 struct Movement {
   std::string baseline;  ///< name of the earlier survey
   Removal removal = Removal::Nothing;
-  double registration_error = 0.0;       ///< as given [m]
-  double registration_tilt = 0.0;        ///< as given [rad]
-  double azimuth_offset = 0.0;           ///< as given or estimated [rad]
-  double sigma_azimuth_offset = 0.0;     ///< its standard error; 0 when given [rad]
-  double threshold = Station::kUnknown;  ///< of the largest standardised window mean on an unmoved tank, 95 %
-  std::vector<StationMovement> stations;
-  std::size_t matched = 0;  ///< stations measured in both
+  double registration_error = 0.0;        ///< as given [m]
+  double registration_tilt = 0.0;         ///< as given [rad]
+  double azimuth_offset = 0.0;            ///< as given or estimated [rad]
+  double sigma_azimuth_offset = 0.0;      ///< its standard error; 0 when given [rad]
+  double threshold = Station::kUnknown;   ///< of the largest standardised window mean on an unmoved tank, 97 %
+  std::vector<StationMovement> stations;  ///< of one survey, in its order: the current one's, or the sparser baseline's
+  std::size_t matched = 0;                ///< stations measured in both
   std::size_t significant = 0;
   double max = Station::kUnknown;          ///< dz of the largest magnitude [m]
   double max_azimuth = Station::kUnknown;  ///< where [rad]
@@ -75,12 +79,20 @@ struct Movement {
   bool valid() const { return matched > 0 && message.empty(); }
 };
 
-/// Compares two surveys of one tank. Elevations of the baseline are interpolated between neighbours at most 2 degrees
-/// apart; stations without such neighbours are not compared.
-/// @throws Error (Option) a refused option; surveys of different tanks, units, methods or foundation surfaces
+/// Compares two surveys of one tank, scanned or levelled, at the stations of the current one; where the baseline's lie
+/// too far apart for that, at the baseline's. The other survey's elevations are interpolated there between neighbours
+/// at most 2 degrees apart; stations without such neighbours, or without a standard error, are not compared. Of a
+/// levelling neither centre nor foundation surface is known, so they are not compared either: its azimuths are taken
+/// about the tank's centre, and its heights may differ from a scan's by a constant, since the rod stands on chime or
+/// bottom projection (Removal::Mean).
+/// @throws Error (Option) a refused option; surveys of different tanks, units, methods or foundation surfaces; a survey
+///         without any standard error
 Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
 
 /// The `movement` of datum.json by itself. Metres, degrees; unknown values null.
 std::string movementJson(const Movement& movement);
+
+/// The `movement` of datum.json's options by itself, without the baseline's name. Metres, degrees.
+std::string movementOptionsJson(const MovementOptions& options);
 
 }  // namespace tank_datum

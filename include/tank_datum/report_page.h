@@ -27,8 +27,8 @@ std::string pageWith(const std::vector<PageData>& data);
 /// station was fitted to.
 std::string reportPage(const Datum& datum, const Provenance& provenance);
 
-/// The page of several surveys of one tank, from movement.json.
-std::string trendPage(const std::string& movement_json);
+/// The page of several surveys of one tank, from movement.json and movement.csv.
+std::string trendPage(const std::string& movement_json, const std::string& movement_csv);
 
 /// Writes report.html into a folder.
 /// @throws Error (File) naming the path

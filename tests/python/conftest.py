@@ -9,6 +9,14 @@ from pathlib import Path
 
 import pytest
 
+from report_fixtures import (  # noqa: F401
+    browser,
+    gaps_report,
+    no_tank_report,
+    page,
+    sample_report,
+    still,
+)
 from results import Run
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 import re
-import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -13,12 +12,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
-from matplotlib.image import imread
 from numpy.typing import NDArray
 
-sync_api = pytest.importorskip("playwright.sync_api")
-
+SAMPLE = Path(__file__).resolve().parents[1] / "data" / "sample.pcd"
+CHARTS = (
+    "elevation-chart",
+    "out-of-plane-chart",
+    "plan-chart",
+    "section-chart",
+    "corner-chart",
+    "residuals-chart",
+)
+LINKED = ("elevation-chart", "out-of-plane-chart", "plan-chart")
 WIDE = (1200, 900)
 PHONE = (390, 844)
 DATUM_BLUE = (7, 87, 181)
@@ -45,6 +50,24 @@ class Opened:
         box = svg.bounding_box()
         self.page.mouse.move(box["x"] + x, box["y"] + y)
 
+    def choose(self, station: int) -> None:
+        self.page.locator("#station-number").fill(str(station))
+        self.page.locator("#station-number").press("Enter")
+
+    def slips(self) -> list[str]:
+        """What no reader should meet: console lines, words of a program, empty sections."""
+        said = self.page.evaluate(
+            """() => { const copy = document.body.cloneNode(true);
+                 copy.querySelectorAll('script, template, style, pre').forEach(e => e.remove());
+                 return copy.textContent; }"""
+        )
+        empty = self.page.evaluate(
+            """[...document.querySelectorAll('main > section')]
+                 .filter(s => s.childElementCount < 2).map(s => s.id)"""
+        )
+        found = re.findall(r"\w* ?\b(?:null|NaN|undefined|Infinity|\[object)\b ?\w*", said)
+        return [*self.errors, *found, *empty]
+
     def click(self, chart: str, x: float, y: float) -> None:
         self.page.locator(f"#{chart} svg").click(position={"x": x, "y": y})
 
@@ -59,24 +82,22 @@ class Opened:
 
 
 def pixels(png: bytes) -> NDArray[np.uint8]:
+    from matplotlib.image import imread
+
     image = imread(io.BytesIO(png), format="png")
     return (255 * image[..., :3] + 0.5).astype(np.uint8)
+
+
+def inked(image: NDArray[np.uint8]) -> float:
+    """The share of pixels that are not of the background."""
+    apart = np.abs(image.astype(int) - image[0, 0]).max(axis=2)
+    return float((apart > 60).mean())
 
 
 def close_to(image: NDArray[np.uint8], colour: tuple[int, int, int], within: int = 24) -> int:
     """How many pixels have a colour."""
     apart = np.abs(image.astype(int) - np.array(colour)).max(axis=2)
     return int((apart <= within).sum())
-
-
-@pytest.fixture(scope="session")
-def browser() -> Iterator[Any]:
-    chromium = shutil.which("chromium")
-    assert chromium, "chromium is not installed: ./scripts/test does so"
-    with sync_api.sync_playwright() as tool:
-        started = tool.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        yield started
-        started.close()
 
 
 @contextmanager
@@ -109,3 +130,16 @@ def with_data(report: Path, target: Path, changes: dict[str, Any]) -> Path:
     text = json.dumps(datum).replace("<", "\\u003c")
     target.write_text(html[: found.start(1)] + text + html[found.end(1) :])
     return target
+
+
+def scale_of(page: Opened, chart: str, axis: int) -> tuple[float, float]:
+    """value = a + b * pixel, from two ticks of an axis: 0 across, 1 upwards."""
+    ticks = page.page.locator(f"#{chart} g.axis").nth(axis).locator("g.tick")
+    found = []
+    for tick in (ticks.first, ticks.last):
+        place = [float(v) for v in re.findall(r"[-\d.]+", tick.get_attribute("transform"))]
+        value = float(tick.text_content().replace("\u2212", "-").replace(",", ""))
+        found.append((place[axis] - 0.5, value))  # D3 moves ticks to the middle of a pixel
+    (p1, v1), (p2, v2) = found
+    b = (v2 - v1) / (p2 - p1)
+    return v1 - b * p1, b

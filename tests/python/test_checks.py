@@ -119,9 +119,11 @@ def test_printed_limits_are_those_used(run: Runner, synth: Synth, tmp_path: Path
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--height", -2), "facts.height, -2, expected > 0"),
-        (("--yield-mpa", 0), "facts.yield, 0, expected > 0"),
-        (("--modulus-mpa", -1), "facts.modulus, -1, expected > 0"),
+        (("--height", -2), "facts.height, -2, expected in m, > 0"),
+        (("--yield-mpa", 0), "facts.yield, 0, expected in MPa, > 50"),
+        (("--yield-mpa", 235e6), "facts.yield, 2.35e+08, expected in MPa"),
+        (("--modulus-mpa", -1), "facts.modulus, -1, expected in MPa"),
+        (("--modulus-mpa", 206), "facts.modulus, 206, expected in MPa"),
         (("--roof", "dome"), "--roof"),
         (("--foundation", "sand"), "--foundation"),
         (("--classic-points", -4), "analysis.classic_points, -4"),

@@ -64,8 +64,9 @@ def test_options_change_the_outcome(tmp_path: Path) -> None:
 
     assert significant() > 0
     assert significant("--registration-error", "0.005") == 0
-    assert significant("--correlation-deg", "1") > significant("--correlation-deg", "60")
     assert significant("--azimuth-offset-deg", "45") > 100
+    epoch(surveys[1], 0.0008)
+    assert significant("--correlation-deg", "1") > significant("--correlation-deg", "60")
     compare(*surveys, "-o", tmp_path / "m", "--remove", "mean")
     assert (
         json.loads((tmp_path / "m/movement.json").read_text())["movements"][0]["removed"] == "mean"

@@ -17,6 +17,9 @@ LEVELLING = ROOT / "tests" / "data" / "levelling"
 INCH, FOOT, KSI = 0.0254, 0.3048, 6.894757
 
 
+SWAPPED = "azimuth_deg,elevation\n" + "".join(f"1.00{a // 90},{a}\n" for a in range(0, 360, 90))
+
+
 def survey(run: Runner, out: Path, file: Path, diameter: float, *options: object) -> dict[str, Any]:
     result = run("--stations-csv", file, "--diameter", diameter, "-o", out, *options)
     assert result.returncode == 0, result.stderr
@@ -128,7 +131,8 @@ def test_missing_elevations(run: Runner, tmp_path: Path) -> None:
     ("content", "options", "status", "said"),
     [
         ("azimuth_deg,elevation\n0,x\n", (), 2, 'line 2 elevation, "x", expected a number'),
-        ("angle,z\n0,1\n", (), 2, "another header"),
+        ("angle,z\n0,1\n", (), 2, '"angle,z", expected the header azimuth_deg,elevation'),
+        (SWAPPED, (), 2, "elevations, 270.000000 m apart, expected at most a tenth"),
         ("", (), 2, "no lines"),
         ("azimuth_deg,elevation\n0,1\n", (), 1, "1 stations have an elevation"),
         ("azimuth_deg,elevation\n0,1\n", ("--diameter", -3), 2, "diameter, -3"),

@@ -28,6 +28,7 @@ const trend = embeddedJson("trend");
 
 const known = (value) => value !== null && value !== undefined && Number.isFinite(value);
 const usable = datum !== null && (datum.status === "ok" || datum.status === "partial");
+const levelled = datum !== null && datum.input.kind === "levelling";
 const hasSection = (key) => usable && datum[key] !== undefined && datum[key] !== null;
 
 /** Direction of an azimuth, counter-clockwise from the frame's +x [deg]. */

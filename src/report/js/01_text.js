@@ -15,14 +15,17 @@ function make(tag, attributes = {}, ...children) {
 }
 
 const kUnknown = "unknown";
-const minus = (text) => text.replace("-", "\u2212");
+const minus = (text) => text.replaceAll("-", "\u2212");
 const rounded = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "");  // no negative zero
 const figure = (value, digits) => (known(value) ? minus(rounded(value, digits)) : kUnknown);
-const withUnit = (value, digits, unit) => (known(value) ? `${figure(value, digits)}\u00a0${unit}` : kUnknown);
+const withUnit = (value, digits, unit) => (known(value) ? `${figure(value, digits)}${unit === "\u2033" ? "" : "\u00a0"}${unit}` : kUnknown);
 const millimetres = (metres, digits = 1) => withUnit(known(metres) ? 1e3 * metres : null, digits, "mm");
 const metres = (value, digits = 3) => withUnit(value, digits, "m");
 const degrees = (value, digits = 0) => (known(value) ? `${figure(value, digits)}\u00b0` : kUnknown);
 const plusMinus = (sigma, digits = 1) => (known(sigma) ? `\u00b1 ${(2e3 * sigma).toFixed(digits)} mm (2\u03c3)` : "");
+
+/** A curvature, in the unit of its chart. */
+const curvature = (value) => withUnit(known(value) ? 1e6 * value : null, 1, "\u00d7 10\u207b\u2076 1/m");
 
 /** Figures of any size: as many digits as four significant ones take, small ones with an exponent. */
 function anyFigure(value) {
@@ -44,14 +47,29 @@ function nearestRow(rows, azimuth) {
   return rows.reduce((best, r) => (best === null || angleApart(r.azimuth_deg, azimuth) < angleApart(best.azimuth_deg, azimuth) ? r : best), null);
 }
 
+/** Plain words of a result as a reader expects them: signs, and options of the command in one piece. */
+function typeset(text) {
+  const signs = text.replaceAll("+-", "\u00b1").replaceAll(">=", "\u2265").replaceAll("^2", "\u00b2");
+  return signs.split(/(--[a-z][a-z-]*)/).map((part, i) => (i % 2 === 1 ? make("code", { class: "option" }, part) : part));
+}
+
+const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+const sentence = (text) => `${capital(text)}${text.endsWith(".") ? "" : "."}`;
+const plural = (count, name) => `${count} ${name}${count === 1 ? "" : "s"}`;
 const words = (name) => name.replaceAll("_", " ");
+
+/** Figures in boxes: [name, value, further words]. */
+function boxes(list, kind = "facts") {
+  return make("dl", { class: kind }, list.map(([name, value, more]) => (
+    make("div", {}, make("dt", {}, name), make("dd", {}, value, more ? make("small", {}, more) : null)))));
+}
 
 /** A table; columns are [heading, kind] with kind "number" or "". */
 function table(columns, rows, caption) {
   const head = columns.map(([name, kind]) => make("th", { scope: "col", class: kind || false }, name));
   const body = rows.map((row) => make("tr", {}, row.map((cell, i) => (
     cell instanceof HTMLTableCellElement ? cell
-      : make("td", { class: columns[i][1] || false, "data-head": columns[i][0] }, cell)))));
+      : make("td", { class: columns[i][1] || false, "data-head": columns[i][0] }, make("span", {}, cell))))));
   return make("div", { class: "scroll" }, make("table", { class: "stacked" },
     caption ? make("caption", {}, caption) : null,
     make("thead", {}, make("tr", {}, head)), make("tbody", {}, body)));

@@ -12,7 +12,7 @@ function addSection(id, heading) {
 /** One line that says what is missing and why. */
 function sayAbsent(section, why) {
   if (section.childElementCount === 1) section.classList.add("absent-section");
-  section.append(make("p", { class: "absent" }, why));
+  section.append(make("p", { class: "absent" }, typeset(why)));
 }
 
 /** Why there is no such section in a result. */

@@ -4,6 +4,7 @@ const link = {
   chosen: 0,
   hovered: null,
   marks: [],
+  describe: describeStation,
 
   hover(azimuth) {
     this.hovered = azimuth;
@@ -13,7 +14,7 @@ const link = {
   choose(azimuth) {
     this.chosen = ((azimuth % 360) + 360) % 360;
     this.show();
-    document.getElementById("spoken").textContent = spokenStation(this.chosen);
+    document.getElementById("spoken").textContent = this.describe(this.chosen).map(([name, value]) => `${name} ${value}`).join("; ");
     document.dispatchEvent(new CustomEvent("station"));
   },
 
@@ -41,10 +42,6 @@ function describeStation(azimuth) {
   if (known(s.radius)) lines.push(["Radius", metres(s.radius, 4)]);
   if (known(s.n_foundation)) lines.push(["Points", `shell ${s.n_shell}, foundation ${s.n_foundation}`]);
   return lines;
-}
-
-function spokenStation(azimuth) {
-  return describeStation(azimuth).map(([name, value]) => `${name} ${value}`).join("; ");
 }
 
 const tip = {

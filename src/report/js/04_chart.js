@@ -40,7 +40,8 @@ function drawChart(chart, width = Math.floor(chart.canvas.clientWidth)) {
   link.marks = link.marks.filter((mark) => mark !== chart.mark);
   chart.width = width;
   const ratio = typeof chart.ratio === "function" ? chart.ratio(width) : chart.ratio;
-  const height = Math.round(Math.min(chart.most, Math.max(chart.least, ratio * width)));
+  const paper = width === chart.paper;  // lower there, for a section a sheet
+  const height = Math.round((paper ? 0.84 : 1) * Math.min(chart.most, Math.max((paper ? 0.7 : 1) * chart.least, ratio * width)));
   chart.canvas.replaceChildren();
   const svg = d3.select(chart.canvas).append("svg").attr("xmlns", "http://www.w3.org/2000/svg")
     .attr("width", width).attr("height", height).attr("viewBox", `0 0 ${width} ${height}`)
@@ -66,6 +67,7 @@ function drawCharts(width) {
   for (const chart of charts) {
     const place = chart.canvas.closest(".pair") ? width / 2 - 10 : width;
     const wanted = width ? place : Math.floor(chart.canvas.clientWidth);
+    chart.paper = width ? place : null;
     if (wanted !== chart.width) drawChart(chart, wanted);
   }
 }

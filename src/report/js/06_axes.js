@@ -19,7 +19,7 @@ function drawAxes(svg, x, y, ticks, title, bottom) {
   svg.append("g").attr("class", "axis").attr("transform", `translate(0,${low})`)
     .call(ticks ? d3.axisBottom(x).tickValues(ticks) : d3.axisBottom(x).ticks(Math.max(3, (right - left) / 80)));
   svg.append("g").attr("class", "axis").attr("transform", `translate(${left},0)`)
-    .call(d3.axisLeft(y).ticks(Math.max(3, (low - high) / 45)));
+    .call(d3.axisLeft(y).ticks(Math.max(3, (low - high) / 45)).tickSizeOuter(0));
   if (title) svg.append("text").attr("class", "axis-title").attr("x", 4).attr("y", 14).text(title);
   svg.append("text").attr("class", "axis-title").attr("x", right).attr("y", low + 36).attr("text-anchor", "end").text(bottom);
 }
@@ -59,6 +59,21 @@ function closed(rows) {
 function drawLine(svg, axes, rows, value, name) {
   const path = d3.line().defined((r) => known(value(r))).x((r) => axes.x(r.azimuth_deg)).y((r) => axes.y(value(r)));
   return svg.append("path").attr("class", `line ${name}`).attr("d", path(closed(rows)));
+}
+
+const kFew = 72;  // stations or fewer are each seen
+
+/** The rows with a value where those are few, for a line from one to the next; else all, for a line with gaps. */
+function fewOrAll(rows, value) {
+  const seen = rows.filter((r) => known(value(r)));
+  return seen.length > kFew ? rows : seen;
+}
+
+/** Dots on few stations: a line alone hides how far apart they are. */
+function drawFew(svg, axes, rows, value) {
+  if (rows.length > kFew) return;
+  svg.append("g").selectAll("circle").data(rows.filter((r) => known(value(r)))).enter().append("circle").attr("class", "station")
+    .attr("r", 3).attr("cx", (r) => axes.x(r.azimuth_deg)).attr("cy", (r) => axes.y(value(r)));
 }
 
 /** The band value(row) +- half(row). */

@@ -1,6 +1,7 @@
 // The tank from above, its settlement drawn outwards and inwards of the ring.
 
 const plan = { exaggeration: 1 };
+const kAzimuthGap = 18;  // px: from the ring's ticks to their azimuths
 const kNarrow = 520;  // px: below it the colours' key stands under the plan
 
 function addPlan() {
@@ -18,7 +19,7 @@ function addPlan() {
   section.append(make("p", { class: "quiet" }, "Seen from above. The curve lies outside the ring where the datum is higher than its mean, inside where it is lower; click it for a station."),
     make("div", { class: "controls" }, make("label", { for: "exaggeration" }, "Exaggeration of the settlement"), slider, shown));
   const chart = addChart(section, {
-    id: "plan-chart", label: "Plan of the tank with exaggerated settlement", ratio: (width) => (width < kNarrow ? 1.25 : 0.78), least: 330, most: 640,
+    id: "plan-chart", label: "Plan of the tank with exaggerated settlement", ratio: (width) => (width < kNarrow ? 1.34 : 0.78), least: 330, most: 640,
     legend: [{ name: "ring", label: "datum", colour: "datum" },
       ...(datum.tilt ? [{ name: "tilt", label: "tilt, pointing up", colour: "fit", on: true }] : []),
       ...(datum.antipodal && known(datum.antipodal.max_h) ? [{ name: "diameter", label: "worst diameter", colour: "reference", on: true }] : [])],
@@ -31,7 +32,9 @@ function addPlan() {
 }
 
 function drawPlan(svg, width, height, shown) {
-  const middle = [width / 2, Math.min(width, height) / 2 + (width < kNarrow ? 10 : 0)], ring = 0.33 * Math.min(width, height);
+  const middle = [width / 2, Math.min(width, height) / 2 + (width < kNarrow ? 10 : 0)], most = Math.min(width, height);
+  const ring = Math.min(0.33 * most, (0.5 * most - kAzimuthGap - 14) / 1.36);  // with room for the azimuths
+
   const place = (azimuth, radius) => {
     const turn = (directionOf(azimuth) * Math.PI) / 180;
     return [middle[0] + radius * Math.cos(turn), middle[1] - radius * Math.sin(turn)];
@@ -66,7 +69,7 @@ function drawPlanFrame(svg, middle, ring, place) {
     const [x1, y1] = place(azimuth, 1.36 * ring), [x2, y2] = place(azimuth, azimuth === 0 ? 1.26 * ring : 1.33 * ring);
     svg.append("line").attr("class", "zero").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2)
       .style("stroke-width", azimuth === 0 ? 3 : 1);
-    const [x, y] = place(azimuth, 1.43 * ring);
+    const [x, y] = place(azimuth, 1.36 * ring + kAzimuthGap);
     svg.append("text").attr("x", x).attr("y", y + 4).attr("text-anchor", "middle").attr("class", "axis-title").text(`${azimuth}\u00b0`);
   }
   const corner = [26, 56], long = 22;
@@ -93,20 +96,31 @@ function drawColourKey(svg, height, colour) {
     svg.append("text").attr("x", left + 18).attr("y", y).text(value === 0 ? "mean" : `${value > 0 ? "+" : "\u2212"}${(1e3 * Math.abs(value)).toFixed(1)} mm`)));
 }
 
+/** 1 where the worst diameter's high end lies further round than the tilt's, else -1: labels keep off the other line. */
+function diameterBeyondTilt() {
+  if (!datum.tilt || !datum.antipodal || !known(datum.antipodal.azimuth_deg)) return 1;
+  return ((datum.antipodal.azimuth_deg - datum.tilt.direction_deg + 540) % 360) - 180 < 0 ? -1 : 1;
+}
+
+/** Text beside a line through the centre, on the side of growing (1) or falling (-1) azimuths. */
+function labelBeside(svg, place, azimuth, radius, side, text) {
+  const [x, y] = place(azimuth, radius), [x2, y2] = place(azimuth + side, radius), step = Math.hypot(x2 - x, y2 - y);
+  const across = (x2 - x) / step, down = (y2 - y) / step, anchor = across > 0.35 ? "start" : across < -0.35 ? "end" : "middle";
+  svg.append("text").attr("class", "plan-label").attr("x", x + 9 * across).attr("y", y + 9 * down + 4).attr("text-anchor", anchor).text(text);
+}
+
 function drawTiltArrow(svg, place, ring) {
   const up = datum.tilt.direction_deg, [x1, y1] = place(up + 180, 0.5 * ring), [x2, y2] = place(up, 0.6 * ring);
   svg.append("line").attr("class", "arrow").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
   const turn = Math.atan2(y2 - y1, x2 - x1), wing = (side) => [x2 - 12 * Math.cos(turn + side), y2 - 12 * Math.sin(turn + side)];
   svg.append("path").attr("class", "arrow-head").attr("d", d3.line()([[x2, y2], wing(0.4), wing(-0.4)]));
-  const [x, y] = place(up + 16, 0.52 * ring);
-  svg.append("text").attr("x", x).attr("y", y + 4).attr("text-anchor", "middle").text(`tilt ${figure(datum.tilt.angle_arcsec, 0)}\u2033`);
+  labelBeside(svg, place, up, 0.42 * ring, -diameterBeyondTilt(), `tilt ${figure(datum.tilt.angle_arcsec, 0)}\u2033`);
 }
 
 function drawDiameter(svg, place, ring) {
   const high = datum.antipodal.azimuth_deg, [x1, y1] = place(high, ring), [x2, y2] = place(high + 180, ring);
   svg.append("line").attr("class", "diameter").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
-  const [x, y] = place(high + 180 - 12, 0.72 * ring);
-  svg.append("text").attr("x", x).attr("y", y).attr("text-anchor", "middle").text(`${figure(1e3 * datum.antipodal.max_h, 1)} mm`);
+  labelBeside(svg, place, high + 180, 0.5 * ring, diameterBeyondTilt(), `${figure(1e3 * datum.antipodal.max_h, 1)} mm`);
 }
 
 function planMarks(svg, place, ring, offset) {

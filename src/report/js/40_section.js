@@ -6,14 +6,10 @@ function addStation() {
   section.append(stationControls());
   const values = make("div", { id: "station-values" });
   section.append(values);
-  const fill = () => values.replaceChildren(make("dl", { class: "facts words" }, describeFit(link.chosen).map(([name, value]) => (
-    make("div", {}, make("dt", {}, name), make("dd", {}, value))))));
+  const fill = () => values.replaceChildren(boxes(describeFit(link.chosen), "facts words"));
   document.addEventListener("station", fill);
   fill();
-  if (sections === null) {
-    const why = datum.options.method === "paper" ? "the paper\u2019s method fits a curve and no surfaces" : "this page was written without them";
-    return sayAbsent(section, `Sections across the shell: none, because ${why}.`);
-  }
+  if (sections === null) return sayAbsent(section, whyNoSections());
   const pair = make("div", { class: "pair" });
   section.append(make("h3", {}, "Section across the shell"), make("p", { class: "quiet" },
     "A sample of the scan\u2019s points around the station, the shell\u2019s line and the foundation\u2019s line; the datum is where they meet."), pair);

@@ -40,12 +40,13 @@ function drawHistogram(svg, from, to, height, all, own, title) {
   const share = (values) => count(values).map((bin) => ({ x0: bin.x0, x1: bin.x1, part: values.length ? bin.length / values.length : 0 }));
   const bars = share(all), outline = share(own);
   const top = d3.max([...bars, ...outline], (bin) => bin.part) || 1, y = d3.scaleLinear([0, 100 * top], [height - 44, 26]).nice();
-  drawAxes(svg, x, y, null, "", "Distance from the line [mm]");
+  drawAxes(svg, x, y, null, "", to - from < 190 ? "Distance [mm]" : "Distance from the line [mm]");
   const spread = all.length > 1 ? `, two thirds within \u00b1 ${(d3.quantile(sorted, 0.683)).toFixed(2)} mm` : "";
   svg.append("text").attr("x", from + 52).attr("y", 14).text(to - from < 380 ? `${title} [%]` : `${title} [%]: ${all.length} points${spread}`);
   svg.append("g").selectAll("rect").data(bars).enter().append("rect").attr("class", "bar-all")
     .attr("x", (bin) => x(bin.x0)).attr("width", (bin) => Math.max(0, x(bin.x1) - x(bin.x0) - 0.5))
-    .attr("y", (bin) => y(100 * bin.part)).attr("height", (bin) => y(0) - y(100 * bin.part));
+    .attr("y", (bin) => y(100 * bin.part)).attr("height", (bin) => y(0) - y(100 * bin.part))
+    .append("title").text((bin) => `${figure(bin.x0, 2)} to ${withUnit(bin.x1, 2, "mm")}: ${figure(100 * bin.part, 1)}\u00a0% of all`);
   if (own.length === 0) return;
   const steps = d3.line().curve(d3.curveStepAfter).x((bin) => x(bin.x0)).y((bin) => y(100 * bin.part));
   svg.append("path").attr("class", "chosen").attr("d", steps([...outline, { x0: outline[outline.length - 1].x1, part: 0 }]));

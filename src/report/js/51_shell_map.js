@@ -23,7 +23,7 @@ function heightBands(rows) {
 }
 
 function drawShellMap(svg, width, height, rows, bands, colour, most) {
-  const margin = { left: 62, right: 14, top: 44, bottom: 44 };
+  const margin = { left: 62, right: 14, top: 46, bottom: 44 };
   const x = d3.scaleLinear([0, 360], [margin.left, width - margin.right]);
   const y = d3.scaleLinear([bands[0][0], bands[bands.length - 1][1]], [height - margin.bottom, margin.top]);
   const axes = { x, y, margin };
@@ -52,10 +52,10 @@ function rowPicture(row, colour) {
 
 function drawDeviationKey(svg, width, colour, most) {
   const wide = Math.min(160, width / 3), left = width - wide - 70;
-  d3.range(40).forEach((i) => svg.append("rect").attr("x", left + (i * wide) / 40).attr("y", 6).attr("width", wide / 40 + 0.5).attr("height", 10)
+  d3.range(40).forEach((i) => svg.append("rect").attr("x", left + (i * wide) / 40).attr("y", 24).attr("width", wide / 40 + 0.5).attr("height", 10)
     .style("fill", colour(most * ((2 * i) / 39 - 1))));
-  svg.append("text").attr("x", left - 6).attr("y", 15).attr("text-anchor", "end").text(`\u2212${most.toFixed(1)}`);
-  svg.append("text").attr("x", left + wide + 6).attr("y", 15).text(`+${most.toFixed(1)} mm`);
+  svg.append("text").attr("x", left - 6).attr("y", 33).attr("text-anchor", "end").text(`\u2212${most.toFixed(1)}`);
+  svg.append("text").attr("x", left + wide + 6).attr("y", 33).text(`+${most.toFixed(1)} mm`);
 }
 
 /** The tip of the cell under the pointer. */

@@ -1,39 +1,74 @@
-// The page of several surveys: the movement of each since the first, and how the chosen azimuth went.
+// The page of several surveys: the movement of each since the first, and how fast each station moves.
+
+const kTrendUnit = trend ? trend.trend.unit.replace("m/", "mm/") : "";
+const rateOf = (s) => `${figure(1e3 * s.rate, 2)} \u00b1 ${withUnit(2e3 * s.sigma, 2, kTrendUnit)}`;
+const dated = (name, date) => (date ? `${name} (${date})` : name);
 
 function addTrend() {
-  const surveys = trend.movements.map((movement, i) => ({ name: movement.survey || `survey ${i + 2}`, movement }));
-  const section = addSection("trend", "Movement between surveys");
-  section.append(make("p", { class: "breakable" }, `Since ${surveys[0].movement.baseline}; removed: ${surveys[0].movement.removed}.`),
-    table([["Survey"], ["Largest", "number"], ["At", "number"], ["RMS", "number"], ["Stations moved", "number"]],
-      surveys.map(({ name, movement: m }) => [name, millimetres(m.max, 2), degrees(m.max_azimuth_deg, 1), millimetres(m.rms, 2),
-        `${m.stations.filter((s) => s.significant).length} of ${m.stations.length}`])));
-  drawMovements(section, "trend-chart", surveys);
-  const course = addSection("course", "One azimuth over the surveys");
-  const chart = addCourse(course, surveys);
-  document.addEventListener("station", () => drawChart(chart));
-  const files = addSection("provenance", "Data");
-  files.append(make("div", { class: "controls" }, saveButton("movement.json", "movement.json", () => embeddedText("trend"), "application/json")));
+  const surveys = trend.movements.map((movement) => ({ name: dated(movement.survey, movement.date), movement }));
+  const rates = trend.trend.stations.filter((s) => known(s.rate));
+  link.describe = (azimuth) => [...describeMovement(azimuth, surveys), ...describeRate(rates, azimuth)];
+  addMovements(surveys, rates);
+  addRates(rates);
+  addCourse(addSection("course", "One azimuth over the surveys"), surveys, rates);
+  addTrendProvenance();
 }
 
-function addCourse(section, surveys) {
-  return addChart(section, {
-    id: "course-chart", label: "Movement at the chosen azimuth, survey by survey", ratio: 0.34, least: 260, most: 400,
-    legend: [{ name: "course", label: "movement with its level of detection (95 %); choose an azimuth in the chart above", colour: "datum" }],
+function addMovements(surveys, rates) {
+  const section = addSection("trend", "Movement between surveys"), last = surveys[surveys.length - 1].movement;
+  const fastest = rates.reduce((best, s) => (best === null || Math.abs(s.rate) > Math.abs(best.rate) ? s : best), null);
+  const moved = last.stations.filter((s) => s.significant).length;
+  section.append(make("div", { class: "verdict none", role: "status" },
+    make("p", {}, make("strong", { class: "breakable" }, `${moved} of ${plural(last.matched, "station")} moved significantly since ${dated(trend.baseline, trend.baseline_date)}; `
+      + `largest ${millimetres(last.max, 2)} at ${degrees(last.max_azimuth_deg, 1)}.`)),
+    make("p", {}, `${fastest ? `Fastest trend ${rateOf(fastest)} (2\u03c3) at ${degrees(fastest.azimuth_deg, 1)}. ` : ""}`
+      + `Removed from the differences: ${last.removed}; error of registration ${millimetres(last.registration_error, 2)} and ${figure(last.registration_tilt_arcsec, 1)}\u2033.`)),
+  table([["Survey"], ["Date"], ["Compared", "number"], ["Largest", "number"], ["At", "number"], ["RMS", "number"], ["Detectable from", "number"], ["Stations moved", "number"]],
+    trend.movements.map((m) => [m.survey, m.date || "\u2013", `${m.matched}`, millimetres(m.max, 2), degrees(m.max_azimuth_deg, 1), millimetres(m.rms, 2),
+      millimetres(d3.median(m.stations.filter((s) => known(s.dz)), (s) => s.lod95), 2), `${m.stations.filter((s) => s.significant).length}`]),
+    "A station counts as moved by what its neighbours say too; the level of detection (95 %, median) is of one station alone."));
+  drawMovements(section, "trend-chart", surveys);
+}
+
+/** The trend at an azimuth, for tips and listeners. */
+function describeRate(rates, azimuth) {
+  const s = nearestRow(rates, azimuth);
+  if (s === null || angleApart(s.azimuth_deg, azimuth) > 1.5 * stepOfAzimuth()) return [["Trend", kUnknown]];
+  return [["Trend", `${rateOf(s)} (2\u03c3)`]];
+}
+
+function addRates(rates) {
+  const section = addSection("rates", "Trend of each station");
+  if (rates.length === 0) return sayAbsent(section, "Trends: none, because no station is in two surveys.");
+  section.append(make("p", { class: "quiet" }, `Least-squares slope of the elevation against ${trend.baseline_date ? "the date" : "the number of the survey"}.`));
+  const rows = fewOrAll(trend.trend.stations.map((s) => ({ ...s, mm: known(s.rate) ? 1e3 * s.rate : null, half: known(s.lod95) ? 1e3 * s.lod95 : null })),
+    (r) => r.mm);
+  addChart(section, {
+    id: "rate-chart", label: "Trend of the elevation against azimuth", ratio: 0.34, least: 270, most: 400,
+    legend: [{ name: "rate", label: "trend; band: 95 %", colour: "fit" }],
     draw: (svg, width, height) => {
-      const at = [{ mm: 0, lod: 0, name: "baseline" }, ...surveys.map(({ name, movement }) => {
-        const s = nearestRow(movement.stations, link.chosen);
-        return { name, mm: s && known(s.dz) ? 1e3 * s.dz : null, lod: s && known(s.lod95) ? 1e3 * s.lod95 : 0 };
-      })];
-      const x = d3.scalePoint(at.map((_, i) => i), [62, width - 14]).padding(0.4);
-      const y = d3.scaleLinear(room(at.flatMap((p) => (known(p.mm) ? [p.mm - p.lod, p.mm + p.lod] : []))), [height - 44, 26]).nice();
-      drawAxes(svg, x, y, x.domain(), `Movement at ${degrees(link.chosen, 1)} [mm]`, "Survey, 0 the baseline");
-      svg.append("path").attr("class", "line datum").attr("d", d3.line().defined((p) => known(p.mm)).x((_, i) => x(i)).y((p) => y(p.mm))(at));
-      at.forEach((p, i) => {
-        if (!known(p.mm)) return;
-        svg.append("line").attr("class", "whisker").attr("x1", x(i)).attr("x2", x(i)).attr("y1", y(p.mm - p.lod)).attr("y2", y(p.mm + p.lod));
-        svg.append("circle").attr("class", "chosen").attr("r", 4).attr("cx", x(i)).attr("cy", y(p.mm))
-          .append("title").text(`${p.name}: ${withUnit(p.mm, 2, "mm")}`);
+      const values = rows.flatMap((r) => (known(r.mm) ? [r.mm - (r.half || 0), r.mm + (r.half || 0)] : []));
+      const axes = azimuthAxes(svg, width, height, room([0, ...values]), `Trend, up positive [${kTrendUnit}]`);
+      drawLevel(svg, axes, 0, "zero");
+      drawBand(svg, axes, rows, (r) => r.mm, (r) => r.half);
+      drawLine(svg, axes, rows, (r) => r.mm, "fit");
+      drawFew(svg, axes, rows, (r) => r.mm);
+      followPointer(svg, azimuthUnder(axes), (azimuth) => [["Azimuth", degrees(azimuth, 1)], ...describeRate(rates, azimuth)]);
+      return azimuthMarks(svg, axes, height, (azimuth) => {
+        const r = nearestRow(rows, azimuth);
+        return angleApart(r.azimuth_deg, azimuth) < 2 ? r.mm : null;
       });
     },
   });
+}
+
+function addTrendProvenance() {
+  const section = addSection("provenance", "How it was made");
+  section.append(table([["Survey"], ["Date"], ["SHA-256"]], trend.surveys.map((survey) => [survey.path, survey.date || "\u2013",
+    make("td", { "data-head": "SHA-256" }, make("code", { class: "breakable" }, survey.sha256))])),
+  make("p", {}, `tank_datum_compare ${trend.version}; the first survey is the baseline.`),
+  make("h3", {}, "Options"), make("pre", { tabindex: 0, "aria-label": "Every option used" }, JSON.stringify(trend.options, null, 2)),
+  make("div", { class: "controls" }, make("strong", {}, "Data to take along"),
+    saveButton("movement.json", "movement.json", () => embeddedText("trend"), "application/json"),
+    saveButton("movement.csv", "movement.csv", () => embeddedText("movements"), "text/csv")));
 }

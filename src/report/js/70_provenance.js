@@ -2,9 +2,10 @@
 
 function addProvenance() {
   const section = addSection("provenance", "How it was made");
-  section.append(table([["Scan"], ["Points", "number"], ["SHA-256"]],
+  section.append(table([[levelled ? "Table" : "Scan"], [levelled ? "Stations" : "Points", "number"], ["SHA-256"]],
     datum.input.files.map((file) => [file.path, file.points.toLocaleString("en"), make("td", { "data-head": "SHA-256" }, make("code", { class: "breakable" }, file.sha256))])));
-  section.append(make("p", {}, `tank_datum ${datum.version}, units of the scan ${datum.input.units}, ${datum.input.invalid_points || 0} invalid points left out, `
+  section.append(make("p", {}, levelled ? `tank_datum ${datum.version}, units of the table ${datum.input.units}.`
+    : `tank_datum ${datum.version}, units of the scan ${datum.input.units}, ${datum.input.invalid_points || 0} invalid points left out, `
     + `local origin ${datum.input.origin.map((c) => figure(c, 3)).join(", ")} m.`));
   section.append(make("h3", {}, "Options"), make("pre", { tabindex: 0, "aria-label": "Every option used" }, JSON.stringify(datum.options, null, 2)));
   section.append(make("div", { class: "controls" }, make("strong", {}, "Data to take along"),

@@ -1,0 +1,42 @@
+// The checks of the codes, each with its value, limit, verdict and how far its rule is trusted.
+
+const kVerdictOrder = ["fail", "undecided", "pass", "not_applicable"];
+
+/** [factor, unit, digits] of a check's figures: the unit that value and limit share. */
+function scaleOf(check) {
+  if (check.unit === "m/m") return [1e3, "mm/m", 2];
+  if (check.unit === "1/m") return [1e6, "\u00d7 10\u207b\u2076 1/m", 1];
+  if (check.unit !== "m") return null;
+  return [check.value, check.limit].filter(known).every((v) => Math.abs(v) < 1) ? [1e3, "mm", 1] : [1, "m", 3];
+}
+
+function checked(value, check) {
+  if (!known(value)) return "\u2013";
+  const scale = scaleOf(check);
+  if (scale === null) return check.unit ? `${anyFigure(value)}\u00a0${check.unit}` : anyFigure(value);
+  return withUnit(scale[0] * value, scale[2], scale[1]);
+}
+
+/** A cell with something below it. */
+function cellWith(heading, kind, text, below) {
+  return make("td", { class: kind || false, "data-head": heading },
+    make("span", {}, text, below.length > 0 ? make("small", { class: "quiet under" }, below) : null));
+}
+
+function checkRow(check) {
+  const more = [known(check.sigma) && known(check.value) ? `\u00b1 ${checked(2 * check.sigma, check)} (2\u03c3)` : "",
+    known(check.azimuth_deg) ? `at ${degrees(check.azimuth_deg)}` : ""].filter(Boolean).join(", ");
+  return [cellWith("Check", "", capital(check.name), [check.code, check.clause].filter(Boolean).join(", ")),
+    cellWith("Value", "number", checked(check.value, check), more),
+    checked(check.limit, check),
+    make("td", { class: `verdict-word ${check.verdict}`, "data-head": "Verdict" }, make("span", {}, words(check.verdict))),
+    cellWith("Rule\u2019s source", "", check.source, typeset(check.citation || "")),
+    typeset(check.note || "")];
+}
+
+function checksTable() {
+  const order = (check) => kVerdictOrder.indexOf(check.verdict);
+  const rows = [...datum.checks].sort((a, b) => order(a) - order(b)).map(checkRow);
+  return table([["Check"], ["Value", "number"], ["Limit", "number"], ["Verdict"], ["Rule\u2019s source"], ["Note"]], rows,
+    "The rule\u2019s source says how its limit was read: verified in the standard, from a secondary source, or unverified.");
+}

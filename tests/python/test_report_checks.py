@@ -1,0 +1,95 @@
+"""The checks of the codes in report.html: value, limit, verdict, trust, and what they lack."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from conftest import ROOT
+from report_pages import Opened, opened, with_data
+from results import Run, read_datum
+
+Runner = Callable[..., Run]
+
+ORDER = ["fail", "undecided", "pass", "not applicable"]
+UNITS = {
+    "m": (1e3, "mm", 1),
+    "m/m": (1e3, "mm/m", 2),
+    "1/m": (1e6, "\u00d7 10\u207b\u2076 1/m", 1),
+}
+
+
+def in_its_unit(value: float | None, unit: str) -> str:
+    if value is None:
+        return "\u2013"
+    factor, name, digits = UNITS[unit]
+    return f"{factor * value:.{digits}f}\u00a0{name}"
+
+
+def rows(page: Opened) -> list[list[str]]:
+    found = page.page.locator("#summary tbody tr").all()
+    return [[c.strip() for c in row.locator("td").all_inner_texts()] for row in found]
+
+
+def test_each_says_value_limit_verdict_and_trust(still: Opened, sample_report: Path) -> None:
+    shown, checks = rows(still), read_datum(sample_report)["checks"]
+    assert len(shown) == len(checks)
+    assert {c["verdict"] for c in checks} >= {"pass", "fail", "not_applicable"}
+    for check in checks:
+        name = check["name"][0].upper() + check["name"][1:]
+        cells = next(r for r in shown if r[0].startswith(name) and check["code"] in r[0])
+        assert cells[0].endswith(check["clause"])
+        assert cells[1].startswith(in_its_unit(check["value"], check["unit"]))
+        if check["value"] is not None:
+            spread = in_its_unit(2 * check["sigma"], check["unit"])
+            assert f"\u00b1 {spread} (2\u03c3), at {check['azimuth_deg']:.0f}\u00b0" in cells[1]
+        assert cells[2] == in_its_unit(check["limit"], check["unit"])
+        assert cells[3] == check["verdict"].replace("_", " ")
+        assert cells[4].split("\n")[0] == check["source"]
+        assert cells[4].endswith(check["citation"].replace("+-", "\u00b1").replace("^2", "\u00b2"))
+        assert cells[5] == check["note"]
+
+
+def test_failures_come_first_and_the_verdict_names_them(still: Opened, sample_report: Path) -> None:
+    verdicts = [row[3] for row in rows(still)]
+    assert verdicts == sorted(verdicts, key=ORDER.index)
+    count = verdicts.count
+    judged = len(verdicts) - count("not applicable")
+    said = still.text(".verdict")
+    assert f"{count('pass')} of {judged} judged checks pass; {count('fail')} fail: " in said
+    assert f"{count('not applicable')} not applicable" in said
+    for check in read_datum(sample_report)["checks"]:
+        assert (f"{check['code']} {check['name']}" in said) == (check["verdict"] == "fail")
+    assert "fail" in still.page.locator(".verdict").get_attribute("class")
+    for note in read_datum(sample_report)["notes"]:
+        assert note.replace(">=", "\u2265") in still.text("#summary li")
+
+
+def test_what_they_lack_is_listed(run: Runner, browser: Any, tmp_path: Path) -> None:
+    table = ROOT / "tests" / "data" / "levelling" / "fourteen_stations.csv"
+    assert run("--stations-csv", table, "--diameter", 42, "-o", tmp_path).returncode == 0
+    with opened(browser, tmp_path / "report.html") as page:
+        assert page.slips() == []
+        said = page.text("#summary ul:not(:last-child) li")
+        for option in ("--roof", "--foundation", "--height", "--yield-mpa", "--modulus-mpa"):
+            assert option in said
+
+
+@pytest.mark.parametrize("verdict", ["pass", "fail", "undecided"])
+def test_words_of_a_result_are_never_markup(
+    browser: Any, sample_report: Path, tmp_path: Path, verdict: str
+) -> None:
+    check = {"code": "API 653", "clause": "<i>B</i>", "name": "<b>tilt</b>", "verdict": verdict}
+    check |= {"value": 0.031, "limit": 0.02, "unit": "m", "source": "verified"}
+    check |= {"note": "<u>n</u> --roof", "citation": "<s>c</s>"}
+    changes = {"checks": [check], "notes": ["no <i>evaluation</i>"]}
+    path = with_data(sample_report / "report.html", tmp_path / "page.html", changes)
+    with opened(browser, path) as page:
+        assert page.slips() == []
+        assert verdict in page.page.locator(".verdict").get_attribute("class")
+        assert "<b>tilt</b>" in page.text(".verdict" if verdict == "fail" else "#summary tbody")
+        assert page.page.locator("main :is(i:not(.legend i), b, u, s)").count() == 0
+        assert "no <i>evaluation</i>" in page.text("#summary li")
