@@ -130,12 +130,12 @@ TEST(LevellingAgainstScan, WithoutStandardErrorsIsRefusedWithTheColumnThatLacks)
 TEST(EpochOf, ALevellingKeepsThatItIsOne) {
   std::vector<Station> stations = levellingStations(
       "azimuth_deg,elevation,sigma\n0,1,0.001\n90,1,0.001\n180,1,\n270,1,0.001\n", "t.csv", 1.0, 60.0, {});
-  const Datum datum = datumOfLevelling(std::move(stations), 60.0, {});
+  const Datum datum = datumOfLevelling(std::move(stations), 60.0, DatumOptions());
   const Epoch epoch = epochOf(datum, Method::Refined, "levelling");
   EXPECT_TRUE(epoch.levelled);
   EXPECT_EQ(epoch.surface, "");
   EXPECT_EQ(epoch.judgeable(), 3U);
-  EXPECT_FALSE(epochOf(Datum{}, Method::Refined, "scan").levelled);
+  EXPECT_FALSE(epochOf(Datum(), Method::Refined, "scan").levelled);
 }
 
 }  // namespace

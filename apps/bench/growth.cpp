@@ -44,21 +44,20 @@ double secondsToRead(const std::string& path) {
 void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const std::string& path) {
   constexpr double kWidestTurn = 0.025 * 3.14159265358979323846 / 180.0, kNoise = 0.001;
   PcdWriter writer(path, {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}, PcdWriter::Format::Binary);
-  const std::uint64_t stride = std::max<std::uint64_t>(1, source.size() / points);
-  const std::uint64_t repeats = stride > 1 ? 1 : (points + source.size() - 1) / source.size();
+  const std::uint64_t repeats = (points + source.size() - 1) / source.size();
+  const double share = static_cast<double>(points) / static_cast<double>(repeats * source.size());
   const Eigen::Vector3d centre(tank.circle.center.x(), tank.circle.center.y(), 0.0);
   Noise noise(kNoise);
-  std::uint64_t written = 0;
+  std::uint64_t row = 0, written = 0;
   std::vector<double> rows;
   for (std::uint64_t repeat = 0; repeat < repeats; ++repeat) {
-    const double share = repeats > 1 ? 2.0 * static_cast<double>(repeat) / static_cast<double>(repeats - 1) - 1.0 : 0.0;
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(share * kWidestTurn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    std::uint64_t row = 0;
+    const double turn = repeats > 1 ? 2.0 * static_cast<double>(repeat) / static_cast<double>(repeats - 1) - 1.0 : 0.0;
+    const Eigen::Matrix3d turned = Eigen::AngleAxisd(turn * kWidestTurn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     source.forEachBlock([&](const Points& block) {
       rows.clear();
       for (const auto& p : block) {
-        if (row++ % stride != 0 || written == points) continue;
-        Eigen::Vector3d moved = turn * (p - centre) + centre + source.origin();
+        if (static_cast<double>(written) >= share * static_cast<double>(++row)) continue;
+        Eigen::Vector3d moved = turned * (p - centre) + centre + source.origin();
         if (repeats > 1) moved += Eigen::Vector3d(noise.next(), noise.next(), noise.next());
         rows.insert(rows.end(), {moved.x(), moved.y(), moved.z()});
         ++written;

@@ -16,7 +16,7 @@ struct GrowthRun {
   Datum datum;
 };
 
-/// Writes a scan of so many points made of a given one: every n-th of its points, or each of them several times, turned
+/// Writes a scan of so many points made of a given one: an even share of its points, or of several copies of it, turned
 /// about the tank's axis by up to 0.025 degrees and displaced by 1 mm (1 sigma) along each axis.
 /// @param path  x, y, z in float32, binary
 void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const std::string& path);

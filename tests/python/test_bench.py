@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from conftest import ROOT, run_program
-from results import Run
+from results import Run, write_xyz
 
 SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
-Synth = Callable[..., Path]
 
 
 def bench(*args: object) -> Run:
@@ -61,7 +60,7 @@ def test_larger_scans_are_made_run_and_removed(tmp_path: Path) -> None:
     growth = figures(tmp_path, *sizes)["growth"]
     assert [run["points"] for run in growth] == [10_000, 100_000]
     assert all(run["bytes"] == pytest.approx(12 * run["points"], rel=0.05) for run in growth)
-    assert all(run["measured"] > 300 and run["read_seconds"] > 0 for run in growth)
+    assert all(run["measured"] > 100 and run["read_seconds"] > 0 for run in growth)
     assert growth[-1]["largest_difference_in_sigmas"] == 0.0
     assert 0.0 < growth[0]["largest_difference_in_sigmas"] < 6.0
     assert list(folder.iterdir()) == []
@@ -104,8 +103,8 @@ def test_refusals(args: list[object], status: int, words: str) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_scan_without_a_tank(synth: Synth, tmp_path: Path) -> None:
-    ground = synth(height=0.3)  # nothing stands on it
-    done = bench(ground)
+def test_a_scan_without_a_tank(tmp_path: Path) -> None:
+    ground = np.random.default_rng(1).uniform([-20, -20, 0], [20, 20, 0.01], (50_000, 3))
+    done = bench(write_xyz(tmp_path / "ground.pcd", ground))
     assert done.returncode == 3
     assert "no tank" in done.stderr
