@@ -48,6 +48,10 @@ Datum withoutTank(const Scan& scan, const DatumOptions& options) {
     return stopped(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
   }
   std::ostringstream message;
+  if (options.tank) {
+    message << "the scan shows no shell on the given circle, of radius " << options.tank->radius << " m";
+    return stopped(datum, Status::NoTank, message.str());
+  }
   message << "no vertical cylinder with a radius of " << options.locate.min_radius << " m or more stands in the scan";
   return stopped(datum, Status::NoTank, message.str());
 }

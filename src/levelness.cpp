@@ -21,11 +21,15 @@ PlacedValue steepest(const std::vector<Station>& stations, double radius, double
   PlacedValue largest;
   const RingSeries series(stations, quantity, &Station::sigma_z);
   if (arc >= kPi * radius) return largest;
-  for (const RingValue& from : series.values()) {
-    const auto to = series.at(from.azimuth + arc / radius);
-    if (!to) continue;
-    keepLarger(largest,
-               {std::abs(to->value - from.value) / arc, std::hypot(to->sigma, from.sigma) / arc, from.azimuth});
+  for (const RingValue& here : series.values()) {
+    for (const double ahead :
+         {arc / radius, -arc / radius}) {  // between straight lines it is largest from or to a station
+      const auto there = series.at(here.azimuth + ahead);
+      if (!there) continue;
+      const double start = ahead > 0.0 ? here.azimuth : there->azimuth;
+      keepLarger(largest,
+                 {std::abs(there->value - here.value) / arc, std::hypot(there->sigma, here.sigma) / arc, start});
+    }
   }
   return largest;
 }

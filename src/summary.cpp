@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -79,24 +80,28 @@ std::string figures(const Check& check) {
   return text;
 }
 
-/// How many checks ended how, and the gravest that failed or could not be decided.
+/// How many checks ended how, then those that failed, the furthest beyond its limit first; without any, the undecided
+/// one nearest to it.
 std::string checkLines(const std::vector<Check>& checks) {
   if (checks.empty()) return {};
   int counts[4] = {};
-  const Check* worst = nullptr;  // the one furthest beyond its limit, or nearest to it
-  const auto share = [](const Check& c) { return c.value / c.limit; };
+  std::vector<const Check*> failed, undecided;
   for (const Check& c : checks) {
     ++counts[static_cast<int>(c.verdict)];
-    if (c.verdict != Verdict::Fail && c.verdict != Verdict::Undecided) continue;
-    const bool graver = !worst || (c.verdict == worst->verdict ? share(c) > share(*worst) : c.verdict == Verdict::Fail);
-    if (graver) worst = &c;
+    if (c.verdict == Verdict::Fail) failed.push_back(&c);
+    if (c.verdict == Verdict::Undecided) undecided.push_back(&c);
   }
+  const auto graver = [](const Check* a, const Check* b) { return a->value / a->limit > b->value / b->limit; };
+  std::stable_sort(failed.begin(), failed.end(), graver);
+  std::stable_sort(undecided.begin(), undecided.end(), graver);
+  if (undecided.size() > 1) undecided.resize(1);
   std::string lines =
       line("checks", "%d pass, %d fail, %d undecided, %d not applicable (screening, no code evaluation)", counts[0],
            counts[1], counts[2], counts[3]);
-  if (!worst) return lines;
-  return lines + line(worst->verdict == Verdict::Fail ? "fail" : "undecided", "%s %s: %s", worst->code.c_str(),
-                      worst->name.c_str(), figures(*worst).c_str());
+  for (const Check* c : failed.empty() ? undecided : failed) {
+    lines += line(nameOf(c->verdict), "%s %s: %s", c->code.c_str(), c->name.c_str(), figures(*c).c_str());
+  }
+  return lines;
 }
 
 }  // namespace

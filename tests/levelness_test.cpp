@@ -21,6 +21,16 @@ TEST(Steepest, IsOverTheArcAskedFor) {
   EXPECT_NEAR(steepest(stations, 30.0, 4 * kArc, &Station::z).value, 0.02 / (4 * kArc), 1e-9);
 }
 
+TEST(Steepest, EndsAtAStationAsWellAsItBegins) {
+  std::vector<double> before(360, 0.0), after(360, 0.0);
+  before[100] = after[100] = 0.01;
+  for (std::size_t i = 78; i < 90; ++i) before[i] = -0.01;
+  for (std::size_t i = 111; i < 123; ++i) after[i] = -0.01;
+  EXPECT_NEAR(steepest(survey(before, 30.0), 30.0, 10.0, &Station::z).value, 0.002, 1e-12);
+  EXPECT_NEAR(steepest(survey(before, 30.0), 30.0, 10.0, &Station::z).azimuth, 100 * kDegree - 10.0 / 30.0, 1e-9);
+  EXPECT_NEAR(steepest(survey(after, 30.0), 30.0, 10.0, &Station::z).value, 0.002, 1e-12);
+}
+
 TEST(Steepest, OfUDoesNotSeeTheTilt) {
   const auto stations = survey(wave(360, [](double a) { return 0.1 * std::cos(a); }), 30.0);
   EXPECT_NEAR(steepest(stations, 30.0, 6.0, &Station::u).value, 0.0, 1e-9);

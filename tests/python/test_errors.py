@@ -160,6 +160,9 @@ def test_given_tank_where_there_is_none(run: Runner, tmp_path: Path) -> None:
     scan = write_xyz(tmp_path / "scan.pcd", clouds.floor())
     out = tmp_path / "out"
     no_datum(run(scan, "-o", out, "--tank", "0,0,4"), out, "no_tank", "no_crease")
+    far = run(scan, "-o", out, "--tank", "90,0,8")
+    no_datum(far, out, "no_tank")
+    assert "the scan shows no shell on the given circle, of radius 8 m" in far.stderr
 
 
 def test_zero_points(run: Runner, tmp_path: Path) -> None:

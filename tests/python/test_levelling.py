@@ -159,6 +159,19 @@ def test_refused(
     assert result.stderr.count("\n") == 1
 
 
+def test_the_summary_names_every_failed_check_the_worst_first(run: Runner, tmp_path: Path) -> None:
+    steel = ["--height", 59.083 * FOOT, "--yield-mpa", 32 * KSI, "--modulus-mpa", 29_000 * KSI]
+    file, out = LEVELLING / "fourteen_stations.csv", tmp_path / "out"
+    done = run("--stations-csv", file, "--diameter", 138 * FOOT, "-o", out, *steel)
+    failed = [c for c in read_datum(out)["checks"] if c["verdict"] == "fail"]
+    failed.sort(key=lambda c: -c["value"] / c["limit"])
+    lines = [line for line in done.stdout.splitlines() if line.startswith("fail ")]
+    assert len(lines) == len(failed) == 3
+    for line, one in zip(lines, failed, strict=True):
+        assert f"{one['code']} {one['name']}:" in line
+    assert "38.9 mm, limit 30.0 mm" in done.stdout
+
+
 def test_needs_a_diameter(run: Runner) -> None:
     result = run("--stations-csv", LEVELLING / "fourteen_stations.csv")
     assert result.returncode == 2
