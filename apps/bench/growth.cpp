@@ -45,7 +45,7 @@ void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points,
   constexpr double kWidestTurn = 0.025 * 3.14159265358979323846 / 180.0, kNoise = 0.001;
   PcdWriter writer(path, {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}, PcdWriter::Format::Binary);
   const std::uint64_t repeats = (points + source.size() - 1) / source.size();
-  const double share = static_cast<double>(points) / static_cast<double>(repeats * source.size());
+  const std::uint64_t all = repeats * source.size();
   const Eigen::Vector3d centre(tank.circle.center.x(), tank.circle.center.y(), 0.0);
   Noise noise(kNoise);
   std::uint64_t row = 0, written = 0;
@@ -56,7 +56,7 @@ void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points,
     source.forEachBlock([&](const Points& block) {
       rows.clear();
       for (const auto& p : block) {
-        if (static_cast<double>(written) >= share * static_cast<double>(++row)) continue;
+        if (written * all >= points * ++row) continue;
         Eigen::Vector3d moved = turned * (p - centre) + centre + source.origin();
         if (repeats > 1) moved += Eigen::Vector3d(noise.next(), noise.next(), noise.next());
         rows.insert(rows.end(), {moved.x(), moved.y(), moved.z()});
