@@ -95,11 +95,14 @@ int highestOrder(const WaveData& data, int wanted, int least) {
   return std::min(least, std::max(0, (count - 1) / 4));
 }
 
+double noiseFactor(const WaveData& data, const std::vector<double>& residuals, int order) {
+  const double power = noisePower(data, residuals, order);
+  return data.sigmas.empty() ? power : std::max(1.0, power);
+}
+
 PeriodicFit fitWaves(const WaveData& data, int order) {
   PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, order, false, 0.0);
-  const double power = noisePower(data, residualsOf(data, fit), order);
-  const double factor = data.sigmas.empty() ? power : std::max(1.0, power);
-  fit.covariance *= factor;
+  fit.covariance *= noiseFactor(data, residualsOf(data, fit), order);
   return fit;
 }
 

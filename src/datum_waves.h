@@ -28,8 +28,11 @@ bool tellsApart(const WaveData& data, int order);
 /// The highest order up to `wanted` that the stations' places tell apart, with four stations a wave. At least `least`.
 int highestOrder(const WaveData& data, int wanted, int least);
 
-/// Weighted least squares of all waves up to `order`. The covariance is scaled up by the power that the residuals have
-/// in the waves next above, which noise shared by neighbours raises and which is no less than what the weights say.
+/// What the variances that a fit of `order` promises must be multiplied by: the power that its residuals [m] have in
+/// the waves next above, which noise shared by neighbours raises, and no less than what the weights say.
+double noiseFactor(const WaveData& data, const std::vector<double>& residuals, int order);
+
+/// Weighted least squares of all waves up to `order`. The covariance is multiplied by noiseFactor.
 PeriodicFit fitWaves(const WaveData& data, int order);
 
 /// Weighted sum of squares of what a fit leaves.

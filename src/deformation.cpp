@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "datum_waves.h"
+#include "partial_ring_tilt.h"
 #include "units.h"
 
 namespace tank_datum {
@@ -75,7 +76,10 @@ Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, cons
   const auto n = static_cast<double>(weights.size());
   const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
   if (n < 4 || !lu.isInvertible()) return tilt;
-  const Eigen::Vector3d plane = lu.solve(rhs);
+  PlaneFit fit{lu.solve(rhs), lu.inverse()};
+  const bool gap = hasTiltingGap(stations);
+  if (gap) fit = fitPlaneBesideWaves(stations, center);
+  const Eigen::Vector3d& plane = fit.plane;
   tilt.mean = plane[0];
   tilt.gradient = plane.tail<2>();
 
@@ -92,14 +96,16 @@ Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, cons
   const double up = std::atan2(plane[2], plane[1]);
   const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
   tilt.direction = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
-  const Eigen::Matrix3d covariance = residual / (n - 3.0) * lu.inverse();
+  if (!gap) fit.covariance *= residual / (n - 3.0);
+  const Eigen::Matrix2d covariance = fit.covariance.bottomRightCorner<2, 2>();
   const Eigen::Vector2d along(std::cos(up), std::sin(up));
-  tilt.sigma_slope = std::sqrt(along.dot(covariance.bottomRightCorner<2, 2>() * along));
+  tilt.sigma_slope = std::sqrt(along.dot(covariance * along));
   tilt.standard_error = std::sqrt(residual / (n - 3.0) * n / total_weight);
   constexpr double kNanometre = 1e-9;  // a datum level to within rounding has no variance to explain
   tilt.r2 = total > total_weight * kNanometre * kNanometre ? std::max(0.0, 1.0 - residual / total) : Tilt::kUnknown;
   // P(F > f) for 2 and m degrees of freedom is (1 + 2 f / m)^(-m/2), and f = (r2/2) / ((1-r2)/m), hence:
   tilt.p_value = std::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
+  if (gap) tilt.p_value = std::exp(-0.5 * tilt.gradient.dot(covariance.inverse() * tilt.gradient));  // chi-square of 2
   return tilt;
 }
 

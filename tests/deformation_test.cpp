@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace tank_datum {
 namespace {
@@ -55,6 +56,51 @@ TEST(FitTilt, OfFourteenStationsOfAnInspectionReport) {  // STANDARDS 4.2
   const Tilt tilt = fitTilt(stations, kCenter, {});
   EXPECT_NEAR(21.03 * tilt.slope(), 0.07005, 5e-6);
   EXPECT_NEAR(tilt.r2, 0.862, 5e-4);
+}
+
+/// A 30 m tank seen over an arc, with waves of two to four lobes and noise; its tilt is 0.0004 towards 53 degrees.
+std::vector<Station> seenOver(double arc_deg, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const double radius = 30.0, tilt = 0.0004 * radius;
+  double waves[6];
+  for (int i = 0; i < 6; ++i) waves[i] = 0.5 * radius / 2000.0 * 4.0 / std::pow(2 + i / 2, 2) * normal(random);
+  std::vector<double> z;
+  for (int i = 0; i < 360; ++i) {
+    const double a = i * kDegree;
+    double height = tilt * (0.6 * std::cos(a) + 0.8 * std::sin(a)) + 0.0005 * normal(random);
+    for (int n = 2; n <= 4; ++n) height += waves[2 * n - 4] * std::cos(n * a) + waves[2 * n - 3] * std::sin(n * a);
+    z.push_back(i < arc_deg ? height : NAN);
+  }
+  std::vector<Station> stations = survey(z, radius);
+  for (Station& s : stations) s.sigma_z = 0.0005;
+  return stations;
+}
+
+TEST(FitTilt, BesideAGapKnowsWhatWavesMayHide) {
+  std::mt19937_64 random(1);
+  const Eigen::Vector2d truth(0.6 * 0.0004, 0.8 * 0.0004);
+  for (const double arc : {90.0, 150.0, 240.0, 320.0}) {
+    int within = 0;
+    double sigma = 0.0;
+    for (int run = 0; run < 200; ++run) {
+      auto stations = seenOver(arc, random);
+      const Tilt tilt = fitTilt(stations, kCenter, {});
+      const Eigen::Vector2d along = tilt.gradient.normalized();
+      within += std::abs(along.dot(tilt.gradient - truth)) <= 2.0 * tilt.sigma_slope;
+      sigma += tilt.sigma_slope / 200;
+    }
+    EXPECT_GE(within, 180) << arc;
+    EXPECT_GT(sigma, arc < 100.0 ? 1e-4 : 0.0) << arc;   // nothing is said of the tilt from a quarter of the ring
+    EXPECT_LT(sigma, arc > 200.0 ? 4e-5 : 2e-3) << arc;  // and much from two thirds
+  }
+}
+
+TEST(FitTilt, OfFewStationsAllRoundIsThePlainRegression) {
+  auto eight = survey({1.05, 1.03, 1.04, 0.98, 0.94, 0.95, 0.98, 1.04}, 10.0);
+  const Tilt tilt = fitTilt(eight, kCenter, {});
+  double x = 0.0;
+  for (const Station& s : eight) x += s.z * (s.x - kCenter.x()) / (4.0 * 100.0);
+  EXPECT_NEAR(tilt.gradient.x(), x, 1e-12);
 }
 
 TEST(FitTilt, FindsAnExactPlane) {

@@ -46,7 +46,7 @@ struct Tilt {
   double standard_error = kUnknown;                                ///< of the regression, what a station departs by [m]
   double direction = kUnknown;  ///< towards the highest point, as the user counts azimuths [rad]
   double r2 = kUnknown;         ///< share of the variance that the plane explains
-  double p_value = kUnknown;    ///< F test on 2 and N - 3 degrees of freedom
+  double p_value = kUnknown;    ///< F test on 2 and N - 3 degrees of freedom, see fitTilt
 
   bool valid() const { return gradient.allFinite(); }
   double slope() const { return gradient.norm(); }
@@ -54,8 +54,10 @@ struct Tilt {
 
 /// Linear regression of z on 1, cos, sin (STANDARDS: tilt plane) over the measured stations, about `center`; at least
 /// four of them. Weighted by the stations' standard errors, those widened by what the stations scatter about the plane
-/// beyond them, so that out-of-plane settlement does not leave the fit to the few best stations. Fills z_tilt and u of
-/// every station whose z is known.
+/// beyond them, so that out-of-plane settlement does not leave the fit to the few best stations. Beside a gap of more
+/// than 30 degrees, waves of two to four lobes are fitted along with it, so that they do not pass for tilt, and what
+/// they leave unknown widens sigma_slope; p_value is then of a chi-square test. Fills z_tilt and u of every station
+/// whose z is known.
 Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options);
 
 }  // namespace tank_datum
