@@ -266,7 +266,7 @@ def test_what_progress_raises_ends_the_run(datum: Any) -> None:
 INTERRUPTED = """
 import signal, sys, threading, time
 import numpy as np, tank_datum
-signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored where the tests run in the background
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in background jobs
 random = np.random.default_rng(1)
 points = 60 * random.random((30_000_000, 3), dtype=np.float32) - 30
 ticks = []
