@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from module_fixtures import command, datum, points  # noqa: F401
 from report_fixtures import (  # noqa: F401
     browser,
     gaps_report,
@@ -51,9 +52,9 @@ def executable(name: str) -> Path:
 def run_program(
     name: str, args: Sequence[object], cwd: Path | None = None, timeout: float = TIMEOUT
 ) -> Run:
-    command = [str(executable(name)), *map(str, args)]
+    words = [str(executable(name)), *map(str, args)]
     return subprocess.run(
-        command, cwd=cwd, capture_output=True, text=True, errors="replace", timeout=timeout
+        words, cwd=cwd, capture_output=True, text=True, errors="replace", timeout=timeout
     )
 
 

@@ -1,16 +1,9 @@
-"""The Python module: the same numbers as the command, options and errors, and a run given up."""
+"""The Python module: the same numbers as the command, options and errors."""
 
 from __future__ import annotations
 
 import inspect
-import json
-import os
 import re
-import shutil
-import signal
-import subprocess
-import sys
-import time
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
@@ -20,37 +13,13 @@ import numpy as np
 import pytest
 
 from conftest import ROOT
-from results import Array, Run, read_datum, read_pcd, read_points, read_stations, write_pcd
+from module_fixtures import same
+from results import Array, Run, read_datum, read_points, read_stations, write_pcd
 
 tank_datum = pytest.importorskip("tank_datum", reason="the module is not installed")
 
 Runner = Callable[..., Run]
 SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
-
-
-@pytest.fixture(scope="module")
-def command(run: Runner, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The results of the command on the sample."""
-    out = tmp_path_factory.mktemp("command") / "out"
-    assert run(SAMPLE, "-o", out).returncode == 0
-    return out
-
-
-@pytest.fixture(scope="module")
-def datum() -> Any:
-    return tank_datum.extract_datum(str(SAMPLE))
-
-
-@pytest.fixture(scope="module")
-def points() -> Array:
-    """The sample's points as they are stored."""
-    columns = read_pcd(SAMPLE)
-    return np.column_stack([columns[n] for n in "xyz"])
-
-
-def same(a: Array, b: Array) -> None:
-    """Equal bit for bit, NaN where NaN."""
-    np.testing.assert_array_equal(np.asarray(a), np.asarray(b))
 
 
 # ---- the same numbers ----
@@ -243,109 +212,3 @@ def test_file_errors_are_the_commands(run: Runner, tmp_path: Path) -> None:
 
 def test_empty_array() -> None:
     assert tank_datum.extract_datum(np.zeros((0, 3))).status == "too_few_points"
-
-
-# ---- a run watched and given up ----
-
-
-def test_progress_names_the_stages() -> None:
-    stages: list[str] = []
-    tank_datum.extract_datum(SAMPLE, progress=stages.append)
-    assert stages[:3] == ["locate", "crop", "normals"] and stages[-1] == "checks"
-
-
-def test_what_progress_raises_ends_the_run(datum: Any) -> None:
-    def stop(stage: str) -> None:
-        raise LookupError(stage)
-
-    with pytest.raises(LookupError, match="locate"):
-        tank_datum.extract_datum(SAMPLE, progress=stop)
-    same(tank_datum.extract_datum(SAMPLE).stations["z"], datum.stations["z"])
-
-
-INTERRUPTED = """
-import signal, sys, threading, time
-import numpy as np, tank_datum
-signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in background jobs
-random = np.random.default_rng(1)
-points = 60 * random.random((30_000_000, 3), dtype=np.float32) - 30
-ticks = []
-threading.Thread(target=lambda: [(ticks.append(1), time.sleep(0.02)) for _ in range(9999)],
-                 daemon=True).start()
-print("ready", flush=True)
-try:
-    tank_datum.extract_datum(points)
-except KeyboardInterrupt:
-    print("interrupted", len(ticks) > 10, flush=True)
-    sys.exit(3)
-"""
-
-
-def test_ctrl_c_is_heard_within_a_second_and_the_lock_is_free() -> None:
-    process = subprocess.Popen(
-        [sys.executable, "-c", INTERRUPTED], stdout=subprocess.PIPE, text=True
-    )
-    assert process.stdout is not None
-    assert process.stdout.readline() == "ready\n"
-    time.sleep(0.4)
-    process.send_signal(signal.SIGINT)
-    began = time.monotonic()
-    assert process.stdout.readline() == "interrupted True\n"
-    assert time.monotonic() - began < 1.0
-    assert process.wait(timeout=30) == 3
-
-
-# ---- the launcher ----
-
-
-def launcher() -> Path:
-    return Path(sys.executable).parent / "tank_datum"
-
-
-@pytest.mark.parametrize(
-    "arguments", [["--version"], ["--help"], ["none.pcd"], ["--k", "1", str(SAMPLE)], ["--wrong"]]
-)
-def test_launcher_is_the_command(run: Runner, tmp_path: Path, arguments: list[str]) -> None:
-    wanted = run(*arguments, cwd=tmp_path)
-    got = subprocess.run([launcher(), *arguments], cwd=tmp_path, capture_output=True, text=True)
-    assert (got.returncode, got.stdout, got.stderr) == (
-        wanted.returncode,
-        wanted.stdout,
-        wanted.stderr,
-    )
-
-
-def test_launcher_writes_the_same_bytes(command: Path, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    assert subprocess.run([launcher(), SAMPLE, "-o", out, "--quiet"]).returncode == 0
-    for file in sorted(command.iterdir()):
-        assert (out / file.name).read_bytes() == file.read_bytes(), file.name
-
-
-# ---- NumPy ----
-
-OLD_NUMPY = """
-import json, sys
-import numpy as np, tank_datum
-points = np.load(sys.argv[1])
-print(np.__version__)
-print(json.dumps(tank_datum.extract_datum(points).stations["z"].tolist()))
-"""
-
-
-def test_numpy_1(datum: Any, points: Array, tmp_path: Path) -> None:
-    """NumPy 1.24, installed beside, sees the same values."""
-    pip = [sys.executable, "-m", "pip", "install", "-q", "--no-deps", "--only-binary", ":all:"]
-    subprocess.run([*pip, "--target", tmp_path / "old", "numpy==1.24.4"], check=True)
-    shutil.copytree(Path(inspect.getfile(tank_datum)).parent, tmp_path / "old" / "tank_datum")
-    np.save(tmp_path / "points.npy", points)
-    result = subprocess.run(
-        [sys.executable, "-c", OLD_NUMPY, tmp_path / "points.npy"],
-        env={**os.environ, "PYTHONPATH": str(tmp_path / "old")},
-        capture_output=True,
-        text=True,
-    )
-    assert result.returncode == 0, result.stderr
-    version, values = result.stdout.splitlines()
-    assert version == "1.24.4" and np.__version__.startswith("2.")
-    same(np.array(json.loads(values)), datum.stations["z"])
