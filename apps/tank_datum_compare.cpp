@@ -6,6 +6,7 @@
 #include "exit_status.h"
 #include "movement_files.h"
 #include "movement_options.h"
+#include "parsed.h"
 #include "tank_datum/error.h"
 #include "tank_datum/sha256.h"
 #include "tank_datum/version.h"
@@ -34,17 +35,7 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
   TypedMovement typed(command.options);
   addMovementOptions(app, command.options, typed);
   app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    status = app.exit(asked);
-    return false;
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_compare: command line: " << error.what()
-              << ", expected what tank_datum_compare --help lists\n";
-    status = kWrongUse;
-    return false;
-  }
+  if (!parsed(app, argc, argv, status)) return false;
   typed.putInto(command.options);
   return true;
 }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "exit_status.h"
+#include "parsed.h"
 #include "tank_datum/curve_comparison.h"
 #include "tank_datum/error.h"
 #include "tank_datum/version.h"
@@ -34,18 +35,7 @@ bool parseCommandLine(int argc, char** argv, CurvesCommand& command, int& status
   app.add_option("--to-deg", command.to_deg,
                  "azimuth that it ends at; at most a turn further, which is the whole ring");
   app.set_version_flag("--version", std::string("tank_datum_curves ") + kVersion);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    status = app.exit(asked);
-    return false;
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_curves: command line: " << error.what()
-              << ", expected what tank_datum_curves --help lists\n";
-    status = kWrongUse;
-    return false;
-  }
-  return true;
+  return parsed(app, argc, argv, status);
 }
 
 std::vector<std::string> cellsOf(const std::string& row) {

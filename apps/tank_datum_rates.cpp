@@ -1,6 +1,4 @@
-#include <iostream>
-
-#include "exit_status.h"
+#include "parsed.h"
 #include "rates/movement_rates.h"
 #include "tank_datum/version.h"
 
@@ -12,14 +10,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("tank_datum_rates ") + kVersion);
   rates::MovementTrial movement;
   rates::addMovement(app, movement)->callback([&] { print(movement, rates::ratesOf(movement)); });
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_rates: command line: " << error.what()
-              << ", expected what tank_datum_rates --help lists\n";
-    return kWrongUse;
-  }
-  return kUsable;
+  int status = kUsable;
+  parsed(app, argc, argv, status);
+  return status;
 }

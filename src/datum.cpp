@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "datum_stages.h"
+#include "refusal.h"
 #include "shell_measures.h"
 #include "survey_shell.h"
 #include "tank_datum/error.h"
@@ -102,13 +103,7 @@ Datum described(Datum datum, const DatumOptions& options) {
 
 }  // namespace
 
-void requireValid(const DatumOptions& options) {
-  const std::string error = firstError(options);
-  const auto equals = error.find(" = "), must = error.find(" (must be ");
-  if (error.empty()) return;
-  throw Error(Error::Kind::Option, "options", error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
-              error.substr(must + 10, error.size() - must - 11));
-}
+void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
 
 Datum meant(Datum datum, const DatumOptions& options) {
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);

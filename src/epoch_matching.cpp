@@ -17,8 +17,6 @@ constexpr double kWidestBracket = 2.0 * kPi / 180.0;  ///< neighbours between wh
 constexpr double kLeastShared = 2.0 * kPi / 180.0;
 constexpr double kSamePlace = 1e-6;  ///< [rad], 0.03 mm at 30 m
 
-double turn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
-
 std::vector<Elevation> byDirection(const Epoch& epoch) {
   std::vector<Elevation> known;
   for (Elevation e : epoch.stations) {

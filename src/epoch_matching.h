@@ -1,12 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "tank_datum/movement.h"
+#include "units.h"
 
 namespace tank_datum {
+
+/// The angle in [0, 2 pi).
+inline double turn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
 
 /// A station measured in both surveys.
 struct MatchedStation {

@@ -5,6 +5,7 @@
 
 #include "epoch_matching.h"
 #include "movement_significance.h"
+#include "refusal.h"
 #include "tank_datum/error.h"
 #include "units.h"
 
@@ -96,13 +97,7 @@ std::string firstError(const MovementOptions& options) {
   return {};
 }
 
-void requireValid(const MovementOptions& options) {
-  const std::string error = firstError(options);
-  const auto equals = error.find(" = "), must = error.find(" (must be ");
-  if (error.empty()) return;
-  throw Error(Error::Kind::Option, "options", error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
-              error.substr(must + 10, error.size() - must - 11));
-}
+void requireValid(const MovementOptions& options) { refuseFirst(firstError(options)); }
 
 void requireErrors(const Epoch& epoch) {
   if (epoch.judgeable() > 0) return;

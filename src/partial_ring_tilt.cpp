@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "datum_waves.h"
+#include "tank_datum/out_of_plane.h"
 #include "units.h"
 
 namespace tank_datum {
@@ -34,15 +35,9 @@ Row rowOf(const Station& station, const Eigen::Vector2d& center) {
 
 bool hasTiltingGap(const std::vector<Station>& stations) {
   constexpr double kHarmless = 30.0 * kPi / 180.0, kUsual = 2.5;  // in spacings of stations all round
-  std::vector<double> directions;
-  for (const Station& s : stations) {
-    if (s.flag == StationFlag::Measured) directions.push_back(s.direction - kTwoPi * std::floor(s.direction / kTwoPi));
-  }
-  if (directions.empty()) return false;
-  std::sort(directions.begin(), directions.end());
-  double widest = directions.front() + kTwoPi - directions.back();
-  for (std::size_t i = 1; i < directions.size(); ++i) widest = std::max(widest, directions[i] - directions[i - 1]);
-  return widest > std::max(kHarmless, kUsual * kTwoPi / static_cast<double>(directions.size()));
+  const auto measured = [](const Station& s) { return s.flag == StationFlag::Measured; };
+  const auto count = static_cast<double>(std::count_if(stations.begin(), stations.end(), measured));
+  return longestGap(stations, 1.0) > std::max(kHarmless, kUsual * kTwoPi / count);
 }
 
 PlaneFit fitPlaneBesideWaves(const std::vector<Station>& stations, const Eigen::Vector2d& center) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "epoch_matching.h"
 #include "tank_datum/error.h"
 #include "units.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double kWidestBracket = 2.0 * kPi / 180.0;
 constexpr double kSamePlace = 1e-6;  ///< [rad]
-
-double turn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
 
 std::vector<StationMovement> byDirection(const Movement& movement) {
   std::vector<StationMovement> known;

@@ -2,9 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 
-#include "exit_status.h"
+#include "parsed.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum::bench {
@@ -45,24 +44,13 @@ void addOptions(CLI::App& app, Command& command, double& angle_deg) {
 bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   CLI::App app(
       "What the chain costs: PCL's own classes beside tank_datum, stage by stage, on the same points with the same k "
-      "and "
-      "theta, and whether both mark the same candidates.",
+      "and theta, and whether both mark the same candidates.",
       "tank_datum_bench");
   app.option_defaults()->always_capture_default();
   command.folder = std::filesystem::temp_directory_path().string();
   double angle_deg = command.options.growing.angle / kDegree;
   addOptions(app, command, angle_deg);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    status = app.exit(asked);
-    return false;
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_bench: command line: " << error.what()
-              << ", expected what tank_datum_bench --help lists\n";
-    status = kWrongUse;
-    return false;
-  }
+  if (!parsed(app, argc, argv, status)) return false;
   command.options.growing.angle = angle_deg * kDegree;
   return true;
 }
