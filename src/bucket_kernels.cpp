@@ -5,12 +5,7 @@
 #include <limits>
 #include <vector>
 
-// an address sanitizer's shadow is not there yet when the program chooses
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define TANK_DATUM_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define TANK_DATUM_CLONES
-#endif
+#include "clones.h"
 
 namespace tank_datum {
 namespace {

@@ -1,6 +1,5 @@
 #include <omp.h>
 
-#include <cmath>
 #include <limits>
 
 #include "bucket_kernels.h"
@@ -8,11 +7,15 @@
 
 namespace tank_datum {
 
+constexpr float kRoom = 1.4F;  // times the squared distance of the k-th neighbour before, the next one's is expected
+
 /// What one thread needs for the points of a bucket; allocated once.
 struct BucketTree::Batch {
   std::vector<float> x, y, z;  // of the points around the bucket
   std::vector<std::uint32_t> numbers;
   std::size_t size = 0;
+  float squared_reach = -1.0F;  // from the bucket's box, within which there are all
+  float furthest = 0.0F;        // squared, of the neighbours of the bucket before
   std::vector<std::int32_t> hit_squared;
   std::vector<std::uint32_t> hit_numbers;
   std::vector<FoundPoint> row;  // of the last point, nearest first
@@ -24,13 +27,16 @@ struct BucketTree::Batch {
     for (auto* column : {&numbers, &hit_numbers}) column->resize(room);
     hit_squared.resize(room);
   }
+  float kthSquared() const { return squaredDistanceOf(row.back()); }
 };
 
-/// Copies the points of every bucket whose box is within reach of this bucket's.
-void BucketTree::gather(std::size_t bucket, double reach, Batch& batch) const {
-  const auto squared = static_cast<float>(reach * reach * (1.0 + 1e-5));  // far above what rounding in float32 adds
+/// Copies the points of every bucket whose box is within reach of this bucket's; none where there are too many, for
+/// points that lie so unevenly are better looked for one by one.
+void BucketTree::gather(std::size_t bucket, float squared_reach, Batch& batch) const {
+  constexpr std::size_t kLargest = 4096;
   batch.size = 0;
-  forEachBucket(boxOf(depth_, bucket), squared, [&](std::size_t begin, std::size_t end) {
+  batch.squared_reach = std::max(squared_reach, std::numeric_limits<float>::min());  // k points in one place
+  forEachBucket(boxOf(depth_, bucket), batch.squared_reach, [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
     batch.reserve(batch.size + count);
     std::copy_n(&x_[begin], count, &batch.x[batch.size]);
@@ -38,37 +44,43 @@ void BucketTree::gather(std::size_t bucket, double reach, Batch& batch) const {
     std::copy_n(&z_[begin], count, &batch.z[batch.size]);
     std::copy_n(&ids_[begin], count, &batch.numbers[batch.size]);
     batch.size += count;
+    if (batch.size > kLargest) batch.squared_reach = -1.0F;  // ends the walk
   });
 }
 
-/// The row of a place whose k nearest are all in the batch. How far they are is guessed from the last row; a guess that
-/// meets k points needs no other proof.
-void BucketTree::nearestInBatch(const Eigen::Vector3f& place, std::size_t k, Batch& batch) const {
-  constexpr float kRoom = 1.4F;  // times k are expected within
+/// The row of a place in the batch's bucket, if its k nearest are surely in the batch. How far they are is guessed from
+/// the last row; a guess that meets k points needs no other proof.
+bool BucketTree::nearestInBatch(const Eigen::Vector3f& place, std::size_t k, Batch& batch) const {
+  if (batch.squared_reach < 0.0F) return false;
   const PointColumns points{batch.x.data(), batch.y.data(), batch.z.data(), batch.numbers.data(), batch.size};
   const HitColumns hits{batch.hit_squared.data(), batch.hit_numbers.data()};
-  float limit = std::max(kRoom * squaredDistanceOf(batch.row.back()), std::numeric_limits<float>::min());
-  std::size_t count = keepWithin(points, place.data(), limit, hits);
-  while (count < k) {
-    limit *= 2.0F;
-    count = keepWithin(points, place.data(), limit, hits);
+  float limit = std::max(kRoom * batch.kthSquared(), std::numeric_limits<float>::min());
+  for (;; limit *= 2.0F) {
+    limit = std::min(limit, batch.squared_reach);
+    const std::size_t count = keepWithin(points, place.data(), limit, hits);
+    if (count >= k) {
+      sortNearest(hits, count, k, batch.row.data());
+      return true;
+    }
+    if (limit >= batch.squared_reach) return false;
   }
-  sortNearest(hits, count, k, batch.row.data());
 }
 
+/// Its points' neighbours are about as far as those of the bucket before; where they are further, one of them is looked
+/// for in the whole tree, and says how far.
 void BucketTree::fillBucket(std::size_t bucket, std::size_t k, std::int32_t* rows, Batch& batch) const {
-  constexpr std::size_t kLargest = 4096;  // where points lie so unevenly, each is looked for by itself
   const std::size_t begin = firstOf(depth_, bucket), end = firstOf(depth_, bucket + 1);
-  const auto place = [&](std::size_t i) { return Eigen::Vector3f(x_[i], y_[i], z_[i]); };
-  batch.row = nearest(place(begin), k);
-  double reach = 0;  // no point of the bucket has its k nearest further away: those of the first are k
+  if (batch.row.size() == k) gather(bucket, kRoom * batch.furthest, batch);
+  batch.furthest = 0.0F;
+  bool crowded = false;
   for (std::size_t i = begin; i < end; ++i) {
-    reach = std::max(reach, (place(i) - place(begin)).cast<double>().norm());
-  }
-  gather(bucket, reach + std::sqrt(static_cast<double>(squaredDistanceOf(batch.row.back()))), batch);
-  for (std::size_t i = begin; i < end; ++i) {
-    if (i > begin && batch.size > kLargest) batch.row = nearest(place(i), k);
-    if (i > begin && batch.size <= kLargest) nearestInBatch(place(i), k, batch);
+    const Eigen::Vector3f place(x_[i], y_[i], z_[i]);
+    if (batch.row.size() != k || !nearestInBatch(place, k, batch)) {
+      batch.row = nearest(place, k);
+      if (!crowded) gather(bucket, kRoom * batch.kthSquared(), batch);
+      crowded = batch.squared_reach < 0.0F;
+    }
+    batch.furthest = std::max(batch.furthest, batch.kthSquared());
     std::int32_t* row = rows + static_cast<std::size_t>(ids_[i]) * k;
     for (std::size_t j = 0; j < k; ++j) row[j] = numberOf(batch.row[j]);
   }

@@ -1,44 +1,59 @@
 #include "neighbour_rows.h"
 
-#include <omp.h>
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>
+#include <atomic>
+#include <future>
 
 #include "spatial_order.h"
+#include "tank_datum/parallel.h"
 
 namespace tank_datum {
 namespace {
 
-pcl::PointCloud<pcl::PointXYZ>::Ptr toPcl(const Points& points) {
-  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  cloud->reserve(points.size());
-  for (const auto& p : points) {
-    cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())));
-  }
-  return cloud;
+/// Calls work(begin, end) for the parts of 0 .. count - 1, in plain threads: FLANN opens a parallel region for every
+/// query, which inside of another region means a new team, allocated and locked, each time.
+template <typename Work>
+void forEachPart(std::size_t count, int threads, const Work& work) {
+  constexpr std::size_t kPart = 1024;
+  std::atomic<std::size_t> next{0};
+  const auto take_parts = [&] {
+    for (std::size_t begin; (begin = next.fetch_add(kPart)) < count;) work(begin, std::min(begin + kPart, count));
+  };
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < threadCount(threads); ++i) others.push_back(std::async(std::launch::async, take_parts));
+  take_parts();
+  for (auto& other : others) other.get();
 }
 
 void findWithFlann(const Points& points, const NeighbourRows& rows, const BucketTree::RowsDone& done) {
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  const auto cloud = toPcl(points);
-  tree.setInputCloud(cloud);
-  const auto order = mortonOrder(points);
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  const auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  std::vector<std::uint32_t> order;
+  forEachIndex(2, rows.threads, [&](std::size_t task) {
+    if (task == 1) {
+      order = mortonOrder(points);
+      return;
+    }
+    cloud->reserve(points.size());
+    for (const auto& p : points) {
+      cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())));
+    }
+    tree.setInputCloud(cloud);
+  });
   const auto k = static_cast<std::size_t>(rows.k);
-#pragma omp parallel num_threads(rows.threads > 0 ? rows.threads : omp_get_max_threads())
-  {
+  forEachPart(points.size(), rows.threads, [&](std::size_t begin, std::size_t end) {
     pcl::Indices found(k);
     std::vector<float> squared_distances(k);
-#pragma omp for schedule(dynamic, 1024)
-    for (std::ptrdiff_t query = 0; query < count; ++query) {
-      const std::uint32_t& i = order[static_cast<std::size_t>(query)];
+    for (std::size_t query = begin; query < end; ++query) {
+      const std::uint32_t i = order[query];
       tree.nearestKSearch((*cloud)[i], rows.k, found, squared_distances);
       std::copy(found.begin(), found.end(), rows.first + i * k);
-      done(&i, 1);
     }
-  }
+    done(&order[begin], end - begin);
+  });
 }
 
 void findWithBuckets(const Points& points, const NeighbourRows& rows, const BucketTree::RowsDone& done) {

@@ -2,25 +2,28 @@
 
 #include <omp.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "neighbour_rows.h"
+#include "plane_normal.h"
 
 namespace tank_datum {
 namespace {
 
+/// Sums relative to the point: of coordinates far from the origin little would be left.
 Eigen::Vector3f normalOf(const Points& points, std::size_t i, const std::int32_t* neighbours, int k) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d& own = points[i];
+  double x = 0, y = 0, z = 0;
+  SymmetricMatrix squares;
   for (int j = 0; j < k; ++j) {
-    const Eigen::Vector3d d = points[static_cast<std::size_t>(neighbours[j])] - points[i];
-    sum += d;
-    squares += d * d.transpose();
+    const Eigen::Vector3d& p = points[static_cast<std::size_t>(neighbours[j])];
+    const double dx = p.x() - own.x(), dy = p.y() - own.y(), dz = p.z() - own.z();
+    x += dx, y += dy, z += dz;
+    squares.xx += dx * dx, squares.xy += dx * dy, squares.xz += dx * dz;
+    squares.yy += dy * dy, squares.yz += dy * dz, squares.zz += dz * dz;
   }
-  const Eigen::Matrix3d covariance = squares - sum * sum.transpose() / k;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  return solver.eigenvectors().col(0).cast<float>();
+  const double share = 1.0 / k;
+  squares.xx -= x * x * share, squares.xy -= x * y * share, squares.xz -= x * z * share;
+  squares.yy -= y * y * share, squares.yz -= y * z * share, squares.zz -= z * z * share;
+  return planeNormal(squares).cast<float>();
 }
 
 }  // namespace
@@ -58,7 +61,7 @@ Normals estimateNormals(const Points& points, const NormalOptions& options, int 
   return result;
 }
 
-Normals fitNormals(const Points& points, std::vector<std::int32_t> neighbours, int k, int threads) {
+Normals fitNormals(const Points& points, Neighbours neighbours, int k, int threads) {
   Normals result;
   result.k = k;
   result.neighbours = std::move(neighbours);

@@ -7,10 +7,12 @@
 
 namespace tank_datum {
 
+int threadCount(int threads) { return threads > 0 ? threads : omp_get_max_threads(); }
+
 void forEachIndex(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   std::exception_ptr thrown;
   std::atomic<bool> stop{false};
-#pragma omp parallel for schedule(dynamic) num_threads(threads > 0 ? threads : omp_get_max_threads())
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
   for (std::size_t i = 0; i < count; ++i) {
     if (stop) continue;
     try {

@@ -83,6 +83,18 @@ TEST(BucketTree, FindsAllWhereMostPointsLieInOnePlaceAndOthersFarAway) {
   expectRowsOfBruteForce(places, 25, 301);
 }
 
+/// What the bucket before says of the distance is off by a thousand, both ways and again.
+TEST(BucketTree, FindsAllWhereTheSpacingChangesAtOnce) {
+  Places places;
+  for (const Eigen::Vector3f& p : tank()) {
+    const bool dense = static_cast<int>(std::floor(p.x())) % 2 == 0;
+    places.push_back(dense ? Eigen::Vector3f(std::floor(p.x()) + 0.001F * (p.x() - std::floor(p.x())), 0.001F * p.y(),
+                                             0.001F * p.z())
+                           : p);
+  }
+  expectRowsOfBruteForce(places, 20, 37);
+}
+
 TEST(BucketTree, AsManyNeighboursAsPointsAreAll) {
   Places places = tank();
   for (const std::size_t count : {1U, 2U, 15U, 16U, 17U, 33U}) {

@@ -83,7 +83,7 @@ TEST(PclStages, NeighboursAreThoseAmongTheChosen) {
   for (int i = 0; i < 10; ++i) row.push_back({static_cast<float>(i), 0, 0});
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud(row.makeShared());
-  EXPECT_EQ(findNeighbours(tree, row, {9, 0, 4}, 2), (std::vector<std::int32_t>{0, 2, 1, 2, 2, 1}));
+  EXPECT_EQ(findNeighbours(tree, row, {9, 0, 4}, 2), (Neighbours{0, 2, 1, 2, 2, 1}));
   EXPECT_THROW(findNeighbours(tree, row, {9, 0, 4}, 4), Error);
 }
 

@@ -65,8 +65,8 @@ class BucketTree {
   void build(std::vector<Row>& rows, std::size_t level, std::size_t node);
   template <typename From, typename Visit>
   void forEachBucket(const From& from, const float& squared_reach, const Visit& visit) const;
-  void gather(std::size_t bucket, double reach, Batch& batch) const;
-  void nearestInBatch(const Eigen::Vector3f& place, std::size_t k, Batch& batch) const;
+  void gather(std::size_t bucket, float squared_reach, Batch& batch) const;
+  bool nearestInBatch(const Eigen::Vector3f& place, std::size_t k, Batch& batch) const;
   void fillBucket(std::size_t bucket, std::size_t k, std::int32_t* rows, Batch& batch) const;
 
   std::size_t depth_ = 0;         // every bucket is so far below the root

@@ -7,6 +7,7 @@
 
 #include "tank_datum/export.h"
 #include "tank_datum/scan.h"
+#include "tank_datum/unfilled.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -26,10 +27,13 @@ struct NormalOptions {
 /// One line naming the first refused field, or empty.
 std::string firstError(const NormalOptions& options);
 
+/// Rows of k point indices, nearest first, the point itself included.
+using Neighbours = std::vector<std::int32_t, Unfilled<std::int32_t>>;
+
 /// Neighbours and normals of a cloud. The lists are kept so that region growing need not search again.
 struct Normals {
   int k = 0;
-  std::vector<std::int32_t> neighbours;  ///< size() rows of k point indices, nearest first, the point itself included
+  Neighbours neighbours;                 ///< size() rows of k
   std::vector<Eigen::Vector3f> normals;  ///< unit length, sign undefined
 
   std::size_t size() const { return normals.size(); }
@@ -43,8 +47,8 @@ struct Normals {
 Normals estimateNormals(const Points& points, const NormalOptions& options, int threads = 0);
 
 /// Step 2 alone, for neighbours found elsewhere.
-/// @param neighbours  points.size() rows of k point indices
+/// @param neighbours  points.size() rows of k
 /// @param threads     0 means all cores
-Normals fitNormals(const Points& points, std::vector<std::int32_t> neighbours, int k, int threads = 0);
+Normals fitNormals(const Points& points, Neighbours neighbours, int k, int threads = 0);
 
 }  // namespace tank_datum

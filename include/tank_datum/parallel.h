@@ -7,6 +7,9 @@
 
 namespace TANK_DATUM_API tank_datum {
 
+/// How many threads an option means: 0 is all cores.
+int threadCount(int threads);
+
 /// Calls work(i) for i = 0 .. count - 1, in any order, from several threads; for templates in headers, whose users need
 /// not compile with OpenMP.
 /// @param threads  0 means all cores

@@ -39,15 +39,14 @@ pcl::Indices nearestOf(const pcl::search::Search<PointT>& search, const pcl::Poi
 /// @return chosen.size() rows of k places in `chosen`, nearest first
 /// @throws Error (Option) when the search finds fewer than k of them
 template <typename PointT>
-std::vector<std::int32_t> findNeighbours(const pcl::search::Search<PointT>& search,
-                                         const pcl::PointCloud<PointT>& cloud, const pcl::Indices& chosen, int k,
-                                         int threads = 0) {
+Neighbours findNeighbours(const pcl::search::Search<PointT>& search, const pcl::PointCloud<PointT>& cloud,
+                          const pcl::Indices& chosen, int k, int threads = 0) {
   const auto width = static_cast<std::size_t>(k);
   std::vector<std::int32_t> place(cloud.size(), -1);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     place[static_cast<std::size_t>(chosen[i])] = static_cast<std::int32_t>(i);
   }
-  std::vector<std::int32_t> neighbours(chosen.size() * width);
+  Neighbours neighbours(chosen.size() * width);
   forEachIndex(chosen.size(), threads, [&](std::size_t i) {
     for (std::size_t ask = width;; ask = std::min(2 * ask, cloud.size())) {
       const pcl::Indices found = nearestOf(search, cloud, chosen[i], static_cast<int>(ask));

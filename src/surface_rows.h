@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace tank_datum {
+
+/// The rows of a robust fit of z = s0 + s1 a + s2 t + s3 t^2 [m], which is what either surface is near the foot: a is
+/// the distance across the edge, t the arc along it. Column by column, for the same sums on every machine, whatever
+/// the width of its vectors.
+class SurfaceRows {
+ public:
+  /// Sums of the weighted normal equations.
+  struct Equations {
+    Eigen::Matrix4d matrix;
+    Eigen::Vector4d right;
+    double weight = 0;
+  };
+
+  void reserve(std::size_t rows);
+  void add(double a, double t, double z);
+  std::size_t size() const { return z_.size(); }
+
+  /// To be called once, when all rows are in: all weights are 1.
+  void close();
+
+  Equations equations() const;
+
+  /// Takes the residuals from a solution.
+  /// @return their robust standard deviation about zero [m]
+  double residualsFrom(const Eigen::Vector4d& solution);
+
+  /// Tukey's weights of the residuals.
+  void weigh(double noise);
+
+  const std::vector<double>& a() const { return a_; }
+  const std::vector<double>& t() const { return t_; }
+  const std::vector<double>& residuals() const { return residuals_; }
+  const std::vector<double>& weights() const { return weights_; }
+
+ private:
+  std::vector<double> a_, t_, z_, residuals_, weights_;
+};
+
+}  // namespace tank_datum
