@@ -2,44 +2,56 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "tank_datum/statistics.h"
-#include "units.h"
+#include "surface_rows.h"
 
 namespace tank_datum {
 
 FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach) {
-  const std::vector<PolarPoint>& points = ring.points();
-  std::vector<double> radii(points.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < points.size(); ++i) radii[i] = shell.at(points[i].azimuth);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double d = side * (points[i].radius - radii[i]);
-    if (d > -0.1 * reach && d < reach) entries_.push_back({points[i].azimuth, radii[i], d, points[i].z});
+  const auto& points = ring.points();
+  constexpr std::size_t kParts = 64;
+  std::array<std::vector<Entry>, kParts> parts;
+  const auto beginOf = [&](std::size_t part) { return points.size() * part / kParts; };
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t part = 0; part < kParts; ++part) {
+    parts[part].reserve(beginOf(part + 1) - beginOf(part));
+    for (std::size_t i = beginOf(part); i < beginOf(part + 1); ++i) {
+      const double radius = shell.at(points[i].azimuth), d = side * (points[i].radius - radius);
+      if (d > -0.1 * reach && d < reach) parts[part].push_back({points[i].azimuth, radius, d, points[i].z});
+    }
+  }
+  std::array<std::size_t, kParts + 1> starts{};
+  for (std::size_t part = 0; part < kParts; ++part) starts[part + 1] = starts[part] + parts[part].size();
+  entries_.resize(starts.back());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t part = 0; part < kParts; ++part) {
+    std::copy(parts[part].begin(), parts[part].end(), entries_.begin() + static_cast<std::ptrdiff_t>(starts[part]));
   }
 }
 
 std::vector<FootPoint> FootRing::around(double azimuth, double half_width, double z, double height) const {
   std::vector<FootPoint> points;
-  for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
-    const double from = azimuth + shift - half_width, to = azimuth + shift + half_width;
-    auto at = std::lower_bound(entries_.begin(), entries_.end(), from,
-                               [](const Entry& e, double value) { return e.azimuth < value; });
-    for (; at != entries_.end() && at->azimuth <= to; ++at) {
-      if (std::abs(at->z - z) < height) points.push_back({(at->azimuth - azimuth - shift) * at->radius, at->d, at->z});
-    }
-  }
+  visitAround(azimuth, half_width, z, height, [&points](const FootPoint& p) { points.push_back(p); });
   return points;
+}
+
+std::pair<std::size_t, std::size_t> FootRing::between(double from, double to) const {
+  const auto first = std::lower_bound(entries_.begin(), entries_.end(), from,
+                                      [](const Entry& e, double value) { return e.azimuth < value; });
+  const auto last =
+      std::upper_bound(first, entries_.end(), to, [](double value, const Entry& e) { return value < e.azimuth; });
+  return {static_cast<std::size_t>(first - entries_.begin()), static_cast<std::size_t>(last - entries_.begin())};
 }
 
 namespace {
 
 /// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
 /// both err together, and a row of the scan close to an end of the band is cut on that side alone.
-/// @param d,z  of the points used, z without the fit [m]
-double selectionError(const std::vector<double>& d, const std::vector<double>& z, const std::vector<double>& weights,
-                      double from, double to) {
+/// @param rows  a is d, the residuals are z without the fit
+double selectionError(const SurfaceRows& rows, double from, double to) {
+  const std::vector<double>&d = rows.a(), &z = rows.residuals(), &weights = rows.weights();
   double sum = 0, mean_d = 0, mean_z = 0, squares = 0, products = 0;
   for (std::size_t i = 0; i < d.size(); ++i) {
     sum += weights[i];
@@ -73,28 +85,19 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
     if (on_surface(p)) seen_to = std::max(seen_to, p.d);
   }
   const double to = std::min(profile.band_to, seen_to - profile.blur);
-  std::vector<Eigen::Vector4d> rows;
-  std::vector<double> heights;
+  SurfaceRows rows;
+  rows.reserve(points.size());
   for (const FootPoint& p : points) {
-    if (p.d > to || !on_surface(p)) continue;
-    rows.emplace_back(1.0, p.d, p.t, p.t * p.t);
-    heights.push_back(p.z);
+    if (p.d <= to && on_surface(p)) rows.add(p.d, p.t, p.z);
   }
   fit.points = rows.size();
   if (rows.size() < 4) return fit;
-  std::vector<double> weights(rows.size(), 1.0), residuals(rows.size());
+  rows.close();
   double noise = profile.noise;
   Eigen::Vector4d solution(start, slope, 0.0, 0.0);
   Eigen::Matrix4d inverse;
   for (int iteration = 0; iteration < 8; ++iteration) {
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
-    double used = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      normal += weights[i] * rows[i] * rows[i].transpose();
-      rhs += weights[i] * heights[i] * rows[i];
-      used += weights[i];
-    }
+    auto [normal, rhs, used] = rows.equations();
     const auto belief = [&](double sigma) { return noise * noise / (sigma * sigma); };
     normal(1, 1) += belief(prior.sigma_slope);
     rhs[1] += belief(prior.sigma_slope) * slope;
@@ -103,19 +106,15 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
     if (used < 3.0) return fit;
     inverse = normal.inverse();
     solution = inverse * rhs;
-    for (std::size_t i = 0; i < rows.size(); ++i) residuals[i] = heights[i] - rows[i].dot(solution);
-    const double own = std::max(robustSigma(residuals, 0.0), 1e-7);
+    const double own = std::max(rows.residualsFrom(solution), 1e-7);
     noise = std::sqrt((kPooled * profile.noise * profile.noise + used * own * own) / (kPooled + used));
-    for (std::size_t i = 0; i < rows.size(); ++i) weights[i] = tukeyWeight(residuals[i] / noise);
+    rows.weigh(noise);
   }
   fit.z = solution[0];
   fit.slope = solution[1];
   fit.along = solution[2];
   fit.bend = solution[3];
-  std::vector<double> d;
-  for (const auto& row : rows) d.push_back(row[1]);
-  fit.sigma =
-      std::hypot(noise * std::sqrt(inverse(0, 0)), selectionError(d, residuals, weights, profile.band_from, to));
+  fit.sigma = std::hypot(noise * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
   fit.sigma_slope = noise * std::sqrt(inverse(1, 1));
   fit.noise = noise;
   return fit;

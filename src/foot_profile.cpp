@@ -23,9 +23,9 @@ double middle(const FootProfile& profile, std::size_t bin) { return (static_cast
 /// above it, nothing is seen below. A layer is a cell of `thickness` with at least a tenth of the fullest cell's
 /// values; two cells on either side of it belong to it.
 void keepLowestLayer(std::vector<double>& values, double thickness) {
-  std::sort(values.begin(), values.end());
-  const double low = values.front();
-  std::vector<std::size_t> counts(static_cast<std::size_t>((values.back() - low) / thickness) + 1, 0);
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const double low = *lowest;
+  std::vector<std::size_t> counts(static_cast<std::size_t>((*highest - low) / thickness) + 1, 0);
   for (const double v : values) ++counts[static_cast<std::size_t>((v - low) / thickness)];
   const std::size_t fullest = *std::max_element(counts.begin(), counts.end());
   std::size_t cell = 0;
@@ -35,26 +35,44 @@ void keepLowestLayer(std::vector<double>& values, double thickness) {
   values.erase(std::remove_if(values.begin(), values.end(), far), values.end());
 }
 
-void fillBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& stations,
-              const std::vector<double>& datum, const FootScales& scales) {
-  const double reach = scales.reach, layer = std::max(2.0 * profile.bin, 6.0 * scales.shell_noise);
-  const auto bins = static_cast<std::size_t>(std::ceil(reach / profile.bin));
-  std::vector<std::vector<double>> heights(bins);
-  for (std::size_t s = 0; s < stations.size(); ++s) {
-    if (!std::isfinite(datum[s])) continue;
-    for (const FootPoint& p : stations[s]) {
-      if (p.d >= 0.0 && p.d < reach && std::abs(p.z - datum[s]) < reach) {
-        heights[std::min(bins - 1, static_cast<std::size_t>(p.d / profile.bin))].push_back(p.z - datum[s]);
+/// The heights above their station's datum of all points, by bins of d, with several threads.
+std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<FootPoint>>& stations,
+                                              const std::vector<double>& datum, double reach, double bin) {
+  constexpr std::size_t kParts = 16;
+  const auto bins = static_cast<std::size_t>(std::ceil(reach / bin));
+  std::vector<std::vector<std::vector<double>>> parts(kParts, std::vector<std::vector<double>>(bins));
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t part = 0; part < kParts; ++part) {
+    for (std::size_t s = stations.size() * part / kParts; s < stations.size() * (part + 1) / kParts; ++s) {
+      if (!std::isfinite(datum[s])) continue;
+      for (const FootPoint& p : stations[s]) {
+        if (p.d >= 0.0 && p.d < reach && std::abs(p.z - datum[s]) < reach) {
+          parts[part][std::min(bins - 1, static_cast<std::size_t>(p.d / bin))].push_back(p.z - datum[s]);
+        }
       }
     }
   }
-  for (auto& values : heights) {
+  std::vector<std::vector<double>> heights(bins);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < bins; ++i) {
+    for (const auto& part : parts) heights[i].insert(heights[i].end(), part[i].begin(), part[i].end());
+  }
+  return heights;
+}
+
+void fillBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& stations,
+              const std::vector<double>& datum, const FootScales& scales) {
+  const double layer = std::max(2.0 * profile.bin, 6.0 * scales.shell_noise);
+  auto heights = heightsByBin(stations, datum, scales.reach, profile.bin);
+  for (auto* column : {&profile.height, &profile.spread, &profile.error}) column->assign(heights.size(), kUnknown);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    std::vector<double>& values = heights[i];
     if (!values.empty()) keepLowestLayer(values, layer);
-    const bool enough = values.size() >= kFewest;
-    const double height = enough ? median(values) : kUnknown;
-    profile.height.push_back(height);
-    profile.spread.push_back(enough ? robustSigma(values, height) : kUnknown);
-    profile.error.push_back(1.2533 * std::max(profile.spread.back(), 1e-6) / std::sqrt(values.size()));
+    if (values.size() < kFewest) continue;
+    profile.height[i] = median(values);
+    profile.spread[i] = robustSigma(values, profile.height[i]);
+    profile.error[i] = 1.2533 * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
   }
 }
 

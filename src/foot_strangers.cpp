@@ -18,11 +18,11 @@ Support supportOf(const Foot& foot, std::size_t station, const FootProfile& prof
   const double step = 2.0 * foot.half_step * foot.radius, azimuth = foot.directions[station];
   Support support;
   bool left = false, right = false;
-  for (const FootPoint& p : foot.ring.around(azimuth, 2.0 * foot.half_step, foot.datum[station], foot.reach)) {
-    if (p.d < profile.band_from || p.d > profile.band_to) continue;
+  foot.ring.visitAround(azimuth, 2.0 * foot.half_step, foot.datum[station], foot.reach, [&](const FootPoint& p) {
+    if (p.d < profile.band_from || p.d > profile.band_to) return;
     support.own += std::abs(p.t) <= 0.5 * step;
     (p.t < 0.0 ? left : right) = true;
-  }
+  });
   support.between = left && right;
   return support;
 }
@@ -50,6 +50,7 @@ std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& 
                                 const FootPrior& prior) {
   const std::vector<bool> supported = findSupport(foot, profile);
   std::vector<FootFit> kept = foot.fits;
+#pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (!shell[i].seen() || !kept[i].valid() || !supported[i] ||
         !isSameSurface(foot.points[i], kept[i], prior.slope(foot.directions[i]), profile)) {

@@ -67,15 +67,20 @@ std::vector<FootFit> fitStations(const Foot& foot, const FootProfile& profile, c
 void learnSlope(const Foot& foot, const FootProfile& profile, FootPrior& prior) {
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
-  std::vector<double> azimuths, slopes, weights;
   const std::size_t stride = std::max<std::size_t>(1, foot.directions.size() / 36);
-  for (std::size_t i = 0; i < foot.directions.size(); i += stride) {
+  std::vector<FootFit> fits((foot.directions.size() + stride - 1) / stride);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    const std::size_t i = k * stride;
     const auto points = foot.ring.around(foot.directions[i], kHalfWindow, foot.datum[i], foot.reach);
-    const FootFit fit = fitFoot(points, profile, foot.datum[i] + profile.offset, profile.slope, prior);
-    if (!fit.valid()) continue;
-    azimuths.push_back(foot.directions[i]);
-    slopes.push_back(fit.slope);
-    weights.push_back(1.0 / (fit.sigma_slope * fit.sigma_slope));
+    fits[k] = fitFoot(points, profile, foot.datum[i] + profile.offset, profile.slope, prior);
+  }
+  std::vector<double> azimuths, slopes, weights;
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    if (!fits[k].valid()) continue;
+    azimuths.push_back(foot.directions[k * stride]);
+    slopes.push_back(fits[k].slope);
+    weights.push_back(1.0 / (fits[k].sigma_slope * fits[k].sigma_slope));
   }
   if (slopes.size() < 6) return;
   double mean = 0;
@@ -156,9 +161,11 @@ std::vector<StationProfile> sectionsOf(const Foot& foot, const std::vector<Shell
                                        double side) {
   std::vector<StationProfile> sections;
   if (foot.options.profile_points == 0) return sections;
-  for (std::size_t i = 0; i < foot.fits.size(); ++i) {
+  sections.resize(foot.fits.size());
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t i = 0; i < sections.size(); ++i) {
     const ProfileWindow window{foot.directions[i], foot.half_step, foot.datum[i], foot.reach, band_to, side};
-    sections.push_back(profileOf(foot.ring, window, foot.fits[i], shell[i], foot.options.profile_points));
+    sections[i] = profileOf(foot.ring, window, foot.fits[i], shell[i], foot.options.profile_points);
   }
   return sections;
 }

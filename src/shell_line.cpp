@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "quick_floor.h"
+#include "surface_rows.h"
 #include "tank_datum/statistics.h"
 #include "units.h"
 
@@ -47,7 +48,7 @@ void dropStrays(std::vector<double>& radius, double noise, double cell_arc) {
 
 template <typename Keep>
 ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep) {
-  const std::vector<PolarPoint>& points = ring.points();
+  const PolarPoints& points = ring.points();
   std::vector<char> kept(points.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < points.size(); ++i) kept[i] = keep(points[i]);
@@ -111,48 +112,40 @@ ShellOutline outlineBand(const PolarRing& ring, double radius) {
 
 ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, double azimuth, double half_width,
                        double foot, double from, double to) {
-  constexpr Eigen::Index kUnknowns = 4;
+  constexpr std::size_t kUnknowns = 4;
   ShellLine line;
   const double start = outline.at(azimuth);
   if (!std::isfinite(start)) return line;
-  std::vector<Eigen::Vector4d> rows;
-  std::vector<double> radii;
+  SurfaceRows rows;
   ring.around(azimuth, half_width, [&](const PolarPoint& p, double turn) {
-    const double h = p.z - foot, guess = outline.at(p.azimuth);
-    if (h < from || h > to || !(std::abs(p.radius - guess) < 6.0 * outline.noise)) return;
-    const double t = turn * start;
-    rows.emplace_back(1.0, t, h, t * t);
-    radii.push_back(p.radius);
+    const double h = p.z - foot;
+    if (h >= from && h <= to && std::abs(p.radius - outline.at(p.azimuth)) < 6.0 * outline.noise) {
+      rows.add(h, turn * start, p.radius);
+    }
   });
   if (rows.size() < 3 * kUnknowns) return line;
-  std::vector<double> weights(rows.size(), 1.0), residuals(rows.size());
+  rows.close();
   Eigen::Vector4d solution;
   Eigen::Matrix4d inverse;
   for (int iteration = 0; iteration < 8; ++iteration) {
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d rhs = Eigen::Vector4d::Zero();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      normal += weights[i] * rows[i] * rows[i].transpose();
-      rhs += weights[i] * radii[i] * rows[i];
-    }
-    const Eigen::FullPivLU<Eigen::Matrix4d> lu(normal);
+    const SurfaceRows::Equations equations = rows.equations();
+    const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
     if (!lu.isInvertible()) return line;
     inverse = lu.inverse();
-    solution = inverse * rhs;
-    for (std::size_t i = 0; i < rows.size(); ++i) residuals[i] = radii[i] - rows[i].dot(solution);
-    line.noise = std::max(robustSigma(residuals, 0.0), 1e-7);
-    for (std::size_t i = 0; i < rows.size(); ++i) weights[i] = tukeyWeight(residuals[i] / line.noise);
+    solution = inverse * equations.right;
+    line.noise = std::max(rows.residualsFrom(solution), 1e-7);
+    rows.weigh(line.noise);
   }
   line.radius = solution[0];
-  line.turn_slope = solution[1];
-  line.lean = solution[2];
+  line.lean = solution[1];
+  line.turn_slope = solution[2];
   line.bend = solution[3];
   line.sigma_radius = line.noise * std::sqrt(inverse(0, 0));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (weights[i] <= 0.0) continue;
+    if (rows.weights()[i] <= 0.0) continue;
     ++line.points;
-    double& nearest = rows[i][1] < 0 ? line.before : line.after;
-    if (!(nearest <= std::abs(rows[i][1]))) nearest = std::abs(rows[i][1]);
+    double& nearest = rows.t()[i] < 0 ? line.before : line.after;
+    if (!(nearest <= std::abs(rows.t()[i]))) nearest = std::abs(rows.t()[i]);
   }
   return line;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tank_datum/export.h"
@@ -9,6 +11,7 @@
 #include "tank_datum/harmonics.h"
 #include "tank_datum/polar_ring.h"
 #include "tank_datum/shell_line.h"
+#include "tank_datum/unfilled.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -41,11 +44,27 @@ class FootRing {
   /// The points within half_width [rad] of an azimuth and within `height` of an elevation [m].
   std::vector<FootPoint> around(double azimuth, double half_width, double z, double height) const;
 
+  /// Calls visit(point) for each of them.
+  template <typename Visit>
+  void visitAround(double azimuth, double half_width, double z, double height, Visit&& visit) const {
+    constexpr double kTurn = 6.283185307179586;
+    for (const double shift : {-kTurn, 0.0, kTurn}) {
+      const auto [begin, end] = between(azimuth + shift - half_width, azimuth + shift + half_width);
+      for (std::size_t i = begin; i < end; ++i) {
+        const Entry& e = entries_[i];
+        if (std::abs(e.z - z) < height) visit(FootPoint{(e.azimuth - azimuth - shift) * e.radius, e.d, e.z});
+      }
+    }
+  }
+
  private:
   struct Entry {
     double azimuth, radius, d, z;
   };
-  std::vector<Entry> entries_;
+  /// Indices of the first entry from an azimuth on, and of the first beyond another.
+  std::pair<std::size_t, std::size_t> between(double from, double to) const;
+
+  std::vector<Entry, Unfilled<Entry>> entries_;
 };
 
 /// A robust plane z = z0 + slope d + along t + bend t^2 through the points in the profile's band, in which what is

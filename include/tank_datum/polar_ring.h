@@ -5,6 +5,7 @@
 #include "tank_datum/crop.h"
 #include "tank_datum/export.h"
 #include "tank_datum/locate.h"
+#include "tank_datum/unfilled.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -14,6 +15,8 @@ struct PolarPoint {
   double radius;   ///< [m]
   double z;        ///< [m]
 };
+
+using PolarPoints = std::vector<PolarPoint, Unfilled<PolarPoint>>;
 
 /// The ring's points in order of azimuth, for windows round the tank.
 class PolarRing {
@@ -34,12 +37,12 @@ class PolarRing {
     }
   }
 
-  const std::vector<PolarPoint>& points() const { return points_; }
+  const PolarPoints& points() const { return points_; }
   /// Index of the first point at an azimuth or beyond; the number of points if there is none.
   std::size_t firstFrom(double azimuth) const;
 
  private:
-  std::vector<PolarPoint> points_;
+  PolarPoints points_;
 };
 
 }  // namespace tank_datum
