@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "quick_turn.h"
+#include "arc_meter.h"
 #include "tank_datum/statistics.h"
 #include "units.h"
 
@@ -16,50 +16,15 @@ constexpr double kFacing = 0.94;      // cosine of 20 degrees between a wall's n
 constexpr double kOutOfRound = 0.01;  // of the radius; API 653 lets 1 % of it stand on large tanks' upper courses
 constexpr int kTrials = 20'000;       // a tank holding 5 % of the walls near a trial point is met some 50 times
 constexpr double kNearlyWhole = 0.95 * kTwoPi;  // an arc that no other circle's exceeds by much
+constexpr int kFewTrials = 2'500;               // enough to better an arc that is no chance already; others come next
+constexpr double kNoChance = 0.5 * kTwoPi;
 constexpr int kMaxCircles = 40;
 
 using Walls = std::vector<const WallCell*>;
 
-double tolerance(double radius, double voxel) { return voxel + kOutOfRound * radius; }
+StandingRule ruleFor(double radius, double voxel) { return {voxel + kOutOfRound * radius, kFacing}; }
 
-bool standsOn(const WallCell& wall, const Circle& circle, double tol) {
-  const Eigen::Vector2d arm = wall.position - circle.center;
-  const double distance = arm.norm();
-  return std::abs(distance - circle.radius) <= tol && std::abs(wall.normal.dot(arm)) >= kFacing * distance;
-}
-
-/// The arcs of circles on which walls stand [rad], in bins two wall cells long: a full circle is kTwoPi exactly.
-class ArcMeter {
- public:
-  ArcMeter(const Walls& walls, double voxel) : voxel_(voxel) {
-    for (const WallCell* wall : walls) {
-      places_.push_back({wall->position.x(), wall->position.y(), wall->normal.x(), wall->normal.y()});
-    }
-  }
-
-  double seen(const Circle& circle) {
-    const double bins = std::clamp(std::floor(kTwoPi * circle.radius / (4.0 * voxel_)), 18.0, 180.0);
-    seen_.assign(static_cast<std::size_t>(bins), 0);
-    const double tol = tolerance(circle.radius, voxel_);
-    const double inner = std::max(0.0, circle.radius - tol), outer = circle.radius + tol;
-    for (const Place& p : places_) {
-      const double x = p.x - circle.center.x(), y = p.y - circle.center.y();
-      const double squared = x * x + y * y, facing = p.normal_x * x + p.normal_y * y;
-      if (squared < inner * inner || squared > outer * outer) continue;
-      if (facing * facing < kFacing * kFacing * squared) continue;
-      seen_[static_cast<std::size_t>(quickTurn(x, y) * bins)] = 1;
-    }
-    return kTwoPi * (static_cast<double>(std::count(seen_.begin(), seen_.end(), 1)) / bins);
-  }
-
- private:
-  struct Place {
-    double x, y, normal_x, normal_y;
-  };
-  double voxel_;
-  std::vector<Place> places_;
-  std::vector<char> seen_;
-};
+double binLength(double voxel) { return 4.0 * voxel; }
 
 /// Draws three walls at a random scale, so that small tanks beside large ones are tried as often.
 class TripleSampler {
@@ -99,16 +64,19 @@ class TripleSampler {
 
 Circle bestTriple(const Walls& walls, double voxel, const LocateOptions& options) {
   TripleSampler sampler(walls, voxel);
-  ArcMeter arcs(walls, voxel);
+  ArcMeter arcs(walls);
   Circle best;
   double best_arc = 0;
   Walls triple;
-  for (int trial = 0; trial < kTrials && best_arc < kNearlyWhole; ++trial) {
+  const auto is_enough = [&](int trials) {
+    return best_arc >= kNearlyWhole || trials >= (best_arc >= kNoChance ? kFewTrials : kTrials);
+  };
+  for (int trial = 0; !is_enough(trial); ++trial) {
     const Circle circle = sampler.draw(triple);
     if (!circle.valid() || circle.radius < 0.9 * options.min_radius) continue;
-    const double tol = tolerance(circle.radius, voxel);
-    if (!std::all_of(triple.begin(), triple.end(), [&](const auto* w) { return standsOn(*w, circle, tol); })) continue;
-    const double arc = arcs.seen(circle);
+    const StandingRule rule = ruleFor(circle.radius, voxel);
+    if (!std::all_of(triple.begin(), triple.end(), [&](const auto* w) { return rule.holds(*w, circle); })) continue;
+    const double arc = arcs.seen(circle, rule, binLength(voxel));
     if (arc > best_arc) {
       best_arc = arc;
       best = circle;
@@ -121,15 +89,15 @@ Circle bestTriple(const Walls& walls, double voxel, const LocateOptions& options
 WallCircle refined(const Walls& walls, Circle circle, double voxel) {
   WallCircle result;
   for (int iteration = 0; iteration < 10 && circle.valid(); ++iteration) {
-    const double tol = tolerance(circle.radius, voxel);
+    const StandingRule rule = ruleFor(circle.radius, voxel);
     std::vector<double> heights;
     for (const WallCell* wall : walls) {
-      if (standsOn(*wall, circle, tol)) heights.push_back(wall->top - wall->bottom);
+      if (rule.holds(*wall, circle)) heights.push_back(wall->top - wall->bottom);
     }
     const double tall = 0.5 * quantile(heights, 0.8);
     std::vector<Eigen::Vector2d> positions;
     for (const WallCell* wall : walls) {
-      if (standsOn(*wall, circle, tol) && wall->top - wall->bottom >= tall) positions.push_back(wall->position);
+      if (rule.holds(*wall, circle) && wall->top - wall->bottom >= tall) positions.push_back(wall->position);
     }
     circle = fitCircleRobust(positions, circle);
     std::vector<double> residuals;
@@ -137,7 +105,7 @@ WallCircle refined(const Walls& walls, Circle circle, double voxel) {
     result.rms = robustSigma(residuals, 0.0);
   }
   result.circle = circle;
-  if (circle.valid()) result.coverage = ArcMeter(walls, voxel).seen(circle);
+  if (circle.valid()) result.coverage = ArcMeter(walls).seen(circle, ruleFor(circle.radius, voxel), binLength(voxel));
   return result;
 }
 
@@ -148,8 +116,9 @@ bool turnsWithAzimuth(const Walls& walls, const Circle& circle, double voxel) {
   struct Sums {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   } sums[kWindows];
+  const StandingRule rule = ruleFor(circle.radius, voxel);
   for (const WallCell* wall : walls) {
-    if (!standsOn(*wall, circle, tolerance(circle.radius, voxel))) continue;
+    if (!rule.holds(*wall, circle)) continue;
     const Eigen::Vector2d radial = (wall->position - circle.center).normalized();
     const double cross = radial.x() * wall->normal.y() - radial.y() * wall->normal.x();
     const double off = std::atan(cross / radial.dot(wall->normal));
@@ -180,9 +149,10 @@ std::vector<WallCircle> findWallCircles(const std::vector<WallCell>& walls, doub
     const WallCircle best = refined(left, start, voxel);
     if (!best.circle.valid() || best.coverage < options.min_arc) break;
     if (best.circle.radius >= options.min_radius && turnsWithAzimuth(left, best.circle, voxel)) result.push_back(best);
-    const double tol = 1.5 * tolerance(best.circle.radius, voxel);
+    StandingRule rule = ruleFor(best.circle.radius, voxel);
+    rule.tolerance *= 1.5;
     const auto keep =
-        std::remove_if(left.begin(), left.end(), [&](const auto* w) { return standsOn(*w, best.circle, tol); });
+        std::remove_if(left.begin(), left.end(), [&](const auto* w) { return rule.holds(*w, best.circle); });
     if (keep == left.end()) break;
     left.erase(keep, left.end());
   }

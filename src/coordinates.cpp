@@ -1,7 +1,10 @@
 #include "coordinates.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace tank_datum {
 namespace {
@@ -32,8 +35,7 @@ Load loadOf(const CoordinateColumn& column) {
 
 /// The loop itself; load(axis, from) is inlined where the type is known when compiling.
 template <typename LoadAxis>
-std::size_t decode(const std::array<CoordinateColumn, 3>& xyz, std::size_t rows, const Frame& frame, LoadAxis load,
-                   double* to) {
+std::size_t decode(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, LoadAxis load, double* to) {
   const double scale = frame.metres_per_unit;
   const double ox = frame.origin.x(), oy = frame.origin.y(), oz = frame.origin.z();
   const char *from_x = xyz[0].first, *from_y = xyz[1].first, *from_z = xyz[2].first;
@@ -54,7 +56,7 @@ std::size_t decode(const std::array<CoordinateColumn, 3>& xyz, std::size_t rows,
 
 }  // namespace
 
-void decodeRows(const std::array<CoordinateColumn, 3>& xyz, std::size_t rows, const Frame& frame, Points& points) {
+void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, Points& points) {
   if (rows == 0) return points.clear();
   points.resize(rows);
   double* to = points.front().data();
@@ -72,6 +74,29 @@ void decodeRows(const std::array<CoordinateColumn, 3>& xyz, std::size_t rows, co
         xyz, rows, frame, [&](std::size_t axis, const char* from) { return loads[axis](from); }, to);
   }
   points.resize(kept);
+}
+
+std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame) {
+  const auto is_float = [](const CoordinateColumn& column) { return column.type == 'F' && column.size == 4; };
+  const bool stays_finite =
+      std::isfinite(frame.metres_per_unit * static_cast<double>(std::numeric_limits<float>::max()));
+  if (!std::all_of(xyz.begin(), xyz.end(), is_float) || !stays_finite) {
+    thread_local Points points;
+    decodeRows(xyz, rows, frame, points);
+    return rows - points.size();
+  }
+  const auto is_finite = [](const char* from) {
+    constexpr std::uint32_t kExponent = 0x7f800000U;  // all of it set: infinite or not a number
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, from, sizeof bits);
+    return static_cast<unsigned>((bits & kExponent) != kExponent);
+  };
+  std::size_t finite = 0;
+  const char *x = xyz[0].first, *y = xyz[1].first, *z = xyz[2].first;
+  for (std::size_t i = 0; i < rows; ++i, x += xyz[0].stride, y += xyz[1].stride, z += xyz[2].stride) {
+    finite += is_finite(x) & is_finite(y) & is_finite(z);
+  }
+  return rows - finite;
 }
 
 }  // namespace tank_datum

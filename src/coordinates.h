@@ -23,7 +23,12 @@ inline bool appendFinite(const Eigen::Vector3d& stored, const Frame& frame, Poin
   return true;
 }
 
+using CoordinateColumns = std::array<CoordinateColumn, 3>;
+
 /// Replaces points by the finite ones of the rows, in order.
-void decodeRows(const std::array<CoordinateColumn, 3>& xyz, std::size_t rows, const Frame& frame, Points& points);
+void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, Points& points);
+
+/// How many of the rows decodeRows would leave out.
+std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame);
 
 }  // namespace tank_datum

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "point_hash.h"
+#include "ring_shape.h"
 #include "tank_datum/voxel_sample.h"
 #include "units.h"
 
@@ -25,29 +26,6 @@ std::string firstError(const CropOptions& options) {
 }
 
 namespace {
-
-/// Which points lie near the foot.
-struct RingShape {
-  Circle circle;
-  double reach, slope_x, slope_y, height;
-  double inner, outer;  ///< squared radii [m2]
-
-  RingShape(const Tank& tank, double reach_of_ring)
-      : circle(tank.circle),
-        reach(reach_of_ring),
-        slope_x(tank.foot.coefficients[1] / tank.circle.radius),
-        slope_y(tank.foot.coefficients[2] / tank.circle.radius),
-        height(tank.foot.coefficients[0]),
-        inner(std::pow(std::max(0.0, circle.radius - reach), 2)),
-        outer(std::pow(circle.radius + reach, 2)) {}
-
-  bool holds(const Eigen::Vector3d& p) const {
-    const Eigen::Vector2d arm = p.head<2>() - circle.center;
-    const double squared = arm.squaredNorm();
-    if (squared < inner || squared > outer) return false;
-    return std::abs(p.z() - (height + slope_x * arm.x() + slope_y * arm.y())) <= reach;
-  }
-};
 
 /// A growing set of points that keeps those of the lower hashes whenever it would grow beyond its bound.
 class EvenShare {
@@ -75,6 +53,13 @@ class EvenShare {
 
 }  // namespace
 
+std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options) {
+  constexpr double kWorthIt = 2.5;  // times what is kept; of less, all rows are looked at
+  const double share = std::min(1.0, options.reach / Tank::kNear) * tank.near_foot;
+  const double times = share * static_cast<double>(scan.size()) / static_cast<double>(options.fit_points);
+  return times < kWorthIt ? 1 : static_cast<std::uint64_t>(std::ceil(times)) | 1U;
+}
+
 Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also, int threads) {
   Ring ring;
   ring.reach = std::min(options.reach, 0.5 * tank.circle.radius);
@@ -89,12 +74,13 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
       if (wanted[i] || (shape.holds(points[i]) && share.wants(points[i]))) chosen.push_back(points[i]);
     }
   };
-  ring.counts = scan.forEachChosen(choose, threads, [&](const Points& chosen) {
+  const auto keep = [&](const Points& chosen) {
     if (also.add) also.add(chosen);
     for (const auto& p : chosen) {
       if (shape.holds(p)) share.add(p);
     }
-  });
+  };
+  ring.counts = scan.forEachChosen(choose, threads, keep, rowStride(scan, tank, options));
   ring.points = share.take();
   if (ring.points.size() <= options.search_points) {
     ring.search = ring.points;
@@ -102,9 +88,8 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   }
   // surfaces fill one layer of voxels: twice the ring's width all round is the area to spread the points over
   const double area = 2.0 * kTwoPi * tank.circle.radius * 2.0 * reach;
-  VoxelSample sample(options.search_points, 0.5 * std::sqrt(area / static_cast<double>(options.search_points)));
-  sample.add(ring.points);
-  ring.search = sample.points();
+  const double smallest = 0.5 * std::sqrt(area / static_cast<double>(options.search_points));
+  ring.search = VoxelSample(ring.points, options.search_points, smallest, threads).points();
   return ring;
 }
 

@@ -183,7 +183,7 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   if (!tank.has_foundation) return stopped(datum, Status::NoCrease, "no surface meets the foot of the shell");
 
   begin("crop");
-  ShellBands bands(tank, options.shell, scan.size());
+  ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
   const AlsoGathered shell{
       [&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
       [&bands](const Points& block) { bands.add(block); }};

@@ -17,19 +17,20 @@ std::size_t rowsPerBlock(const PcdHeader& header) {
   return std::clamp<std::size_t>(kBlockBytes / header.row_bytes, 1, kBlockRows);
 }
 
-/// x, y and z of rows stored one after the other.
-std::array<CoordinateColumn, 3> columnsOfRows(const PcdHeader& header, const char* rows) {
-  std::array<CoordinateColumn, 3> xyz;
+/// x, y and z of the chosen ones of rows stored one after the other.
+CoordinateColumns columnsOfRows(const PcdHeader& header, const char* rows, const RowChoice& choice) {
+  CoordinateColumns xyz;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PcdColumn& column = header.columns[header.xyz[axis]];
-    xyz[axis] = {rows + column.offset, header.row_bytes, column.type, column.size};
+    xyz[axis] = {rows + choice.first * header.row_bytes + column.offset, choice.step * header.row_bytes, column.type,
+                 column.size};
   }
   return xyz;
 }
 
 /// x, y and z of fields stored one after the other, from row begin on.
-std::array<CoordinateColumn, 3> columnsOfFields(const PcdHeader& header, const char* fields, std::size_t begin) {
-  std::array<CoordinateColumn, 3> xyz;
+CoordinateColumns columnsOfFields(const PcdHeader& header, const char* fields, std::size_t begin) {
+  CoordinateColumns xyz;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PcdColumn& column = header.columns[header.xyz[axis]];
     const auto stride = static_cast<std::size_t>(column.size);
@@ -38,19 +39,12 @@ std::array<CoordinateColumn, 3> columnsOfFields(const PcdHeader& header, const c
   return xyz;
 }
 
-/// Counts the rows decoded into points and hands the points on; false when the visitor wants no more.
-bool handOver(std::size_t rows, const Points& points, const BlockVisitor& visit, ScanCounts& counts) {
-  counts.points += rows;
-  counts.invalid += rows - points.size();
-  return points.empty() || visit(points);
-}
-
 ScanCounts visitBinary(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit) {
   ScanCounts counts;
   BlockBuffer buffer;
   for (std::uint64_t block = 0; block < binaryBlockCount(header); ++block) {
-    const std::size_t rows = decodeBinaryBlock(file, header, frame, block, buffer);
-    if (!handOver(rows, buffer.points, visit, counts)) break;
+    counts += decodeBinaryBlock(file, header, frame, block, buffer);
+    if (!buffer.points.empty() && !visit(buffer.points)) break;
   }
   return counts;
 }
@@ -79,7 +73,8 @@ ScanCounts visitCompressed(const InputFile& file, const PcdHeader& header, const
   while (counts.points < header.points) {
     const std::size_t rows = std::min<std::size_t>(kBlockRows, header.points - counts.points);
     decodeRows(columnsOfFields(header, fields.get(), counts.points), rows, frame, points);
-    if (!handOver(rows, points, visit, counts)) break;
+    counts += {rows, rows - points.size()};
+    if (!points.empty() && !visit(points)) break;
   }
   return counts;
 }
@@ -91,14 +86,15 @@ std::uint64_t binaryBlockCount(const PcdHeader& header) {
   return header.points / rows + (header.points % rows != 0 ? 1 : 0);
 }
 
-std::size_t decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
-                              BlockBuffer& buffer) {
+ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
+                             BlockBuffer& buffer, const RowChoice& choice) {
   const std::uint64_t begin = block * rowsPerBlock(header);
   const std::size_t rows = std::min<std::size_t>(rowsPerBlock(header), header.points - begin);
   buffer.bytes.resize(rows * header.row_bytes);
   file.read(header.data_offset + begin * header.row_bytes, buffer.bytes.data(), buffer.bytes.size());
-  decodeRows(columnsOfRows(header, buffer.bytes.data()), rows, frame, buffer.points);
-  return rows;
+  decodeRows(columnsOfRows(header, buffer.bytes.data(), choice), choice.of(rows), frame, buffer.points);
+  if (choice.step == 1) return {rows, rows - buffer.points.size()};
+  return {rows, countInvalid(columnsOfRows(header, buffer.bytes.data(), {}), rows, frame)};
 }
 
 ScanCounts visitPcd(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit) {

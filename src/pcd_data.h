@@ -33,11 +33,19 @@ struct BlockBuffer {
 /// Blocks of a binary file. Each can be decoded by itself, in any order, in any thread with a buffer of its own.
 std::uint64_t binaryBlockCount(const PcdHeader& header);
 
-/// Fills buffer.points with the finite points of one block of a binary file.
-/// @return rows of the block, the not finite ones included
+/// Which rows of a block are looked at: every step-th from the first.
+struct RowChoice {
+  std::size_t first = 0, step = 1;
+
+  /// How many of so many rows these are.
+  std::size_t of(std::size_t rows) const { return rows > first ? (rows - first - 1) / step + 1 : 0; }
+};
+
+/// Fills buffer.points with the finite ones of the chosen points of one block of a binary file.
+/// @return of all rows of the block
 /// @throws Error (File) when the file has become shorter
-std::size_t decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
-                              BlockBuffer& buffer);
+ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
+                             BlockBuffer& buffer, const RowChoice& choice = {});
 
 /// Visits the finite points of a PCD file of any encoding in file order. Memory is that of a block, but for
 /// binary_compressed, which is one LZF block and needs its compressed and its uncompressed size.

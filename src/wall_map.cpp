@@ -19,24 +19,30 @@ CellIndex cellOf(double x, double y, double cell) {
   return {static_cast<std::int64_t>(std::floor(x / cell)), static_cast<std::int64_t>(std::floor(y / cell))};
 }
 
-/// The longest stretch of height without a hole; the cell's position is the mean of its points.
-WallCell longestRun(Points& column, double hole) {
-  std::sort(column.begin(), column.end(), [](const auto& a, const auto& b) { return a.z() < b.z(); });
-  std::size_t best_first = 0, best_last = 0;
-  for (std::size_t first = 0, last = 0; first < column.size(); first = last + 1) {
-    last = first;
-    while (last + 1 < column.size() && column[last + 1].z() - column[last].z() <= hole) ++last;
-    const double height = column[last].z() - column[first].z();
-    if (height > column[best_last].z() - column[best_first].z()) {
-      best_first = first;
-      best_last = last;
+/// A point filed by its cell.
+struct Filed {
+  CellIndex cell;
+  Eigen::Vector3d point;
+};
+
+/// The longest stretch of height without a hole of one cell's points, sorted by height; the cell's position is the mean
+/// of its points.
+WallCell longestRun(const Filed* first, const Filed* end, double hole) {
+  const Filed *best_first = first, *best_last = first;
+  for (const Filed *from = first, *to = first; from < end; from = to + 1) {
+    to = from;
+    while (to + 1 < end && to[1].point.z() - to->point.z() <= hole) ++to;
+    const double height = to->point.z() - from->point.z();
+    if (height > best_last->point.z() - best_first->point.z()) {
+      best_first = from;
+      best_last = to;
     }
   }
   WallCell cell;
-  cell.bottom = column[best_first].z();
-  cell.top = column[best_last].z();
+  cell.bottom = best_first->point.z();
+  cell.top = best_last->point.z();
   cell.position.setZero();
-  for (std::size_t i = best_first; i <= best_last; ++i) cell.position += column[i].head<2>();
+  for (const Filed* filed = best_first; filed <= best_last; ++filed) cell.position += filed->point.head<2>();
   cell.position /= static_cast<double>(best_last - best_first + 1);
   return cell;
 }
@@ -67,15 +73,20 @@ Eigen::Vector2d normalAt(const std::vector<WallCell>& cells, const CellGrid& gri
 
 std::vector<WallCell> mapWalls(const Points& points, double voxel) {
   const double size = kCellInVoxels * voxel;
-  std::map<CellIndex, Points> columns;
-  for (const auto& p : points) columns[cellOf(p.x(), p.y(), size)].push_back(p);
+  std::vector<Filed> filed;
+  filed.reserve(points.size());
+  for (const auto& p : points) filed.push_back({cellOf(p.x(), p.y(), size), p});
+  std::sort(filed.begin(), filed.end(), [](const Filed& a, const Filed& b) {
+    return a.cell != b.cell ? a.cell < b.cell : a.point.z() < b.point.z();
+  });
 
   std::vector<WallCell> cells;
   CellGrid grid;
-  for (auto& [index, column] : columns) {
-    const WallCell cell = longestRun(column, kHoleInVoxels * voxel);
+  for (std::size_t first = 0, end = 0; first < filed.size(); first = end) {
+    while (end < filed.size() && filed[end].cell == filed[first].cell) ++end;
+    const WallCell cell = longestRun(&filed[first], &filed[first] + (end - first), kHoleInVoxels * voxel);
     if (cell.top - cell.bottom < kRunInVoxels * voxel) continue;
-    grid[index] = cells.size();
+    grid[filed[first].cell] = cells.size();
     cells.push_back(cell);
   }
   std::vector<WallCell> walls;

@@ -170,6 +170,29 @@ TEST(CropRing, OfMorePointsThanTheFitsTakeAnEvenShareIsKeptWhateverTheirOrder) {
   EXPECT_EQ(cropRing(Scan::fromPoints(points), tank, options).points.size(), 60'000U);
 }
 
+TEST(CropRing, OfManyTimesWhatTheFitsTakeEveryNthRowIsLookedAt) {
+  Tank tank = tank10();
+  const Scan scan = Scan::fromPoints(foot(tank, 300'000));
+  CropOptions options;
+  options.fit_points = 20'000;
+  EXPECT_EQ(rowStride(scan, tank, options), 1U);  // nothing is known of the share
+  tank.near_foot = 0.1;
+  EXPECT_EQ(rowStride(scan, tank, options), 1U);  // of 30 thousand points
+  tank.near_foot = 1.0;
+  EXPECT_EQ(rowStride(scan, tank, options), 17U);  // 15 and a little, and odd
+  options.reach = 0.25;
+  EXPECT_EQ(rowStride(scan, tank, options), 9U);  // 7.5, and odd
+  options.reach = 0.5;
+  const Ring ring = cropRing(scan, tank, options);
+  EXPECT_EQ(ring.counts.points, scan.size());
+  EXPECT_LE(ring.points.size(), 20'000U);
+  EXPECT_GT(ring.points.size(), 17'000U);
+  const auto dense = std::count_if(ring.points.begin(), ring.points.end(), [](const auto& p) { return p.y() > -4.0; });
+  EXPECT_NEAR(static_cast<double>(dense) / static_cast<double>(ring.points.size()), 10.0 / 11.0, 0.01);
+  const Ring one = cropRing(scan, tank, options, {}, 1);
+  EXPECT_EQ(one.points, ring.points);
+}
+
 TEST(CropRing, GathersAnotherPartOfTheScanInTheSamePass) {
   const Tank tank = tank10();
   const Points points = {{0, 0, 0}, place(tank, 1.0, 0, 0), place(tank, 1.0, 0, 9), place(tank, 2.0, 0, 0), {1, 1, 1}};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "made_clouds.h"
@@ -56,6 +57,20 @@ ObjectOptions thing(const std::string& kind, double azimuth_deg, double gap) {
   object.kind = kind;
   object.azimuth = radians(azimuth_deg), object.gap = gap;
   return object;
+}
+
+TEST(LocateTanks, SayWhatShareOfTheScanIsNearTheFoot) {
+  const Points points = pointsOf(yard());
+  const Found found = locate(points);
+  ASSERT_EQ(found.tanks.size(), 1U);
+  const Tank& tank = found.tanks[0];
+  const auto near = std::count_if(points.begin(), points.end(), [&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d local = p - found.origin;
+    return std::abs((local.head<2>() - tank.circle.center).norm() - tank.circle.radius) <= Tank::kNear &&
+           std::abs(local.z() - tank.foot(tank.azimuthOf(local.head<2>()))) <= Tank::kNear;
+  });
+  EXPECT_NEAR(tank.near_foot, static_cast<double>(near) / static_cast<double>(points.size()), 0.002);
+  EXPECT_GT(tank.near_foot, 0.01);
 }
 
 TEST(LocateTanks, FindTheOneFromOutside) {

@@ -98,11 +98,34 @@ TEST(PcdBinary, BlocksCanBeDecodedInAnyOrder) {
   ASSERT_EQ(binaryBlockCount(header), 3U);
   const Frame frame{2.0, {10, 0, 0}};
   BlockBuffer buffer;
-  EXPECT_EQ(decodeBinaryBlock(file, header, frame, 2, buffer), 40000U - 2 * kBlockRows);
+  EXPECT_EQ(decodeBinaryBlock(file, header, frame, 2, buffer).points, 40000U - 2 * kBlockRows);
   EXPECT_EQ(buffer.points.size(), 40000U - 2 * kBlockRows - 1);
   EXPECT_EQ(buffer.points.back(), Eigen::Vector3d(2 * 39998 - 10, 4, 6));
-  EXPECT_EQ(decodeBinaryBlock(file, header, frame, 0, buffer), kBlockRows);
+  EXPECT_EQ(decodeBinaryBlock(file, header, frame, 0, buffer).points, kBlockRows);
   EXPECT_EQ(buffer.points[1], Eigen::Vector3d(-8, 4, 6));
+}
+
+TEST(PcdBinary, ChosenRowsAreDecodedAndAllAreChecked) {
+  const Folder folder;
+  std::vector<pcd_files::Row> rows;
+  for (int i = 0; i < 1000; ++i) rows.push_back({1.0 * i, 2.0, 3.0});
+  rows[7][0] = std::nan(""), rows[8][1] = HUGE_VAL, rows[9][2] = -HUGE_VAL;
+  BlockBuffer buffer;
+  for (const auto& fields :
+       {pcd_files::kXyzFloat, std::vector<pcd_files::Field>{{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}}}) {
+    const InputFile file(folder.file("a.pcd", pcd_files::pcd(fields, rows, "binary")));
+    const PcdHeader header = readPcdHeader(file);
+    for (const RowChoice choice : {RowChoice{0, 1}, RowChoice{2, 5}, RowChoice{4, 7}, RowChoice{999, 1001}}) {
+      const ScanCounts counts = decodeBinaryBlock(file, header, {}, 0, buffer, choice);
+      EXPECT_EQ(counts.points, 1000U);
+      EXPECT_EQ(counts.invalid, 3U) << choice.step;
+      Points expected;
+      for (std::size_t i = choice.first; i < 1000; i += choice.step) {
+        if (i < 7 || i > 9) expected.emplace_back(static_cast<double>(i), 2.0, 3.0);
+      }
+      EXPECT_EQ(buffer.points, expected) << choice.step;
+    }
+  }
 }
 
 TEST(PcdBinary, WideRows) {

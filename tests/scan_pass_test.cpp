@@ -97,6 +97,41 @@ TEST(ScanForEachChosen, TellsHowManyRowsAreRead) {
   EXPECT_EQ(told.back(), 50'000U);
 }
 
+/// Rows of which every 1000th is not finite; x is their number.
+TEST(ScanForEachChosen, OfEveryNthRowIsThatOfAllOfThem) {
+  const pcd_files::Folder folder;
+  const Scan file = Scan::open({writtenScan(folder, 50'000, PcdWriter::Format::Binary)});
+  const auto row = [](std::uint64_t i) {
+    const double x = i % 1000 == 999 ? NAN : static_cast<double>(i);
+    return Eigen::Vector3d(x, static_cast<double>(i % 7), 0.0);
+  };
+  const auto all = [](std::uint64_t, const Points& points, Points& chosen) { chosen = points; };
+  for (const std::uint64_t n : {1U, 3U, 101U, 20'001U}) {
+    Points expected;
+    for (std::uint64_t i = 0; i < 50'000; ++i) {
+      const std::uint64_t block = i / 16384, place = i % 16384;
+      if (place % n == block % n && i % 1000 != 999) expected.push_back(row(i));
+    }
+    for (const Scan& scan : {file, Scan::fromRows(50'000, row)}) {
+      Points chosen;
+      const ScanCounts counts = scan.forEachChosen(
+          all, 2, [&](const Points& some) { chosen.insert(chosen.end(), some.begin(), some.end()); }, n);
+      EXPECT_EQ(chosen, expected) << n;
+      EXPECT_EQ(counts.points, 50'000U);
+      EXPECT_EQ(counts.invalid, 50U) << n;
+      EXPECT_EQ(scan.everyNth(n, 1), expected) << n;
+    }
+  }
+}
+
+TEST(ScanForEachChosen, OfAsciiThinsWhatItReads) {
+  const pcd_files::Folder folder;
+  const Scan scan = Scan::open({writtenScan(folder, 20'000, PcdWriter::Format::Ascii)});
+  const Points chosen = scan.everyNth(7);
+  EXPECT_NEAR(static_cast<double>(chosen.size()), 20'000 * 0.999 / 7, 2.0);
+  for (std::size_t i = 1; i < chosen.size(); ++i) EXPECT_GT(chosen[i].x(), chosen[i - 1].x());
+}
+
 TEST(ScanForEachChosen, PassesOnWhatIsThrown) {
   const pcd_files::Folder folder;
   const Scan scan = Scan::open({writtenScan(folder, 50'000, PcdWriter::Format::Binary)});

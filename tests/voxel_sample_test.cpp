@@ -19,12 +19,6 @@ Points randomPoints(std::size_t count, double size, unsigned seed = 1) {
   return points;
 }
 
-VoxelSample sampleOf(const Points& points, std::size_t max_points) {
-  VoxelSample sample(max_points);
-  sample.add(points);
-  return sample;
-}
-
 std::size_t voxelsOf(const Points& points, double voxel) {
   std::set<std::array<double, 3>> voxels;
   for (const auto& p : points) {
@@ -34,21 +28,21 @@ std::size_t voxelsOf(const Points& points, double voxel) {
 }
 
 TEST(VoxelSample, OfNothingIsEmpty) {
-  const VoxelSample sample = sampleOf({}, 100);
+  const VoxelSample sample({}, 100);
   EXPECT_TRUE(sample.points().empty());
   EXPECT_EQ(sample.shareHolding(1), 0.0);
 }
 
 TEST(VoxelSample, KeepsPointsOfDifferentVoxelsAndOneOfTwoInTheSame) {
-  EXPECT_EQ(sampleOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 100).points().size(), 4U);
-  EXPECT_EQ(sampleOf({{0.0002, 0, 0}, {0.0003, 0, 0}}, 100).points().size(), 1U);
-  EXPECT_EQ(sampleOf({{-0.0002, 0, 0}, {0.0002, 0, 0}}, 100).points().size(), 2U);
-  EXPECT_EQ(sampleOf(Points(50, {1, 2, 3}), 100).points(), (Points{{1, 2, 3}}));
+  EXPECT_EQ(VoxelSample({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 100).points().size(), 4U);
+  EXPECT_EQ(VoxelSample({{0.0002, 0, 0}, {0.0003, 0, 0}}, 100).points().size(), 1U);
+  EXPECT_EQ(VoxelSample({{-0.0002, 0, 0}, {0.0002, 0, 0}}, 100).points().size(), 2U);
+  EXPECT_EQ(VoxelSample(Points(50, {1, 2, 3}), 100).points(), (Points{{1, 2, 3}}));
 }
 
 TEST(VoxelSample, HoldsOneScanPointForEachOccupiedVoxelAndNoMore) {
   const Points points = randomPoints(5000, 1.0);
-  const VoxelSample sample = sampleOf(points, 1000);
+  const VoxelSample sample(points, 1000);
   const Points kept = sample.points();
   EXPECT_GT(sample.voxel(), 0.01);
   EXPECT_EQ(voxelsOf(kept, sample.voxel()), kept.size());
@@ -59,7 +53,7 @@ TEST(VoxelSample, HoldsOneScanPointForEachOccupiedVoxelAndNoMore) {
 TEST(VoxelSample, NeverHoldsMoreThanItsBound) {
   for (const std::size_t bound : {10, 100, 101, 1000}) {
     for (const std::size_t count : {11, 102, 3000}) {
-      const VoxelSample sample = sampleOf(randomPoints(count, 50.0), bound);
+      const VoxelSample sample(randomPoints(count, 50.0), bound);
       EXPECT_LE(sample.points().size(), bound) << count;
     }
   }
@@ -67,23 +61,20 @@ TEST(VoxelSample, NeverHoldsMoreThanItsBound) {
 
 TEST(VoxelSample, TheBoundDecidesTheVoxel) {
   const Points points = randomPoints(20'000, 1.0);
-  const VoxelSample small = sampleOf(points, 500), large = sampleOf(points, 15'000);
+  const VoxelSample small(points, 500), large(points, 15'000);
   EXPECT_GT(small.voxel(), large.voxel());
   EXPECT_LT(small.points().size(), large.points().size());
   EXPECT_GT(voxelsOf(points, 0.5 * small.voxel()), 500U);  // the smallest of the doubled voxels that fits
   EXPECT_GT(voxelsOf(points, 0.5 * large.voxel()), 15'000U);
 }
 
-TEST(VoxelSample, DoesNotDependOnTheOrderOfThePointsOrTheirBlocks) {
+TEST(VoxelSample, DoesNotDependOnTheOrderOfThePointsOrTheThreads) {
   for (const std::size_t count : {103, 4000}) {
     Points points = randomPoints(count, 3.0);
-    const VoxelSample once = sampleOf(points, 100);
+    const VoxelSample once(points, 100);
     for (unsigned seed = 1; seed <= 20; ++seed) {
       std::shuffle(points.begin(), points.end(), std::mt19937(seed));
-      VoxelSample other(100);
-      for (std::size_t i = 0; i < count; i += 37) {
-        other.add(Points(points.begin() + std::ptrdiff_t(i), points.begin() + std::ptrdiff_t(std::min(count, i + 37))));
-      }
+      const VoxelSample other(points, 100, 0.001, static_cast<int>(seed % 3));
       EXPECT_EQ(other.voxel(), once.voxel());
       EXPECT_EQ(other.points(), once.points());
       EXPECT_EQ(other.shareHolding(2), once.shareHolding(2));
@@ -93,7 +84,7 @@ TEST(VoxelSample, DoesNotDependOnTheOrderOfThePointsOrTheirBlocks) {
 
 TEST(VoxelSample, CoarsenDoublesTheVoxelAndKeepsOnePointInEach) {
   const Points points = randomPoints(2000, 0.02);
-  VoxelSample sample = sampleOf(points, 10'000);
+  VoxelSample sample(points, 10'000);
   for (int step = 0; step < 4; ++step) {
     const double voxel = sample.voxel();
     sample.coarsen();
@@ -104,14 +95,14 @@ TEST(VoxelSample, CoarsenDoublesTheVoxelAndKeepsOnePointInEach) {
 
 TEST(VoxelSample, CoarsenedIsTheSampleThatASmallerBoundGives) {
   const Points points = randomPoints(2000, 1.0);
-  const VoxelSample bounded = sampleOf(points, 300);
-  VoxelSample coarsened = sampleOf(points, 10'000);
+  const VoxelSample bounded(points, 300);
+  VoxelSample coarsened(points, 10'000);
   while (coarsened.voxel() < bounded.voxel()) coarsened.coarsen();
   EXPECT_EQ(coarsened.points(), bounded.points());
 }
 
 TEST(VoxelSample, CountsThePointsOfItsVoxels) {
-  VoxelSample sample = sampleOf({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, 100);
+  VoxelSample sample({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, 100);
   EXPECT_DOUBLE_EQ(sample.shareHolding(1), 1.0);
   EXPECT_DOUBLE_EQ(sample.shareHolding(2), 0.5);
   EXPECT_DOUBLE_EQ(sample.shareHolding(3), 0.25);
@@ -121,17 +112,17 @@ TEST(VoxelSample, CountsThePointsOfItsVoxels) {
 }
 
 TEST(VoxelSample, GrowsItsVoxelsToReachFarPoints) {
-  const VoxelSample sample = sampleOf({{0, 0, 0}, {5000, 0, 0}, {-5000, 9000, 1}}, 100);
+  const VoxelSample sample({{0, 0, 0}, {5000, 0, 0}, {-5000, 9000, 1}}, 100);
   EXPECT_EQ(sample.points().size(), 3U);
   EXPECT_LT(sample.voxel(), 0.05);
 }
 
 TEST(VoxelSample, ItsSizeIsThatOfItsPoints) {
-  VoxelSample sample = sampleOf(randomPoints(5000, 1.0), 1000);
+  VoxelSample sample(randomPoints(5000, 1.0), 1000);
   EXPECT_EQ(sample.size(), sample.points().size());
   sample.coarsen();
   EXPECT_EQ(sample.size(), sample.points().size());
-  EXPECT_EQ(sampleOf({}, 100).size(), 0U);
+  EXPECT_EQ(VoxelSample({}, 100).size(), 0U);
 }
 
 }  // namespace

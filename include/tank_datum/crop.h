@@ -36,9 +36,13 @@ struct AlsoGathered {
   Scan::Visitor add;  ///< given at least what is wanted, in file order
 };
 
+/// Every which row of a scan is looked at for a ring: 1, unless it holds several times what is kept for the fits.
+std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options);
+
 /// Keeps the points whose distance from the shell and from the coarse foot is at most the reach (enlarged by the
 /// accuracy of the coarse figures). Of more than options.fit_points, those are kept whose hash is lowest, so that
-/// memory and the time of the fits are bounded and the result does not depend on the order of the points.
+/// memory and the time of the fits are bounded; where there are several times as many, every n-th row is looked at
+/// only. Up to there the result does not depend on the order of the points.
 /// @param also     another part of the scan, gathered in the same pass: a scan is long to read
 /// @param threads  0 means all cores; the ring does not depend on it
 Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also = {},

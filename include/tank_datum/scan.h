@@ -19,6 +19,12 @@ using Points = std::vector<Eigen::Vector3d>;
 struct ScanCounts {
   std::uint64_t points = 0;   ///< rows in the files
   std::uint64_t invalid = 0;  ///< rows dropped because x, y or z is not finite
+
+  ScanCounts& operator+=(const ScanCounts& other) {
+    points += other.points;
+    invalid += other.invalid;
+    return *this;
+  }
 };
 
 /// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
@@ -58,10 +64,19 @@ class Scan {
   /// Visits, in file order, what is chosen of each block. Blocks of a binary file are read, decoded and chosen from in
   /// several threads at once; visit is called from the caller's.
   /// @param threads  0 means all cores; which blocks there are does not depend on it
+  /// @param n        choose is given about every n-th row only, and only these are decoded where the format allows;
+  /// odd,
+  ///                 lest it keeps step with rows of even lengths
+  /// @return of all rows
   /// @throws as forEachBlock
-  ScanCounts forEachChosen(const Chooser& choose, int threads, const Visitor& visit) const;
+  ScanCounts forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n = 1) const;
 
-  /// Told during forEachChosen, from the caller's thread, how many of the size() rows have been read.
+  /// Of about every n-th row the point, if it is finite, in file order.
+  /// @param n,threads  as for forEachChosen
+  /// @throws as forEachBlock
+  Points everyNth(std::uint64_t n, int threads = 0) const;
+
+  /// Told during forEachChosen and everyNth, from the caller's thread, how many of the size() rows have been read.
   using Progress = std::function<void(std::uint64_t rows)>;
   void setProgress(Progress progress) { progress_ = std::move(progress); }
 
