@@ -13,10 +13,12 @@ namespace tank_datum {
 /// nobody waits for it.
 class BackgroundRecords {
  public:
-  /// @param at_once  begin now; else only when they are taken
-  BackgroundRecords(const std::vector<std::string>& paths, bool at_once)
-      : records_(std::async(at_once ? std::launch::async : std::launch::deferred,
-                            [this, paths] { return recordInputs(paths, [this] { return wanted_.load(); }); })) {}
+  /// @param at_once    begin now; else only when they are taken
+  /// @param checksums  take the files' SHA-256, which of one file only one core can
+  BackgroundRecords(const std::vector<std::string>& paths, bool at_once, bool checksums)
+      : wanted_(checksums), records_(std::async(at_once ? std::launch::async : std::launch::deferred, [this, paths] {
+          return recordInputs(paths, [this] { return wanted_.load(); });
+        })) {}
   ~BackgroundRecords() { wanted_ = false; }
   BackgroundRecords(const BackgroundRecords&) = delete;
   BackgroundRecords& operator=(const BackgroundRecords&) = delete;
@@ -25,7 +27,7 @@ class BackgroundRecords {
   std::vector<InputRecord> take() { return records_.get(); }
 
  private:
-  std::atomic<bool> wanted_{true};
+  std::atomic<bool> wanted_;
   std::future<std::vector<InputRecord>> records_;  // waits when destroyed, before wanted_ is
 };
 

@@ -67,6 +67,8 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   addMovementOptions(app, command.movement, typed.movement);
   app.add_option("--threads", o.threads, "threads; 0: all cores; the result does not depend on it");
   app.add_flag("--no-report", command.no_report, "no report.html");
+  app.add_flag("--no-checksum", command.no_checksum,
+               "no SHA-256 of the scans in datum.json: of a large scan it takes longer than all the rest");
   app.add_flag("--quiet", command.quiet, "no summary, no progress");
   app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage")->configurable(false);
   addAnalysisOptions(app, typed.analysis);

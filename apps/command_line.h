@@ -19,8 +19,9 @@ struct Command {
   MovementOptions movement;
   std::string timings;  ///< file for the seconds of each stage, or empty
   bool quiet = false;
-  bool no_report = false;  ///< no report.html
-  bool all = false;        ///< every tank, each in a folder of its own
+  bool no_report = false;    ///< no report.html
+  bool no_checksum = false;  ///< no SHA-256 of the scans
+  bool all = false;          ///< every tank, each in a folder of its own
   DatumOptions options;
 
   double metresPerUnit() const;

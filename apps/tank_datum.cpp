@@ -88,7 +88,7 @@ int run(const Command& command) {
   if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.options);
   requireValid(command.movement);
   StageClock clock(!command.quiet);
-  BackgroundRecords records(command.scans, command.options.threads != 1);
+  BackgroundRecords records(command.scans, command.options.threads != 1, !command.no_checksum);
   const std::vector<Datum> datums = extract(command, baseline, clock);
   clock.begin("hash");
   std::vector<InputRecord> files = records.take();

@@ -26,7 +26,7 @@ def inputs(datum: dict[str, Any]) -> list[tuple[str, str]]:
     rows = [("tank_datum", f"version {datum['version']}, method {datum['options']['method']}")]
     for file in datum["input"]["files"]:
         rows.append(("scan", f"{file['path']}, {file['points']} points"))
-        rows.append(("SHA-256", file["sha256"]))
+        rows.append(("SHA-256", file["sha256"] or "not taken"))
     rows.append(("status", datum["status"]))
     if datum["message"]:
         rows.append(("", datum["message"]))

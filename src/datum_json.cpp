@@ -49,7 +49,8 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
 Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool levelled) {
   Json files = Json::array();
   for (const InputRecord& file : provenance.files) {
-    files.push_back({{"path", file.path}, {"sha256", file.sha256}, {"points", file.points}});
+    files.push_back(
+        {{"path", file.path}, {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}, {"points", file.points}});
   }
   return {{"files", files},
           {"kind", levelled ? "levelling" : "scan"},

@@ -97,12 +97,12 @@ ChainRun runOwn(const Points& points, SearchEngine engine, DatumOptions options)
   return run;
 }
 
-ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& options, Datum& datum) {
+ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& options, bool checksums, Datum& datum) {
   ChainRun run{"tank_datum", 0, {}, {}};
   StageMeter meter;
   meter.begin("open");
   const Scan scan = Scan::open(paths);
-  BackgroundRecords records(paths, options.threads != 1);
+  BackgroundRecords records(paths, options.threads != 1, checksums);
   datum = extractDatum(scan, options, [&meter](const char* stage) { meter.begin(stage); });
   meter.begin("hash");
   records.take();

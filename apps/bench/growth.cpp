@@ -69,14 +69,14 @@ void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points,
 }
 
 GrowthRun runOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const DatumOptions& options,
-                    const std::string& folder) {
+                    bool checksums, const std::string& folder) {
   const std::string path = (std::filesystem::path(folder) / ("bench_" + std::to_string(points) + ".pcd")).string();
   writeScanOfSize(source, tank, points, path);
   GrowthRun run;
   run.bytes = std::filesystem::file_size(path);
   secondsToRead(path);  // into the page cache, as far as it goes
   run.read_seconds = secondsToRead(path);
-  run.chain = runCommand({path}, options, run.datum);
+  run.chain = runCommand({path}, options, checksums, run.datum);
   std::filesystem::remove(path);
   return run;
 }

@@ -23,7 +23,7 @@ void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points,
 
 /// Makes a scan of so many points in a folder, runs the command on it, and removes it.
 GrowthRun runOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const DatumOptions& options,
-                    const std::string& folder);
+                    bool checksums, const std::string& folder);
 
 /// The largest difference of two runs' elevations over its standard error, of the stations that both have measured.
 double largestInSigmas(const Datum& a, const Datum& b);

@@ -15,7 +15,7 @@ namespace TANK_DATUM_API tank_datum {
 /// A scan file as the results name it.
 struct InputRecord {
   std::string path;
-  std::string sha256;
+  std::string sha256;  ///< empty: not taken
   std::uint64_t points = 0;
 };
 

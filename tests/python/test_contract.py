@@ -152,6 +152,17 @@ def test_input_is_named_and_hashed(run: Runner, synth: Synth, tmp_path: Path) ->
     assert given["invalid_points"] == 7
 
 
+def test_no_checksum_leaves_the_hash_out_and_nothing_else(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    scan = synth()
+    for out, more in (("with", ()), ("without", ("--no-checksum",))):
+        assert run(scan, "-o", tmp_path / out, *more).returncode == 0
+    given, without = read_datum(tmp_path / "with"), read_datum(tmp_path / "without")
+    assert without["input"]["files"][0].pop("sha256") is None
+    assert given["input"]["files"][0].pop("sha256") == hashlib.sha256(scan.read_bytes()).hexdigest()
+    assert without == given
+    assert "not taken" in (tmp_path / "without" / "report.html").read_text()
+
+
 def cells(out: Path) -> list[list[str]]:
     lines = (out / "stations.csv").read_text().splitlines()
     assert lines[0] == HEADER

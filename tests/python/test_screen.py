@@ -207,7 +207,7 @@ def test_printed_options_are_those_used(
     """Every line of --print-config equals what datum.json says was used."""
     scan, out = synth(), tmp_path / "out"
     printed = tomllib.loads(run(scan, *words(chosen), "--print-config").stdout)
-    assert set(printed) == {*PLACES, "units", "all", "threads", "quiet", "no-report"}
+    assert set(printed) == {*PLACES, "units", "all", "threads", "quiet", "no-report", "no-checksum"}
     assert {k: printed[k] for k in chosen} == chosen
     assert run(scan, "-o", out, *words(chosen)).returncode == 0
     datum = read_datum(out)

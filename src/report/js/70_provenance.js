@@ -3,7 +3,7 @@
 function addProvenance() {
   const section = addSection("provenance", "How it was made");
   section.append(table([[levelled ? "Table" : "Scan"], [levelled ? "Stations" : "Points", "number"], ["SHA-256"]],
-    datum.input.files.map((file) => [file.path, file.points.toLocaleString("en"), make("td", { "data-head": "SHA-256" }, make("code", { class: "breakable" }, file.sha256))])));
+    datum.input.files.map((file) => [file.path, file.points.toLocaleString("en"), make("td", { "data-head": "SHA-256" }, file.sha256 ? make("code", { class: "breakable" }, file.sha256) : "not taken")])));
   section.append(make("p", {}, levelled ? `tank_datum ${datum.version}, units of the table ${datum.input.units}.`
     : `tank_datum ${datum.version}, units of the scan ${datum.input.units}, ${datum.input.invalid_points || 0} invalid points left out, `
     + `local origin ${datum.input.origin.map((c) => figure(c, 3)).join(", ")} m.`));
