@@ -123,9 +123,18 @@ std::string paddedCount(std::uint64_t count) {
 
 }  // namespace
 
+void requireReplaceable(const std::string& path) {
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  throw fileError("writing", path, std::filesystem::is_directory(status) ? "a folder" : "no regular file",
+                  "a file, or the name of a new one");
+}
+
 PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format)
     : path_(std::move(path)), temporary_(temporaryName(path_)), fields_(std::move(fields)), format_(format) {
   checkFields(fields_);
+  requireReplaceable(path_);
   std::string names = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
   for (const PcdField& f : fields_) {
     names += " " + f.name;

@@ -124,6 +124,17 @@ TEST(PcdWriter, FileErrorsNameThePath) {
   EXPECT_EQ(folder.entries(), 1U);
 }
 
+/// Renamed onto, a device would be gone for the whole machine.
+TEST(PcdWriter, TakesThePlaceOfNoDeviceAndNoFolder) {
+  const Folder folder;
+  for (const std::string& path : {std::string("/dev/null"), folder.path("")}) {
+    const std::string error = errorOf([&] { PcdWriter(path, {{"x", 'F', 4}}, PcdWriter::Format::Binary); });
+    EXPECT_NE(error.find(path), std::string::npos) << error;
+    EXPECT_NE(error.find("the name of a new one"), std::string::npos) << error;
+  }
+  EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
+}
+
 TEST(PcdWriter, FullDiskIsAnError) {
   const Folder folder;
   rlimit before{};

@@ -40,6 +40,7 @@ void writeWhole(const std::string& path, const std::string& text) {
 }  // namespace
 
 ScanSummary writeScan(const Scene& scene, const Command& command) {
+  requireReplaceable(command.truth);
   const std::size_t files = command.split ? scanStations(scene).size() : 1;
   std::vector<std::unique_ptr<PcdWriter>> writers;
   for (std::size_t i = 0; i < files; ++i) writers.push_back(open(command, i));

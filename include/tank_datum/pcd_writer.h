@@ -45,4 +45,8 @@ class PcdWriter {
   std::ofstream out_;
 };
 
+/// Refuses a path whose place a new file must not take: that of a folder, or of a device such as /dev/null.
+/// @throws Error (File) naming the path
+void requireReplaceable(const std::string& path);
+
 }  // namespace tank_datum
