@@ -56,8 +56,8 @@ Places sortedPlaces(const Points& points, double voxel, int threads) {
 
 /// How often the voxels must be doubled for at most so many to hold all places; they are counted on all levels at once.
 std::size_t doublingsFor(const Places& places, std::size_t max_voxels) {
-  std::array<std::size_t, kMostDoublings + 2>
-      parted{};  // neighbours on the curve that so many doublings bring together
+  // how many neighbours on the curve so many doublings bring together
+  std::array<std::size_t, kMostDoublings + 2> parted{};
   for (std::size_t i = 1; i < places.size(); ++i) {
     const std::uint64_t apart = places[i].code ^ places[i - 1].code;
     if (apart == 0) continue;
