@@ -152,7 +152,9 @@ def test_input_is_named_and_hashed(run: Runner, synth: Synth, tmp_path: Path) ->
     assert given["invalid_points"] == 7
 
 
-def test_no_checksum_leaves_the_hash_out_and_nothing_else(run: Runner, synth: Synth, tmp_path: Path) -> None:
+def test_no_checksum_leaves_the_hash_out_and_nothing_else(
+    run: Runner, synth: Synth, tmp_path: Path
+) -> None:
     scan = synth()
     for out, more in (("with", ()), ("without", ("--no-checksum",))):
         assert run(scan, "-o", tmp_path / out, *more).returncode == 0
