@@ -4,7 +4,9 @@
 #include <new>
 #include <utility>
 
-namespace tank_datum {
+#include "tank_datum/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 /// Allocates room without writing zeros to it, for millions of values that several threads are about to fill.
 template <typename T>
