@@ -52,7 +52,7 @@ std::size_t keepWithin(const PointColumns& points, const float* place, float squ
 }
 
 /// A hit's place is how many are nearer. With some thirty hits, comparing all with all, without a branch, is quicker
-/// than a sort. Two that are equally far leave a place empty.
+/// than a sort. Of those equally far the lower number has the place; unless it is the last, they leave one empty.
 TANK_DATUM_CLONES
 void sortNearest(const HitColumns& hits, std::size_t count, std::size_t k, std::uint64_t* to) {
   constexpr std::size_t kFew = 128;
@@ -65,7 +65,7 @@ void sortNearest(const HitColumns& hits, std::size_t count, std::size_t k, std::
     for (std::size_t j = 0; j < count; ++j) place -= hits.squared[j] < own;
     for (std::size_t lane = 0; lane < std::min(kLanes, count - begin); ++lane) {
       const auto at = static_cast<std::size_t>(place[lane]);
-      if (at < k) to[at] = foundPoint(hits, begin + lane);
+      if (at < k) to[at] = std::min(to[at], foundPoint(hits, begin + lane));
     }
   }
   if (std::find(to, to + k, kNone) != to + k) sortByComparing(hits, count, k, to);

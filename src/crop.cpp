@@ -8,6 +8,7 @@
 
 #include "point_hash.h"
 #include "ring_shape.h"
+#include "shell_bands.h"
 #include "tank_datum/voxel_sample.h"
 #include "units.h"
 
@@ -53,17 +54,33 @@ class EvenShare {
 
 }  // namespace
 
+namespace {
+
+double reachOf(const Tank& tank, const CropOptions& options) {
+  return std::min(options.reach, 0.5 * tank.circle.radius);
+}
+
+/// Enlarged by the accuracy of the coarse figures.
+double widestReach(const Tank& tank, const CropOptions& options) {
+  return reachOf(tank, options) + 2.0 * tank.resolution;
+}
+
+}  // namespace
+
 std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options) {
   constexpr double kWorthIt = 2.5;  // times what is kept; of less, all rows are looked at
-  const double share = std::min(1.0, options.reach / Tank::kNear) * tank.near_foot;
+  const double share = widestReach(tank, options) / Tank::kNear * tank.near_foot;
   const double times = share * static_cast<double>(scan.size()) / static_cast<double>(options.fit_points);
-  return times < kWorthIt ? 1 : static_cast<std::uint64_t>(std::ceil(times)) | 1U;
+  if (times < kWorthIt) return 1;
+  // what else is gathered in the same pass, the shell, may be sparse where the foot is dense
+  const std::uint64_t most = std::max<std::uint64_t>(1, scan.size() / ShellBands::kLookedAt);
+  return std::min(most, static_cast<std::uint64_t>(std::ceil(times))) | 1U;
 }
 
 Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also, int threads) {
   Ring ring;
-  ring.reach = std::min(options.reach, 0.5 * tank.circle.radius);
-  const double reach = ring.reach + 2.0 * tank.resolution;
+  ring.reach = reachOf(tank, options);
+  const double reach = widestReach(tank, options);
   const RingShape shape(tank, reach);
   EvenShare share(options.fit_points);
   const auto choose = [&](std::uint64_t block, const Points& points, Points& chosen) {

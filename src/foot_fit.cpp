@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "surface_rows.h"
+#include "tank_datum/parallel.h"
 
 namespace tank_datum {
 
@@ -14,14 +15,13 @@ FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, 
   constexpr std::size_t kParts = 64;
   std::array<std::vector<Entry>, kParts> parts;
   const auto beginOf = [&](std::size_t part) { return points.size() * part / kParts; };
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t part = 0; part < kParts; ++part) {
+  forEachIndex(kParts, 0, [&](std::size_t part) {
     parts[part].reserve(beginOf(part + 1) - beginOf(part));
     for (std::size_t i = beginOf(part); i < beginOf(part + 1); ++i) {
       const double radius = shell.at(points[i].azimuth), d = side * (points[i].radius - radius);
       if (d > -0.1 * reach && d < reach) parts[part].push_back({points[i].azimuth, radius, d, points[i].z});
     }
-  }
+  });
   std::array<std::size_t, kParts + 1> starts{};
   for (std::size_t part = 0; part < kParts; ++part) starts[part + 1] = starts[part] + parts[part].size();
   entries_.resize(starts.back());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tank_datum/parallel.h"
 #include "tank_datum/statistics.h"
 
 namespace tank_datum {
@@ -41,8 +42,7 @@ std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<Foot
   constexpr std::size_t kParts = 16;
   const auto bins = static_cast<std::size_t>(std::ceil(reach / bin));
   std::vector<std::vector<std::vector<double>>> parts(kParts, std::vector<std::vector<double>>(bins));
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t part = 0; part < kParts; ++part) {
+  forEachIndex(kParts, 0, [&](std::size_t part) {
     for (std::size_t s = stations.size() * part / kParts; s < stations.size() * (part + 1) / kParts; ++s) {
       if (!std::isfinite(datum[s])) continue;
       for (const FootPoint& p : stations[s]) {
@@ -51,12 +51,11 @@ std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<Foot
         }
       }
     }
-  }
+  });
   std::vector<std::vector<double>> heights(bins);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < bins; ++i) {
+  forEachIndex(bins, 0, [&](std::size_t i) {
     for (const auto& part : parts) heights[i].insert(heights[i].end(), part[i].begin(), part[i].end());
-  }
+  });
   return heights;
 }
 

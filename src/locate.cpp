@@ -26,9 +26,9 @@ struct Sample {
 };
 
 /// A tank needs no more than every n-th point to be found; n is odd, since rows of a scan often have even lengths.
-Points lookAt(const Scan& scan, int threads) {
+std::uint64_t strideOf(const Scan& scan) {
   constexpr std::uint64_t kLookedAt = 2'000'000;
-  return scan.everyNth(scan.size() / kLookedAt | 1U, threads);
+  return scan.size() / kLookedAt | 1U;
 }
 
 /// The scan thinned to a ladder of voxels, from where the densest surfaces just close (a tenth of the voxels hold two
@@ -46,10 +46,11 @@ std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& opti
   return samples;
 }
 
-double shareNearFoot(const Points& looked_at, const Tank& tank) {
+/// Of all rows, the not finite ones too.
+double shareNearFoot(const Scan& scan, const Points& looked_at, const Tank& tank) {
   const RingShape shape(tank, Tank::kNear);
   const auto near = std::count_if(looked_at.begin(), looked_at.end(), [&](const auto& p) { return shape.holds(p); });
-  return static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(1, looked_at.size()));
+  return static_cast<double>(near) * static_cast<double>(strideOf(scan)) / static_cast<double>(scan.size());
 }
 
 /// The foot against azimuth. Shells that end above a shadow outnumber, at times, those seen to their foot, but nothing
@@ -72,7 +73,7 @@ PeriodicFit fitFoot(const std::vector<double>& azimuths, const std::vector<doubl
 }
 
 /// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
-/// only. Fifty thousand of them, evenly spread, know it to a hundredth of a millimetre.
+/// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
 Circle fitShell(const Sample& sample, const Circle& circle, const PeriodicFit& foot, double band) {
   std::vector<Eigen::Vector2d> plan;
   for (const auto& p : sample.points) {
@@ -195,7 +196,7 @@ std::string firstError(const LocateOptions& options) {
 }
 
 std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads) {
-  const Points looked_at = lookAt(scan, threads);
+  const Points looked_at = scan.everyNth(strideOf(scan), threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
   std::vector<std::vector<Tank>> found(samples.size());
   forEachIndex(samples.size(), threads, [&](std::size_t i) { found[i] = tanksOf(samples[i], options); });
@@ -204,18 +205,18 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, in
   dropNested(tanks);
   std::sort(tanks.begin(), tanks.end(),
             [](const Tank& a, const Tank& b) { return a.coverage * a.circle.radius > b.coverage * b.circle.radius; });
-  for (Tank& tank : tanks) tank.near_foot = tank.foot.valid() ? shareNearFoot(looked_at, tank) : 0.0;
+  for (Tank& tank : tanks) tank.near_foot = tank.foot.valid() ? shareNearFoot(scan, looked_at, tank) : 0.0;
   return tanks;
 }
 
 std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads) {
-  const Points looked_at = lookAt(scan, threads);
+  const Points looked_at = scan.everyNth(strideOf(scan), threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
   if (samples.empty()) return std::nullopt;
   const Sample& sample = samples.front();
   Tank tank = describe(sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
   if (!tank.foot.valid()) return std::nullopt;
-  tank.near_foot = shareNearFoot(looked_at, tank);
+  tank.near_foot = shareNearFoot(scan, looked_at, tank);
   return tank;
 }
 

@@ -4,6 +4,7 @@
 
 #include "neighbour_rows.h"
 #include "plane_normal.h"
+#include "tank_datum/error.h"
 
 namespace tank_datum {
 namespace {
@@ -50,6 +51,10 @@ Normals estimateNormals(const Points& points, const NormalOptions& options, int 
   result.neighbours.resize(points.size() * k);
   result.normals.resize(points.size());
   if (points.empty()) return result;
+  if (points.size() < k) {
+    throw Error(Error::Kind::Option, "normals", "k", std::to_string(options.k),
+                "at most as many neighbours as points, " + std::to_string(points.size()));
+  }
 
   const NeighbourRows rows{options.k, threads, result.neighbours.data()};
   // while its points are still in the cache

@@ -69,6 +69,7 @@ double Scan::coordinateStep() const {
 }
 
 ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n) const {
+  if (n < 1) throw Error(Error::Kind::Option, "io", "n of the rows looked at", "0", "at least 1");
   ScanCounts total;
   std::uint64_t block = 0;
   for (const auto& source : sources_) {
@@ -83,7 +84,8 @@ ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor
 
 Points Scan::everyNth(std::uint64_t n, int threads) const {
   Points all;
-  all.reserve(std::min<std::uint64_t>(size() / n + 1, 4'000'000));  // a header may promise more than there is
+  all.reserve(std::min<std::uint64_t>(size() / std::max<std::uint64_t>(1, n) + 1,
+                                      4'000'000));  // a header may promise more than there is
   const auto choose = [](std::uint64_t, const Points& points, Points& chosen) { chosen = points; };
   forEachChosen(
       choose, threads, [&](const Points& chosen) { all.insert(all.end(), chosen.begin(), chosen.end()); }, n);

@@ -92,5 +92,14 @@ TEST(BucketKernels, OfTheEquallyFarTheLowerNumberIsFirst) {
   EXPECT_EQ(numbers, (std::vector<std::uint32_t>{106, 101, 103, 105, 100, 102}));
 }
 
+/// The last place of the row, for which two are equally far: no place is left empty by them.
+TEST(BucketKernels, OfTheEquallyFarForTheLastPlaceTheLowerNumberHasIt) {
+  Columns columns({0, 1, 2, 3, 3, 5});
+  std::swap(columns.numbers[3], columns.numbers[4]);
+  const auto found = columns.sorted(columns.keep(100.0F), 4);
+  EXPECT_EQ(numberIn(found[2]), 102U);
+  EXPECT_EQ(numberIn(found[3]), 103U);
+}
+
 }  // namespace
 }  // namespace tank_datum

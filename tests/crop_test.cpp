@@ -170,27 +170,32 @@ TEST(CropRing, OfMorePointsThanTheFitsTakeAnEvenShareIsKeptWhateverTheirOrder) {
   EXPECT_EQ(cropRing(Scan::fromPoints(points), tank, options).points.size(), 60'000U);
 }
 
-TEST(CropRing, OfManyTimesWhatTheFitsTakeEveryNthRowIsLookedAt) {
+TEST(RowStride, GrowsWithWhatTheRingHoldsBeyondWhatTheFitsTake) {
   Tank tank = tank10();
-  const Scan scan = Scan::fromPoints(foot(tank, 300'000));
+  const auto any = [](std::uint64_t) { return Eigen::Vector3d(1, 2, 3); };
+  const Scan scan = Scan::fromRows(300'000'000, any);
   CropOptions options;
-  options.fit_points = 20'000;
   EXPECT_EQ(rowStride(scan, tank, options), 1U);  // nothing is known of the share
-  tank.near_foot = 0.1;
-  EXPECT_EQ(rowStride(scan, tank, options), 1U);  // of 30 thousand points
-  tank.near_foot = 1.0;
-  EXPECT_EQ(rowStride(scan, tank, options), 17U);  // 15 and a little, and odd
+  tank.near_foot = 0.03;
+  EXPECT_EQ(rowStride(scan, tank, options), 1U);  // of 9 million points
+  tank.near_foot = 0.11;
+  EXPECT_EQ(rowStride(scan, tank, options), 9U);  // 8.25, and odd
   options.reach = 0.25;
-  EXPECT_EQ(rowStride(scan, tank, options), 9U);  // 7.5, and odd
-  options.reach = 0.5;
-  const Ring ring = cropRing(scan, tank, options);
-  EXPECT_EQ(ring.counts.points, scan.size());
-  EXPECT_LE(ring.points.size(), 20'000U);
-  EXPECT_GT(ring.points.size(), 17'000U);
-  const auto dense = std::count_if(ring.points.begin(), ring.points.end(), [](const auto& p) { return p.y() > -4.0; });
-  EXPECT_NEAR(static_cast<double>(dense) / static_cast<double>(ring.points.size()), 10.0 / 11.0, 0.01);
-  const Ring one = cropRing(scan, tank, options, {}, 1);
-  EXPECT_EQ(one.points, ring.points);
+  EXPECT_EQ(rowStride(scan, tank, options), 5U);
+  tank.resolution = 0.125;  // the ring is wider by it on both sides
+  EXPECT_EQ(rowStride(scan, tank, options), 9U);
+  tank.circle.radius = 0.1;  // of a small thing the ring is half its radius wide
+  tank.resolution = 0.0;
+  EXPECT_EQ(rowStride(scan, tank, options), 1U);
+}
+
+TEST(RowStride, LeavesTheShellEnoughRows) {
+  Tank tank = tank10();
+  tank.near_foot = 1.0;
+  const auto any = [](std::uint64_t) { return Eigen::Vector3d(1, 2, 3); };
+  EXPECT_EQ(rowStride(Scan::fromRows(30'000'000, any), tank, {}), 1U);
+  EXPECT_EQ(rowStride(Scan::fromRows(90'000'000, any), tank, {}), 3U);
+  EXPECT_EQ(rowStride(Scan::fromRows(1'000'000'000, any), tank, {}), 33U);
 }
 
 TEST(CropRing, GathersAnotherPartOfTheScanInTheSamePass) {

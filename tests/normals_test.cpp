@@ -10,6 +10,8 @@
 #include <numeric>
 #include <random>
 
+#include "tank_datum/error.h"
+
 namespace tank_datum {
 namespace {
 
@@ -175,6 +177,15 @@ TEST(NormalOptions, RefuseFewerThanThreeNeighboursByName) {
   EXPECT_EQ(firstError(withK(3)), "");
   EXPECT_EQ(firstError(withK(2)), "normals.k = 2 (must be >= 3)");
   EXPECT_EQ(firstError(withK(-5)), "normals.k = -5 (must be >= 3)");
+}
+
+TEST(Normals, OfFewerPointsThanNeighboursAreRefused) {
+  for (const SearchEngine engine : {SearchEngine::Flann, SearchEngine::Buckets}) {
+    NormalOptions options = withK(20);
+    options.search = engine;
+    EXPECT_THROW(estimateNormals(Points(19, {1, 2, 3}), options), Error);
+    EXPECT_EQ(estimateNormals(Points(20, {1, 2, 3}), options).size(), 20U);
+  }
 }
 
 TEST(NormalOptions, TheSearchEngineHasAName) {

@@ -19,7 +19,7 @@ std::int32_t numberOf(FoundPoint found);
 
 /// A kd-tree whose leaves are buckets of at most 16 points, one after the other in memory (Friedman, Bentley and Finkel
 /// 1977). It is there for the k nearest of all of its own points at once: those of a bucket have nearly the same
-/// neighbours, so what lies around them is gathered once for all of them.
+/// neighbours, so what lies around them is gathered for all of them together.
 ///
 /// Distances are those of pcl::KdTreeFLANN to the last bit: float32, (dx dx + dy dy) + dz dz. Of points equally far the
 /// one of the lower number comes first, where FLANN takes them as its tree has them. Nothing depends on the number of

@@ -36,7 +36,8 @@ struct AlsoGathered {
   Scan::Visitor add;  ///< given at least what is wanted, in file order
 };
 
-/// Every which row of a scan is looked at for a ring: 1, unless it holds several times what is kept for the fits.
+/// Every which row of a scan is looked at for a ring: 1, unless the scan is large and the ring holds several times what
+/// is kept for the fits.
 std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options);
 
 /// Keeps the points whose distance from the shell and from the coarse foot is at most the reach (enlarged by the

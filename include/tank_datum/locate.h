@@ -35,7 +35,7 @@ struct Tank {
   PeriodicFit foot;             ///< shell foot against azimuth [m], coarse
   double resolution = 0.0;      ///< spacing of the sample the figures come from [m]
   bool has_foundation = false;  ///< a surface was seen that meets the foot
-  double near_foot = 0.0;       ///< share of the scan's points within kNear of the foot, in radius and height
+  double near_foot = 0.0;       ///< share of the scan's rows within kNear of the foot, in radius and height
 
   static constexpr double kNear = 0.5;  ///< [m]
 

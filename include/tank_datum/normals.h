@@ -42,8 +42,9 @@ struct Normals {
 /// Steps 1 and 2 of the method: the k nearest neighbours of every point, and the normal as the eigenvector of the
 /// smallest eigenvalue of their covariance (ISPRS Archives 2018, normal vector of point cloud). The sums are taken in
 /// double relative to the point. The result does not depend on the number of threads.
-/// @param points   at least options.k of them [m]
+/// @param points   at least options.k of them [m], or none
 /// @param threads  0 means all cores
+/// @throws Error (Option) for fewer
 Normals estimateNormals(const Points& points, const NormalOptions& options, int threads = 0);
 
 /// Step 2 alone, for neighbours found elsewhere.

@@ -64,9 +64,8 @@ class Scan {
   /// Visits, in file order, what is chosen of each block. Blocks of a binary file are read, decoded and chosen from in
   /// several threads at once; visit is called from the caller's.
   /// @param threads  0 means all cores; which blocks there are does not depend on it
-  /// @param n        choose is given about every n-th row only, and only these are decoded where the format allows;
-  /// odd,
-  ///                 lest it keeps step with rows of even lengths
+  /// @param n        choose is given about every n-th row only, and these alone are decoded where the format allows;
+  ///                 odd, lest it keeps step with rows of even lengths
   /// @return of all rows
   /// @throws as forEachBlock
   ScanCounts forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n = 1) const;
