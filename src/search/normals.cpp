@@ -1,10 +1,9 @@
 #include "tank_datum/search/normals.h"
 
-#include <omp.h>
-
 #include "fit/plane_normal.h"
 #include "search/neighbour_rows.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -71,12 +70,11 @@ Normals fitNormals(const Points& points, Neighbours neighbours, int k, int threa
   result.k = k;
   result.neighbours = std::move(neighbours);
   result.normals.resize(points.size());
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
-#pragma omp parallel for schedule(static) num_threads(threads > 0 ? threads : omp_get_max_threads())
-  for (std::ptrdiff_t row = 0; row < count; ++row) {
-    const auto i = static_cast<std::size_t>(row);
-    result.normals[i] = normalOf(points, i, &result.neighbours[i * static_cast<std::size_t>(k)], k);
-  }
+  forEachRun(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result.normals[i] = normalOf(points, i, &result.neighbours[i * static_cast<std::size_t>(k)], k);
+    }
+  });
   return result;
 }
 
