@@ -9,7 +9,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "tank_datum/error.h"
 
@@ -77,8 +76,13 @@ void sync(const std::string& path) {
 
 std::string contentOf(const std::string& path) {
   if (kindOf(path) != Kind::File) return {};
+  errno = 0;
   std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::string content;
+  char block[1 << 16];
+  while (in.read(block, sizeof block) || in.gcount() > 0) content.append(block, static_cast<std::size_t>(in.gcount()));
+  if (!in.eof()) throw failure(path, errno != 0 ? errno : EIO, "a file that can be read");
+  return content;
 }
 
 bool inRealFolders(const std::string& folder, const std::string& path) {

@@ -36,7 +36,7 @@ void writeSynced(const std::string& path, const std::string& content);
 /// Waits until the disk has the file's bytes, or the folder's names.
 void sync(const std::string& path);
 
-/// The content of a regular file, or an empty text.
+/// The content of a regular file; an empty text when there is none.
 std::string contentOf(const std::string& path);
 
 /// Whether every folder on the way from `folder` to `folder/path` is a folder and no link.

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "results/commit.h"
@@ -79,22 +80,37 @@ void OutputFile::write(const std::string& content) const {
               "a writable file, and room for it");
 }
 
-void OutputFile::commit() {
-  if (!staging_) return;
+void OutputFile::commit() { commitTogether({this}); }
+
+void commitTogether(const std::vector<OutputFile*>& files) {
   const NoStop hold;
-  Journal journal;
-  journal.added = syncedFiles(staging_->newFiles());
-  sayLines(program_, staging_->enterCommit());
-  const std::string target = folder_ + "/" + name_;
-  std::string kept;
-  if (exists(target) && own_(target)) {
-    journal.displaced.emplace_back(name_, oldPlace(name_));
-  } else if (exists(target)) {
-    kept = keptName(target);
-    journal.displaced.emplace_back(name_, fs::path(kept).filename().string());
+  std::map<std::string, std::vector<OutputFile*>> by_folder;
+  for (OutputFile* file : files) {
+    if (file->staging_) by_folder[file->folder_].push_back(file);
   }
-  results::commit(*staging_, folder_, journal, program_);
-  if (!kept.empty()) sayLines(program_, target + " is not of this program: kept as " + kept);
+  for (const auto& [folder, together] : by_folder) OutputFile::commitIn(folder, together);
+}
+
+void OutputFile::commitIn(const std::string& folder, const std::vector<OutputFile*>& files) {
+  Staging& staging = *files.front()->staging_;
+  const std::string& program = files.front()->program_;
+  for (const OutputFile* file : files) {
+    if (file != files.front()) move(file->place(), staging.newFiles() + "/" + file->name_);
+  }
+  Journal journal;
+  journal.added = syncedFiles(staging.newFiles());
+  sayLines(program, staging.enterCommit());
+  std::string said;
+  for (const OutputFile* file : files) {
+    const std::string target = folder + "/" + file->name_;
+    if (!exists(target)) continue;
+    const bool own = file->own_(target);
+    const std::string kept = own ? oldPlace(file->name_) : fs::path(keptName(target)).filename().string();
+    journal.displaced.emplace_back(file->name_, kept);
+    if (!own) said += target + " is not of this program: kept as " + folder + "/" + kept + "\n";
+  }
+  results::commit(staging, folder, journal, program);
+  sayLines(program, said);
 }
 
 }  // namespace tank_datum

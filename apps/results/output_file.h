@@ -38,10 +38,17 @@ class OutputFile {
   void commit();
 
  private:
+  friend void commitTogether(const std::vector<OutputFile*>& files);
+  static void commitIn(const std::string& folder, const std::vector<OutputFile*>& files);
+
   std::string path_, folder_, name_, program_;
   IsOwn own_;
   std::unique_ptr<results::Staging> staging_;  ///< none for a device
   std::unique_ptr<results::OnStop> on_stop_;
 };
+
+/// Gives several files their names; those of one folder appear together or not at all.
+/// @throws Error (File)
+void commitTogether(const std::vector<OutputFile*>& files);
 
 }  // namespace tank_datum

@@ -144,7 +144,13 @@ bool Staging::begin(const std::string& path) {
 
 Staging::~Staging() {
   remove();
+  abandon();
+}
+
+void Staging::abandon() {
   if (lock_ >= 0) ::close(lock_);
+  lock_ = -1;
+  path_.clear();
 }
 
 void Staging::remove() noexcept {

@@ -27,7 +27,7 @@ class Staging {
   /// Removes the folder and what is in it; tries again while somebody still writes into it.
   void remove() noexcept;
   /// Leaves everything as it is, for the next run to put right.
-  void abandon() { path_.clear(); }
+  void abandon();
 
  private:
   bool begin(const std::string& path);

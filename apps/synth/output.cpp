@@ -46,8 +46,8 @@ ScanSummary writeScan(const Scene& scene, const Command& command) {
   requireReplaceable(command.truth);
   OutputFile truth(command.truth, isJsonWith({"seed", "options", "scanners", "tanks"}), kProgram);
   std::vector<std::unique_ptr<ScanFile>> scans;
-  const std::size_t files = command.split ? scanStations(scene).size() : 1;
-  for (std::size_t i = 0; i < files; ++i) {
+  const std::size_t count = command.split ? scanStations(scene).size() : 1;
+  for (std::size_t i = 0; i < count; ++i) {
     scans.push_back(std::make_unique<ScanFile>(command, fileOfStation(command, i)));
   }
   const auto append = [&](std::size_t station, const Rows& rows) {
@@ -55,9 +55,12 @@ ScanSummary writeScan(const Scene& scene, const Command& command) {
   };
   const ScanSummary summary = scanScene(scene, append, command.threads);
   truth.write(toJson(truthOf(scene, scene.options().truth_stations)).dump(1) + "\n");
-  for (const auto& scan : scans) scan->writer.commit();
-  truth.commit();
-  for (const auto& scan : scans) scan->file.commit();
+  std::vector<OutputFile*> files = {&truth};
+  for (const auto& scan : scans) {
+    scan->writer.commit();
+    files.push_back(&scan->file);
+  }
+  commitTogether(files);
   return summary;
 }
 
