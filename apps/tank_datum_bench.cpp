@@ -7,7 +7,7 @@
 #include "results/output_file.h"
 #include "results/output_guard.h"
 #include "results/stop_signals.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::bench {
 namespace {

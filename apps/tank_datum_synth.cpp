@@ -3,7 +3,7 @@
 
 #include "results/stop_signals.h"
 #include "synth/output.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 int main(int argc, char** argv) {
   using namespace tank_datum;

@@ -5,14 +5,14 @@
 #include <iostream>
 #include <optional>
 
+#include "core/length_units.h"
 #include "exit_status.h"
 #include "results/output_file.h"
 #include "results/output_guard.h"
 #include "results/result_folder.h"
 #include "results/stop_signals.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
-#include "units_of_scans.h"
 #include "view/display.h"
 #include "view/window.h"
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "results/file_calls.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::results {
 namespace fs = std::filesystem;

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::results {
 namespace {

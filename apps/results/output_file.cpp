@@ -9,7 +9,7 @@
 
 #include "results/commit.h"
 #include "results/file_calls.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {

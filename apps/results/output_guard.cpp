@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "results/manifest.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {

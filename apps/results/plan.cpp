@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <set>
 
+#include "io/sha256.h"
 #include "results/file_calls.h"
 #include "results/manifest.h"
-#include "tank_datum/sha256.h"
 
 namespace tank_datum::results {
 namespace {

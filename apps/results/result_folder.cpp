@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <map>
 
+#include "io/sha256.h"
 #include "results/commit.h"
 #include "results/file_calls.h"
 #include "results/manifest.h"
 #include "results/plan.h"
-#include "tank_datum/error.h"
-#include "tank_datum/sha256.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {

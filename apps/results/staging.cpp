@@ -18,7 +18,7 @@
 
 #include "results/file_calls.h"
 #include "results/journal.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::results {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "results/output_guard.h"
 #include "scene_file.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::synth {
 namespace {

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "io/pcd_writer.h"
 #include "results/output_file.h"
 #include "results/output_guard.h"
-#include "tank_datum/error.h"
-#include "tank_datum/pcd_writer.h"
+#include "tank_datum/core/error.h"
 #include "truth.h"
 
 namespace tank_datum::synth {

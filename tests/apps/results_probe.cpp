@@ -7,7 +7,7 @@
 
 #include "results/result_folder.h"
 #include "results/stop_signals.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
