@@ -252,7 +252,7 @@ def test_killed_again_while_it_is_put_right(tmp_path: Path) -> None:
 
 
 def test_runs_at_the_same_time(tmp_path: Path) -> None:
-    """Each commits a whole result; the last one stays. A living run's folder is not cleaned away."""
+    """Each commits a whole result, the last one stays; no folder of a living run is removed."""
     program, out = str(executable("results_probe")), tmp_path / "out"
     names = ("datum.json", "stations.csv", "tank_1/datum.json")
     runs = [
