@@ -11,6 +11,8 @@
 #include "core/units.h"
 #include "exit_status.h"
 #include "movement_options.h"
+#include "results/manifest.h"
+#include "results/output_guard.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -109,6 +111,21 @@ std::vector<double> heightsFrom(const std::string& typed) {
   return heights;
 }
 
+/// Refuses a command whose outputs are among its inputs, before any of these is read.
+void requireInputsUntouched(const Command& command, const std::string& limits, const std::string& config) {
+  std::vector<NamedPath> inputs = inputsOf("baseline", command.baseline);
+  for (const std::string& scan : command.scans) inputs.push_back({"scan", scan});
+  inputs.push_back({"levelling table", command.levelling});
+  inputs.push_back({"limits file", limits});
+  inputs.push_back({"config file", config});
+  std::vector<NamedPath> outputs = outputsOf(command.output, results::kDatumProgram);
+  if (!command.timings.empty()) {
+    for (const NamedPath& output : outputs) requireApart({{"result", output.path}}, {{"--timings", command.timings}});
+  }
+  outputs.push_back({"--timings", command.timings});
+  requireApart(inputs, outputs);
+}
+
 std::string stemOf(const std::string& scan) { return std::filesystem::path(scan).stem().string() + ".datum"; }
 
 }  // namespace
@@ -157,8 +174,9 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   status = kUsable;
   if (print_limits) std::cout << standardLimitsText();
   if (print_limits) return false;
-  o.analysis = analysisOptions(typed.analysis);
   if (command.output.empty()) command.output = stemOf(command.inputs().front());
+  requireInputsUntouched(command, typed.analysis.limits, app.get_config_ptr()->as<std::string>());
+  o.analysis = analysisOptions(typed.analysis);
   if (print_config) std::cout << app.config_to_str(true, true);
   return !print_config;
 }

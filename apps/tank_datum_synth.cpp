@@ -1,11 +1,13 @@
 #include <exception>
 #include <iostream>
 
+#include "results/stop_signals.h"
 #include "synth/output.h"
 #include "tank_datum/core/error.h"
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
+  results::stopCleanly("tank_datum_synth");
   try {
     synth::Command command;
     int status = 0;

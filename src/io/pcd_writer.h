@@ -20,8 +20,10 @@ class PcdWriter {
  public:
   enum class Format { Ascii, Binary };
 
+  /// @param comment  a line that readers skip, at the head of the file; none when empty
   /// @throws Error (File) when the file cannot be made
-  PcdWriter(std::string path, std::vector<PcdField> fields, Format format = Format::Binary);
+  PcdWriter(std::string path, std::vector<PcdField> fields, Format format = Format::Binary,
+            const std::string& comment = {});
   ~PcdWriter();
   PcdWriter(const PcdWriter&) = delete;
   PcdWriter& operator=(const PcdWriter&) = delete;
