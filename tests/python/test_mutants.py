@@ -15,9 +15,16 @@ import mutants  # noqa: E402
 
 @pytest.mark.parametrize(
     ("number", "factor", "wanted"),
-    [("8", 0.5, "4"), ("1", 0.5, None), ("3", 2.0, "6"), ("0.3", 2.0, "0.6"), ("1e-3", 0.5, "0.0005"),
-     ("30'000", 2.0, "60000"), ("0.0", 2.0, None)],
-)  # fmt: skip
+    [
+        ("8", 0.5, "4"),
+        ("1", 0.5, None),
+        ("3", 2.0, "6"),
+        ("0.3", 2.0, "0.6"),
+        ("1e-3", 0.5, "0.0005"),
+        ("30'000", 2.0, "60000"),
+        ("0.0", 2.0, None),
+    ],
+)
 def test_scaled(number: str, factor: float, wanted: str | None) -> None:
     assert mutants.scaled(number, factor) == wanted
 
