@@ -10,6 +10,7 @@
 #include "shell/shell_measures.h"
 #include "shell/shell_survey_impl.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -195,6 +196,7 @@ std::vector<Datum> extractDatumsOf(const std::vector<Tank>& tanks, const Scan& s
 Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options, const StageObserver& observer,
                      const NormalStage& normal_stage) {
   requireValid(options);
+  const ThreadScope threads(options.threads);
   const auto begin = [&](const char* stage) {
     if (observer) observer(stage);
   };

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/units.h"
+#include "io/json_file.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
 
@@ -68,15 +67,15 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
 }
 
 std::string epochFile(const std::string& path) {
-  return std::filesystem::is_directory(path) ? path + "/datum.json" : path;
+  std::error_code ignored;  // what cannot be looked at cannot be read either, which is said there
+  return std::filesystem::is_directory(path, ignored) ? path + "/datum.json" : path;
 }
 
 Epoch readEpoch(const std::string& path) {
   const std::string file = epochFile(path);
-  std::ifstream in(file);
-  if (!in) throw Error(Error::Kind::File, "epoch", path, "not read", "a datum.json or a folder with one");
+  const Json json = readJson(file, "epoch", "a datum.json or a folder with one");
   try {
-    return epochFrom(Json::parse(in), path);
+    return epochFrom(json, path);
   } catch (const Json::exception& error) {
     throw Error(Error::Kind::File, "epoch", file, error.what(), "a datum.json with its stations");
   }

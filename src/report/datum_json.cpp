@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.h"
+#include "io/json_file.h"
 #include "report/analysis_json.h"
 #include "report/movement_json.h"
 #include "report/shell_report.h"
@@ -122,7 +123,7 @@ Json antipodalJson(const Datum& datum) {
 
 std::string datumJson(const Datum& datum, const Provenance& provenance) {
   Json json;
-  json["schema"] = 1;
+  json["schema"] = kSchema;
   json["version"] = kVersion;
   json["input"] = inputJson(provenance, datum.origin, datum.levelled);
   json["options"] = optionsJson(provenance.options, provenance);

@@ -60,7 +60,7 @@ CHOSEN = {
     "angle-deg": 50.0,
     "centre-tolerance": 0.2,
     "control-points": 12,
-    "search": "buckets",
+    "search": "flann",
     "stations": 72,
     "zero-azimuth-deg": 15.0,
     "heights": "0.25,0.5",
