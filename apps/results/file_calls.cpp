@@ -66,7 +66,7 @@ void writeSynced(const std::string& path, const std::string& content) {
 }
 
 void sync(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) throw failure(path, errno);
   const int reason = ::fsync(descriptor) == 0 ? 0 : errno;
   ::close(descriptor);

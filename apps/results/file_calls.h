@@ -5,7 +5,7 @@
 namespace tank_datum::results {
 
 /// Calls to the file system, each a step that may fail. A failure is an Error (File) that names the path and the
-/// system's reason. None of them follows a symbolic link at the end of a path.
+/// system's reason. None but sync() follows a symbolic link at the end of a path.
 
 /// What stands under a name.
 enum class Kind { Nothing, File, Folder, Other };  ///< Other: a symbolic link, a device, a pipe

@@ -46,6 +46,7 @@ IsOwn isFileWith(std::string beginning, std::string mark) {
     std::string head(kNear, '\0');
     std::ifstream in(path, std::ios::binary);
     in.read(head.data(), static_cast<std::streamsize>(kNear));
+    if (!in && !in.eof()) throw Error(Error::Kind::File, "report", path, "not read", "a file that can be read");
     head.resize(static_cast<std::size_t>(in.gcount()));
     return head.rfind(beginning, 0) == 0 && head.find(mark) != std::string::npos;
   };
@@ -66,6 +67,12 @@ OutputFile::OutputFile(const std::string& path, IsOwn own, std::string program)
     throw Error(Error::Kind::File, "report", path, error.what(), "a file in a folder that can be written to");
   }
   on_stop_ = std::make_unique<OnStop>([this] { staging_->remove(); });
+}
+
+OutputFile::~OutputFile() {
+  const NoStop hold;
+  on_stop_.reset();
+  staging_.reset();
 }
 
 std::string OutputFile::place() const { return staging_ ? staging_->newFiles() + "/" + name_ : path_; }

@@ -25,6 +25,7 @@ class OutputFile {
  public:
   /// @throws Error (File) when the folder of the file cannot be written to or listed
   OutputFile(const std::string& path, IsOwn own, std::string program);
+  ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 

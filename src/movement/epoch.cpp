@@ -71,8 +71,25 @@ std::string epochFile(const std::string& path) {
   return std::filesystem::is_directory(path, ignored) ? path + "/datum.json" : path;
 }
 
+namespace {
+
+/// Refuses a result whose run was stopped while it moved its files into place, as its journal shows: here, or in the
+/// folder whose tank_N this is.
+void requireWhole(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
+  for (const auto& place : {folder, folder.parent_path()}) {
+    if (!std::filesystem::exists(place / ".tank_datum-commit" / "journal.json", ignored)) continue;
+    throw Error(Error::Kind::File, "epoch", place.string(), "results incomplete since a run was stopped",
+                "a run of tank_datum or tank_datum_compare on it first, which puts it right");
+  }
+}
+
+}  // namespace
+
 Epoch readEpoch(const std::string& path) {
   const std::string file = epochFile(path);
+  requireWhole(file);
   const Json json = readJson(file, "epoch", "a datum.json or a folder with one");
   try {
     return epochFrom(json, path);

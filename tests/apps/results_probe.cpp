@@ -22,8 +22,10 @@ int main(int argc, char** argv) {
     for (int i = 3; i < argc; ++i) {
       const std::string given = argv[i], path = given.substr(0, given.find('='));
       const std::filesystem::path place(path);
-      std::ofstream(results.stage(place.parent_path().string()) + "/" + place.filename().string())
-          << given.substr(path.size() + 1);
+      std::ofstream out(results.stage(place.parent_path().string()) + "/" + place.filename().string());
+      out << given.substr(path.size() + 1);
+      out.close();
+      if (!out) throw Error(Error::Kind::File, "probe", path, "not written", "a folder with room");
     }
     results.commit();
     return 0;

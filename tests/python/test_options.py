@@ -230,13 +230,13 @@ def test_all(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
     """A folder for each, the one most of which is seen first; a single one has no such folder."""
     result = run(two_tanks, "-o", tmp_path, "--all")
     assert result.returncode == 0, result.stderr
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["tank_1", "tank_2"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["manifest.json", "tank_1", "tank_2"]
     circles = [read_datum(tmp_path / n)["tank"] for n in ("tank_1", "tank_2")]
     assert [c["radius"] for c in circles] == pytest.approx([4.0, 3.0], abs=0.001)
     assert [c["center"][0] for c in circles] == pytest.approx([0.0, 20.0], abs=0.001)
     means = [read_datum(tmp_path / n)["datum"]["mean"] for n in ("tank_1", "tank_2")]
     assert means == pytest.approx([0.0, 1.0], abs=0.006)
-    for folder in tmp_path.iterdir():
+    for folder in tmp_path.glob("tank_*"):
         assert sorted(p.name for p in folder.iterdir()) == sorted(RESULTS)
 
 
