@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "survey_rows.h"
 #include "tank_datum/levelness.h"
 #include "units.h"
 
@@ -20,19 +21,16 @@ Measure measureOf(const std::string& quantity, const PlacedValue& worst) {
   return measure;
 }
 
-PlacedValue largestOf(const std::vector<PlacedValue>& values) {
-  PlacedValue largest;
-  for (const PlacedValue& v : values) {
-    if (isLarger(largest, v)) largest = v;
-  }
-  return largest;
+PlacedValue largestOf(const RingRows& rows, const RingSeries& series) {
+  return rows.empty() ? PlacedValue{} : rows.of(rows.largest(series.values()), series.values());
 }
 
 Measure secondDifferenceMeasure(const SecondDifferences& differences) {
-  Measure measure = measureOf("second_difference", largestOf(differences.all));
+  const bool known = differences.valid();
+  Measure measure = measureOf("second_difference", known ? differences.all[differences.worst] : PlacedValue{});
   measure.all = differences.all;
-  measure.spacing = differences.spacing;
-  if (!differences.valid()) {
+  measure.spacing = known ? differences.spacings[differences.worst] : differences.spacing;
+  if (!known) {
     measure.unavailable = differences.message;
     return measure;
   }
@@ -72,13 +70,15 @@ void addTilt(const Tilt& tilt, double radius, std::vector<Measure>& measures) {
 }
 
 /// Differences of height along the shell.
-void addSlopes(const std::vector<Station>& stations, double radius, double spacing, std::vector<Measure>& measures) {
-  const bool spaced = std::isfinite(spacing);
-  const char* not_spaced = "no survey points 15 to 32 ft apart";
-  for (const auto& [quantity, member] :
-       {std::pair<const char*, double Station::*>{"neighbour_bend", &Station::u}, {"neighbour_slope", &Station::z}}) {
-    measures.push_back(measureOf(quantity, spaced ? steepest(stations, radius, spacing, member) : PlacedValue{}));
-    if (!spaced) measures.back().unavailable = not_spaced;
+void addSlopes(const std::vector<Station>& stations, double radius, const SurveyPlan& plan,
+               std::vector<Measure>& measures) {
+  const RingSeries u(stations, &Station::u, &Station::sigma_z), z(stations, &Station::z, &Station::sigma_z);
+  measures.push_back(
+      measureOf("neighbour_bend", plan.valid() ? largestOf(distortionRows(u, plan, radius), u) : PlacedValue{}));
+  measures.push_back(
+      measureOf("neighbour_slope", plan.valid() ? largestOf(neighbourRows(z, plan, radius), z) : PlacedValue{}));
+  for (std::size_t i = measures.size() - 2; i < measures.size(); ++i) {
+    if (!plan.valid()) measures[i].unavailable = "no survey points 15 to 32 ft apart: " + plan.message;
   }
   measures.push_back(measureOf("slope_10m", steepest(stations, radius, 10.0, &Station::z)));
 }
@@ -138,7 +138,7 @@ Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius
   measures.push_back(secondDifferenceMeasure(result.second_differences));
   measures.push_back(curvatureMeasure(result.out_of_plane));
   addArcs(result.arcs, measures);
-  addSlopes(stations, radius, result.second_differences.spacing, measures);
+  addSlopes(stations, radius, planSurvey(stations, radius, options.classic_points), measures);
   for (const auto& [quantity, level] : {std::pair("level_9m", result.level_9m), {"level_3m", result.level_3m}}) {
     measures.push_back(measureOf(quantity, level));
     if (!std::isfinite(level.value)) measures.back().unavailable = "no two stations are that close";

@@ -1,5 +1,6 @@
 #include "tank_datum/out_of_plane.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -16,17 +17,38 @@ constexpr int kLeastOrder = 4;
 
 int shortestWave(double radius) { return static_cast<int>(std::floor(kPi * radius / kShortestHalfWave)); }
 
-/// 1 - (what an order leaves) / (what the plane leaves), each over its degrees of freedom.
-double adjustedR2(const WaveData& data, int order) {
-  const auto n = static_cast<double>(data.count());
-  const double left = residualSum(data, fitHarmonics(data.azimuths, data.z, data.weights, order, false, 0.0));
-  const double plane = residualSum(data, fitHarmonics(data.azimuths, data.z, data.weights, 1, false, 0.0));
-  return 1.0 - left / (n - 2.0 * order - 1.0) / (plane / (n - 3.0));
+/// 1 - (what an order leaves) / (what the plane leaves), each over its degrees of freedom, of orders 0 to `highest`.
+std::vector<double> adjustedR2s(const WaveData& data, int highest) {
+  const auto count = static_cast<Eigen::Index>(data.count());
+  double sum = 0.0, weight = 0.0;
+  for (std::size_t i = 0; i < data.count(); ++i) sum += data.weights[i] * data.z[i], weight += data.weights[i];
+  Eigen::MatrixXd rows(count, 2 * highest + 1);
+  Eigen::VectorXd z(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    rows.row(i) = std::sqrt(data.weights[at]) * harmonicRow(data.azimuths[at], highest);
+    z[i] = std::sqrt(data.weights[at]) * (data.z[at] - sum / weight);
+  }
+  // columns in order of their waves: what each order leaves is the rest of z in the basis that they span
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows);
+  z.applyOnTheLeft(qr.householderQ().adjoint());
+  const auto left = [&](int order) { return z.tail(count - 2 * order - 1).squaredNorm(); };
+  const auto n = static_cast<double>(count);
+  std::vector<double> all(static_cast<std::size_t>(highest) + 1);
+  for (int k = 0; k <= highest; ++k) {
+    all[static_cast<std::size_t>(k)] = 1.0 - left(k) / (n - 2.0 * k - 1.0) / (left(1) / (n - 3.0));
+  }
+  return all;
 }
 
-int chosenOrder(const WaveData& data, int highest) {
+/// The highest order at which one more wave still raises the adjusted R2; all of them are tried.
+int chosenOrder(const std::vector<double>& adjusted_r2) {
+  const auto highest = static_cast<int>(adjusted_r2.size()) - 1;
   int order = std::min(kLeastOrder, highest);
-  while (order < highest && adjustedR2(data, order + 1) > adjustedR2(data, order)) ++order;
+  for (int k = order + 1; k <= highest; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    if (adjusted_r2[at] > adjusted_r2[at - 1]) order = k;
+  }
   return order;
 }
 
@@ -115,10 +137,11 @@ OutOfPlane fitOutOfPlane(std::vector<Station>& stations, double radius) {
     result.message = "so little of the datum was seen that its waves cannot be told apart";
     return result;
   }
-  const int order = chosenOrder(data, highestOrder(data, longest, kLeastOrder));
+  const std::vector<double> adjusted_r2 = adjustedR2s(data, highestOrder(data, longest, kLeastOrder));
+  const int order = chosenOrder(adjusted_r2);
   result.message.clear();
   result.order = order;
-  result.adjusted_r2 = adjustedR2(data, order);
+  result.adjusted_r2 = adjusted_r2[static_cast<std::size_t>(order)];
   describe(stations, fitWaves(data, order), radius, result);
   result.rms = rmsLeft(stations);
   return result;

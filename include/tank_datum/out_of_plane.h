@@ -36,11 +36,11 @@ struct OutOfPlane {
   bool valid() const { return order > 0; }
 };
 
-/// u(l) = sum over k = 2..order of a_k cos(k l / R) + b_k sin(k l / R): four waves at least, more only while the
-/// adjusted R2 rises, none with a half-wave shorter than 20 ft. For more than 64 measured stations on a tank of 18.6 m
-/// or more. Fills u_fit, curvature and their standard errors of every station whose z is known; u must be there.
-/// Standard errors grow by what the residuals show beyond those of the stations; noise that neighbours share is in it.
-/// Source: API ballot 653-1012 and its white paper; STANDARDS 2.
+/// u(l) = sum over k = 2..order of a_k cos(k l / R) + b_k sin(k l / R): four waves at least, none with a half-wave
+/// shorter than 20 ft, and of those between up to the highest whose addition still raises the adjusted R2. For more
+/// than 64 measured stations on a tank of 18.6 m or more. Fills u_fit, curvature and their standard errors of every
+/// station whose z is known; u must be there. Standard errors grow by what the residuals show beyond those of the
+/// stations; noise that neighbours share is in it. Source: API ballot 653-1012 and its white paper; STANDARDS 2.
 OutOfPlane fitOutOfPlane(std::vector<Station>& stations, double radius);
 
 /// The longest arc between neighbouring stations that have a z [m]; the whole circumference when fewer than two have.
