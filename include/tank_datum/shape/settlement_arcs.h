@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/stations/placed_value.h"
+#include "tank_datum/stations/stations.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// A stretch of the shell between two changes of U's sign (Andreani et al.).
+struct SettlementArc {
+  double length = 0.0;  ///< [m]
+  PlacedValue largest;  ///< |U| where it is largest
+};
+
+/// The arcs between zero crossings of U, half the circumference each where U changes its sign only twice (fold pattern,
+/// ballot B.2.2.5.3). Of more than 64 stations those of its regression; without one, those of survey points, each the
+/// mean of the stations round it, one of them at the station furthest out of plane (B.2.2.8.1): noise crosses zero too.
+/// Empty when U nowhere changes its sign.
+std::vector<SettlementArc> settlementArcs(const std::vector<Station>& stations, double radius);
+
+}  // namespace tank_datum

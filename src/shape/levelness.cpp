@@ -1,0 +1,29 @@
+#include "shape/levelness.h"
+
+#include "shape/level_rows.h"
+
+namespace tank_datum {
+namespace {
+
+PlacedValue largestOf(const RingRows& rows, const RingSeries& series) {
+  return rows.empty() ? PlacedValue{} : rows.of(rows.largest(series.values()), series.values());
+}
+
+}  // namespace
+
+PlacedValue steepest(const std::vector<Station>& stations, double radius, double arc, double Station::*quantity) {
+  const RingSeries series(stations, quantity, &Station::sigma_z);
+  return largestOf(slopeRows(series, radius, arc), series);
+}
+
+PlacedValue unevennessWithin(const std::vector<Station>& stations, double radius, double arc) {
+  const RingSeries series(stations, &Station::z, &Station::sigma_z);
+  return largestOf(levelRows(series, radius, arc), series);
+}
+
+PlacedValue unevennessOfAll(const std::vector<Station>& stations) {
+  const RingSeries series(stations, &Station::z, &Station::sigma_z);
+  return MeanLevel(series, stations).furthest(series.values());
+}
+
+}  // namespace tank_datum
