@@ -39,10 +39,36 @@ double misfit(const RingSums& sums, const RingPriors& priors) {
 
 /// What is known of the numbers beforehand, as -2 ln of a density: waves of foundations fall with about the square of
 /// their number; neighbours share errors over some degrees.
-double belief(const Numbers& x) {
-  constexpr double kUsualPower = 2.0, kPowers = 0.75;
+double belief(const Numbers& x, double wave) {
+  constexpr double kAmplitudes = 0.7, kUsualPower = 2.0, kPowers = 0.75;
   constexpr double kUsualLength = 8.0 * kPi / 180.0, kLengths = 0.8;
-  return std::pow((x[1] - kUsualPower) / kPowers, 2.0) + std::pow((x[3] - std::log(kUsualLength)) / kLengths, 2.0);
+  return std::pow((x[0] - std::log(wave)) / kAmplitudes, 2.0) + std::pow((x[1] - kUsualPower) / kPowers, 2.0) +
+         std::pow((x[3] - std::log(kUsualLength)) / kLengths, 2.0);
+}
+
+/// A pattern search, one number after the other.
+template <typename Value>
+Numbers lowest(Numbers x, const Numbers& least, const Numbers& most, std::size_t count, Value value) {
+  constexpr double kFinest = 0.15;  // of a logarithm
+  constexpr int kRounds = 25;
+  Numbers step = {1.0, 0.5, 0.8, 0.5};
+  double here = value(x);
+  const auto coarsest = [&] { return *std::max_element(step.begin(), step.begin() + static_cast<int>(count)); };
+  for (int round = 0; round < kRounds && coarsest() > kFinest; ++round) {
+    for (std::size_t k = 0; k < count; ++k) {
+      bool moved = false;
+      for (const double sign : {1.0, -1.0}) {
+        Numbers there = x;
+        there[k] = std::clamp(x[k] + sign * step[k], least[k], most[k]);
+        const double then = there[k] == x[k] ? here : value(there);
+        if (!(then < here)) continue;
+        x = there, here = then, moved = true;
+        break;
+      }
+      step[k] *= moved ? 1.3 : 0.4;
+    }
+  }
+  return x;
 }
 
 }  // namespace
@@ -68,35 +94,21 @@ Eigen::VectorXd errorVariances(const RingPriors& priors, int order) {
   return variances;
 }
 
-RingPriors likeliestPriors(const RingSums& sums, double sigma, std::optional<double> neighbours) {
-  const double shared = std::max(0.02 * sigma, neighbours.value_or(0.0));
+RingPriors likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
+  const bool neighbours = beliefs.neighbours.has_value();
+  const double sigma = beliefs.sigma, shared = std::max(0.02 * sigma, beliefs.neighbours.value_or(0.0));
   const Numbers least = {std::log(1e-3 * sigma), 0.5, std::log(shared), std::log(2.0 * kPi / 180.0)};
   const Numbers most = {std::log(1e5 * sigma), 4.0, std::log(50.0 * sigma), std::log(30.0 * kPi / 180.0)};
-  const auto value = [&](const Numbers& x) { return misfit(sums, priorsOf(x, neighbours.has_value())) + belief(x); };
-  Numbers best{};
-  double lowest = 1e301;
+  const auto value = [&](const Numbers& x) { return misfit(sums, priorsOf(x, neighbours)) + belief(x, beliefs.wave); };
+  Numbers start{};
+  double before = 1e301;
   for (const double length : {4.0, 15.0}) {
-    Numbers x = {std::log(3.0 * sigma), 2.0, std::log(std::max(shared, 0.3 * sigma)), std::log(length * kPi / 180.0)};
-    double here = value(x);
-    Numbers step = {1.0, 0.5, 0.8, 0.5};
-    for (int round = 0; round < 40 && *std::max_element(step.begin(), step.end()) > 0.1; ++round) {
-      for (std::size_t k = 0; k < (neighbours ? 4U : 2U); ++k) {  // a pattern search, one number after the other
-        bool moved = false;
-        for (const double sign : {1.0, -1.0}) {
-          Numbers there = x;
-          there[k] = std::clamp(x[k] + sign * step[k], least[k], most[k]);
-          const double then = there[k] == x[k] ? here : value(there);
-          if (!(then < here)) continue;
-          x = there, here = then, moved = true;
-          break;
-        }
-        step[k] *= moved ? 1.3 : 0.5;
-      }
-    }
-    if (here < lowest) lowest = here, best = x;
-    if (!neighbours) break;
+    const Numbers x = {std::log(3.0 * sigma), 2.0, std::log(std::max(shared, 0.3 * sigma)),
+                       std::log(length * kPi / 180.0)};
+    const double here = value(x);
+    if (here < before) before = here, start = x;
   }
-  return priorsOf(best, neighbours.has_value());
+  return priorsOf(lowest(start, least, most, neighbours ? 4 : 2, value), neighbours);
 }
 
 }  // namespace tank_datum

@@ -28,9 +28,14 @@ struct RingPriors {
 Eigen::VectorXd waveVariances(const RingPriors& priors, int order);
 Eigen::VectorXd errorVariances(const RingPriors& priors, int order);
 
-/// Priors of the largest restricted marginal likelihood.
-/// @param sigma       usual error of a station [m]
-/// @param neighbours  least standard deviation of the error that neighbours share [m]; nothing: there is none
-RingPriors likeliestPriors(const RingSums& sums, double sigma, std::optional<double> neighbours);
+/// What is known before the stations are looked at.
+struct RingBeliefs {
+  double sigma = 0.0;                ///< usual error of a station [m]
+  double wave = 0.0;                 ///< usual standard deviation of a coefficient of n = 2 [m]
+  std::optional<double> neighbours;  ///< least standard deviation of the error that neighbours share [m]; nothing: none
+};
+
+/// Priors of the largest restricted marginal likelihood, times a wide belief in usual numbers.
+RingPriors likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs);
 
 }  // namespace tank_datum

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/deviates.h"
+#include "core/statistics.h"
+#include "core/units.h"
 #include "shape/ring_likelihood.h"
 #include "tank_datum/fit/harmonics.h"
 
@@ -18,13 +20,12 @@ int orderFor(Eigen::Index stations) {
                                                  : std::max<Eigen::Index>(1, (stations - 1) / 2));
 }
 
-/// Products without Eigen's own threads, so that results do not depend on their number.
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a.lazyProduct(b); }
-
 }  // namespace
 
-RingData ringData(const std::vector<Station>& stations, const StationCovariance& covariance) {
+RingData ringData(const std::vector<Station>& stations, double radius, const StationCovariance& covariance) {
+  constexpr double kUsualWave = 1.0 / 4000.0;  // of a foundation, over the radius
   RingData data;
+  data.usual_wave = kUsualWave * radius;
   const StationCovariance given = covariance.empty() ? independentCovariance(stations) : covariance;
   std::vector<Eigen::Index> measured;
   for (std::size_t i = 0; i < stations.size(); ++i) {
@@ -50,7 +51,20 @@ Eigen::MatrixXd RingModel::rowsAt(const Eigen::VectorXd& azimuths, int order) {
   return rows;
 }
 
+Eigen::MatrixXd RingModel::product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd result(a.rows(), b.cols());
+  for (Eigen::Index j = 0; j < b.cols(); ++j) result.col(j).noalias() = a * b.col(j);
+  return result;
+}
+
+bool RingModel::dense() const { return data_.count() > kMostSparse; }
+
 RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.count())) {
+  constexpr Eigen::Index kFewest = 4;
+  if (data_.count() < kFewest) {
+    order_ = 0, mean_ = errors_ = Eigen::VectorXd::Zero(1);
+    return;
+  }
   const Eigen::Index waves = 2 * order_ + 1, unknowns = waves + data_.shared.rows();
   offset_ = data_.z.mean();
   const Eigen::VectorXd z = data_.z.array() - offset_;
@@ -71,34 +85,55 @@ RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.c
   solve();
 }
 
-void RingModel::estimatePriors() {
-  const bool dense = data_.count() > kMostSparse;
-  const auto unknowns = static_cast<double>(normal_.rows());
-  double scale2 = 1.0;
-  if (dense || !data_.sigmas_known) {  // what the waves, all free, leave; of few stations, what a plane leaves
-    constexpr double kRidge = 1e-9, kLeast = 1e-6;
-    const Eigen::Index used = dense ? normal_.rows() : 3;
-    Eigen::MatrixXd normal = normal_.topLeftCorner(used, used);
-    normal.diagonal() *= 1.0 + kRidge;
-    const Eigen::LLT<Eigen::MatrixXd> llt(normal);
-    const double left = squares_ - llt.matrixL().solve(rhs_.head(used)).squaredNorm();
-    noise_.freedom = static_cast<double>(data_.count()) - (dense ? unknowns : 3.0);
-    scale2 = std::max(kLeast * kLeast, left / noise_.freedom);
+/// Scatter of the stations over their sigmas by third differences, which sharp places of the datum hardly move.
+double RingModel::differencesScale() const {
+  const double norm = std::sqrt(20.0), step = kTwoPi / static_cast<double>(data_.count());
+  std::vector<double> differences;
+  for (Eigen::Index i = 3; i < data_.count(); ++i) {
+    if (data_.azimuths[i] - data_.azimuths[i - 3] > 4.5 * step) continue;  // over a gap
+    const double third = data_.z[i] - 3.0 * data_.z[i - 1] + 3.0 * data_.z[i - 2] - data_.z[i - 3];
+    differences.push_back(third / (norm * data_.sigmas[i]));
   }
+  return robustSigma(differences, 0.0);
+}
+
+/// Variance of the stations' own errors over sigmas^2: what the waves, all free, leave of many stations, or third
+/// differences where those say much less; what a plane leaves of few without sigmas.
+double RingModel::ownScale2() {
+  constexpr double kRidge = 1e-9, kLeast = 1e-6, kSharp = 2.0;
+  const bool many = dense();
+  if (!many && data_.sigmas_known) return 1.0;
+  const Eigen::Index used = many ? normal_.rows() : 3;
+  Eigen::MatrixXd normal = normal_.topLeftCorner(used, used);
+  normal.diagonal() *= 1.0 + kRidge;
+  const Eigen::VectorXd solution = normal.llt().solve(rhs_.head(used));
+  const Eigen::VectorXd left = data_.z.array() - offset_ - (design_.leftCols(used) * solution).array();
+  noise_.freedom = static_cast<double>(data_.count() - used);
+  double scale = std::sqrt(left.cwiseQuotient(data_.sigmas).squaredNorm() / noise_.freedom);
+  const double differences = many ? differencesScale() : scale;
+  if (kSharp * differences < scale) scale = differences;
+  return std::max(kLeast * kLeast, scale * scale);
+}
+
+void RingModel::estimatePriors() {
+  const bool many = dense();
+  const double scale2 = ownScale2();
   const double usual = std::sqrt(1.0 / data_.sigmas.array().square().inverse().mean());
   RingPriors priors;
-  const bool shape = dense || data_.sigmas_known;  // else residuals cannot tell shape from error
+  const bool shape = many || data_.sigmas_known;  // else residuals cannot tell shape from error
   if (shape) {
     const RingSums sums{normal_, rhs_, squares_, data_.count(), order_, scale2};
-    std::optional<double> neighbours;  // errors that stations do not show beside each other are shared ones
-    if (dense) neighbours = data_.sigmas_known ? usual * std::sqrt(std::max(0.0, 1.0 - scale2)) : 0.0;
-    priors = likeliestPriors(sums, data_.sigmas_known ? usual : usual * std::sqrt(scale2), neighbours);
+    RingBeliefs beliefs{data_.sigmas_known ? usual : usual * std::sqrt(scale2), data_.usual_wave, {}};
+    // errors that stations do not show beside each other are shared ones
+    if (many) beliefs.neighbours = data_.sigmas_known ? usual * std::sqrt(std::max(0.0, 1.0 - scale2)) : 0.0;
+    priors = likeliestPriors(sums, beliefs);
   }
   noise_.neighbours = priors.neighbours, noise_.length = priors.neighbours > 0.0 ? priors.length : 0.0;
   noise_.repeatability = std::sqrt(scale2 + std::pow(priors.neighbours / usual, 2.0));
   if (data_.sigmas_known && scale2 < 1.0) noise_.freedom = 0.0;
   noise_.scale = std::sqrt(data_.sigmas_known ? std::max(1.0, scale2) : scale2);
-  waves_ = waveVariances(priors, order_);
+  constexpr double kAllowance = 1.5;  // in variance, for waves that no power of their number describes
+  waves_ = kAllowance * waveVariances(priors, order_);
   errors_ = errorVariances(priors, order_);
   if (!shape) errors_.setZero();
 }
@@ -132,6 +167,7 @@ void RingModel::solve() {
 }
 
 Eigen::MatrixXd RingModel::covariance() const {
+  if (order_ == 0) return Eigen::MatrixXd::Zero(1, 1);
   const Eigen::Index waves = 2 * order_ + 1, all = normal_.rows();
   const Eigen::MatrixXd inverse = posterior_.solve(Eigen::MatrixXd::Identity(all, all));
   Eigen::VectorXd shares = Eigen::VectorXd::Ones(waves), own = errors_;
@@ -162,7 +198,8 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
     widths[j] = std::sqrt(freedom / squares);
   }
   Simulated result;
-  const Eigen::MatrixXd spread = posterior_.matrixU().solve(drawn(all)) * widths.asDiagonal();
+  const Eigen::MatrixXd unit = drawn(all);
+  const Eigen::MatrixXd spread = posterior_.matrixU().solve(unit) * widths.asDiagonal();
   result.truth = spread.topRows(waves);
   Eigen::VectorXd shares = Eigen::VectorXd::Ones(waves), own = errors_.cwiseSqrt();
   for (Eigen::Index j = 3; j < waves; ++j) {
@@ -177,15 +214,22 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
   seen.topRows(waves) = result.truth + errors_.cwiseSqrt().asDiagonal() * drawn(waves);
   seen.row(0).array() -= offset_;
   seen.bottomRows(all - waves) = drawn(all - waves);
-  const Eigen::MatrixXd own_errors =
-      (noise_.scale * data_.sigmas).asDiagonal() * drawn(data_.count()) * widths.asDiagonal();
-  result.survey = product(design_, seen) + own_errors;
-  const Eigen::MatrixXd weighted = data_.sigmas.array().square().inverse().matrix().asDiagonal() * result.survey;
   const double scale2 = noise_.scale * noise_.scale;
-  result.estimate = posterior_.solve(product(design_.transpose(), weighted) / scale2).topRows(waves);
+  Eigen::MatrixXd sums = product(normal_, seen) / scale2;  // of the survey, as the solution takes them
+  if (dense()) {
+    const Eigen::MatrixXd root = normal_.llt().matrixL();
+    sums += product(root, drawn(all)) * widths.asDiagonal() / noise_.scale;
+  } else {
+    const Eigen::MatrixXd own_errors =
+        (noise_.scale * data_.sigmas).asDiagonal() * drawn(data_.count()) * widths.asDiagonal();
+    result.survey = product(design_, seen) + own_errors;
+    const Eigen::VectorXd weights = data_.sigmas.array().square().inverse();
+    sums = product((weights.asDiagonal() * design_).transpose(), result.survey) / scale2;
+    result.survey.array() += offset_;
+  }
+  result.estimate = posterior_.solve(sums).topRows(waves);
   result.estimate = shares.asDiagonal() * result.estimate;
   result.estimate.row(0).array() += offset_;
-  result.survey.array() += offset_;
   return result;
 }
 

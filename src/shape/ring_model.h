@@ -16,13 +16,15 @@ struct RingData {
   Eigen::VectorXd z;          ///< [m]
   Eigen::VectorXd sigmas;     ///< of each station's own error [m]; all the same when none is known
   Eigen::MatrixXd shared;     ///< [m x n] errors that stations share
+  double usual_wave = 0.0;    ///< standard deviation of a coefficient of n = 2 before anything is seen [m]
   bool sigmas_known = false;  ///< false: from the stations' own residuals
 
   Eigen::Index count() const { return z.size(); }
 };
 
+/// @param radius      of the tank [m]
 /// @param covariance  of all stations; empty: sigma_z each
-RingData ringData(const std::vector<Station>& stations, const StationCovariance& covariance);
+RingData ringData(const std::vector<Station>& stations, double radius, const StationCovariance& covariance);
 
 /// What the errors of the stations are, beside the shared ones that the survey knows of.
 struct RingNoise {
@@ -50,21 +52,31 @@ class RingModel {
   /// Coefficients 1, a1, b1, a2, ... of the datum, given the survey, and their covariance.
   const Eigen::VectorXd& coefficients() const { return mean_; }
   Eigen::MatrixXd covariance() const;
+  /// Variance of what an error that neighbours share adds to each coefficient of a survey [m^2].
+  const Eigen::VectorXd& neighbourVariances() const { return errors_; }
 
   /// Surveys that could have been: each column a datum as likely as this survey leaves it, what the same survey of
   /// that datum would measure, and what this model would make of it.
   struct Simulated {
     Eigen::MatrixXd truth;     ///< [coefficients x draws]
     Eigen::MatrixXd estimate;  ///< [coefficients x draws]
-    Eigen::MatrixXd survey;    ///< [stations x draws] elevations [m]
+    Eigen::MatrixXd survey;    ///< [stations x draws] elevations [m]; of more than 64 stations empty
   };
   Simulated simulate(int draws, std::uint64_t seed) const;
+
+  /// Whether there are so many stations that they show their errors beside each other: more than 64.
+  bool dense() const;
+
+  /// Matrix product without Eigen's own threads, so that results do not depend on their number.
+  static Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
   /// Values of a sum of waves at azimuths: [azimuths x coefficients].
   static Eigen::MatrixXd rowsAt(const Eigen::VectorXd& azimuths, int order);
 
  private:
   void estimatePriors();
+  double ownScale2();
+  double differencesScale() const;
   void solve();
 
   RingData data_;

@@ -5,6 +5,7 @@
 
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/stations/placed_value.h"
 #include "tank_datum/stations/stations.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -24,14 +25,16 @@ std::vector<Harmonic> harmonicsOf(const std::vector<Station>& stations, double r
 
 /// Out-of-plane settlement, U = z less the tilt plane, and its trigonometric regression (API ballot 653-1012).
 struct OutOfPlane {
-  int order = 0;                                             ///< highest wave number fitted; 0: not fitted
-  double adjusted_r2 = kUnknown;                             ///< share of U's variance that the regression explains
-  double rms = kUnknown;                                     ///< of what it leaves, at the measured stations [m]
-  double max_u = kUnknown;                                   ///< largest |U| of a station [m]
-  double max_u_azimuth = kUnknown;                           ///< as the user counts it [rad]
-  double max_curvature = kUnknown;                           ///< largest |u''| of a station [1/m]
-  double sigma_curvature = kUnknown;                         ///< its standard error [1/m]
-  double max_curvature_azimuth = kUnknown;                   ///< [rad]
+  int order = 0;                            ///< highest wave number fitted; 0: not fitted
+  double adjusted_r2 = kUnknown;            ///< share of U's variance that the regression explains
+  double rms = kUnknown;                    ///< of what it leaves, at the measured stations [m]
+  double max_u = kUnknown;                  ///< largest |U| of a station [m]
+  double max_u_azimuth = kUnknown;          ///< as the user counts it [rad]
+  Interval95 u_interval;                    ///< of the largest |U| round the tank, analyse() gives it
+  double max_curvature = kUnknown;          ///< largest |u''| of a station [1/m]
+  double sigma_curvature = kUnknown;        ///< its standard error [1/m]
+  Interval95 curvature_interval;            ///< of the largest |u''| round the tank, analyse() gives it
+  double max_curvature_azimuth = kUnknown;  ///< [rad]
   std::string message = "no out-of-plane settlement known";  ///< why there is no regression; empty when there is one
 
   bool valid() const { return order > 0; }
