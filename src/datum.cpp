@@ -107,7 +107,7 @@ Datum described(Datum datum, const DatumOptions& options) {
 void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
 
 Datum meant(Datum datum, const DatumOptions& options) {
-  datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);
+  datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations, datum.covariance);
   datum.antipodal = antipodalOf(datum.stations);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {
@@ -236,7 +236,7 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
   begin("checks");
   datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis,
-                           shellMeasures(datum.shell, options.analysis.facts));
+                           shellMeasures(datum.shell, options.analysis.facts), datum.covariance);
   return datum;
 }
 

@@ -17,6 +17,7 @@
 #include "tank_datum/shape/analysis.h"
 #include "tank_datum/shape/deformation.h"
 #include "tank_datum/shell/shell_survey.h"
+#include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -78,6 +79,7 @@ struct Datum {
   ClosedSpline curve;  ///< the paper's
   Refined refined;     ///< not valid with Method::Paper
   std::vector<Station> stations;
+  StationCovariance covariance;  ///< of their z; empty: each station by itself, sigma_z
   Level level;
   Tilt tilt;
   Antipodal antipodal;
