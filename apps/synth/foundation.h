@@ -64,7 +64,7 @@ class FoundationShape {
   /// Height of the soil above the datum without its roughness; at most -0.05 below every surface where there is none.
   double soilHeight(const Heap& heap, double azimuth, double d) const;
 
-  double maskWidth() const { return mask_width_; }  ///< the ground begins here, from the shell [m]
+  double maskWidth() const { return mask_width_; }  ///< the ground begins here, from the shell or the circle [m]
   double width() const { return width_; }           ///< outermost edge, from the shell [m]
   const ValueNoise& noise() const { return noise_; }
   const std::vector<Patch>& patches() const { return patches_; }

@@ -81,7 +81,6 @@ void FoundationShape::addProfile(double depth) {
     addPlate();
     f.kind == "crown" ? addCrown(depth) : addRingwall(depth);
   }
-  if (f.concentric) mask_width_ -= tank_.footDeviation();  // the ground goes on below the edge
   if (f.weld == 0.0) return;
   band(Surface::Weld, 0.0, f.weld, f.weld + noise_.bound(), -noise_.bound()).rough = false;
 }
