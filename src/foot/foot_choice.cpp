@@ -16,16 +16,21 @@ constexpr double kNone = 2.5;      // cost of choosing nothing at a place, in wh
 constexpr double kEnterGap = 0.5;  // of going from something to nothing or back
 constexpr double kStepCost = 4.0;  // of a step between neighbours
 
+/// What the better places of the ring show: how near to the shell a stretch begins, and its noise [m].
+struct Usual {
+  double from, noise;
+};
+
 /// What speaks against a stretch, 0 for none.
-double costOf(const FootCandidate& c, double usual_noise, double reach) {
-  constexpr double kGap = 0.1;          // of the reach: a stretch that begins there may have lost its inner part
+double costOf(const FootCandidate& c, const Usual& usual, double reach) {
+  constexpr double kGap = 0.05;         // of the reach: a stretch that begins so much further out than usual
   constexpr double kUsualSlope = 0.05;  // [m/m]
   constexpr double kShellBelow = 0.01;  // of the reach: shell seen that far below the stretch shows that it ends before
   constexpr double kHidden = 0.2;       // of the reach: a shell seen no further down is hidden by something
-  double cost = c.from / (kGap * reach);
+  double cost = std::max(0.0, c.from - usual.from) / (kGap * reach);
   const double steep = std::max(0.0, std::abs(c.slope) - 2.0 * c.sigma_slope) / kUsualSlope;
   cost += 0.5 * steep * steep;
-  cost += std::max(0.0, std::log2(c.noise / usual_noise) - 1.0);
+  cost += std::max(0.0, std::log2(c.noise / usual.noise) - 1.0);
   if (c.over_foot > kShellBelow * reach + 3.0 * c.error) cost += c.over_foot / (kShellBelow * reach);
   if (c.over_foot < -kHidden * reach) cost += 1.0;
   return cost;
@@ -36,7 +41,7 @@ double usualDifference(const FootCandidate& a, const FootCandidate& b, double ar
   constexpr double kClimb = 0.004;  // of a datum along its shell over a short arc [m/m]
   constexpr double kShort = 4.0;    // reaches
   constexpr double kFar = 0.001;    // and over a long one [m/m]
-  constexpr double kLeast = 0.004;  // of the reach
+  constexpr double kLeast = 0.03;   // of the reach: lip, ringwall and crown are told apart by their sections
   return kClimb * std::min(arc, kShort * reach) + kFar * arc + kLeast * reach + std::hypot(a.error, b.error);
 }
 
@@ -125,12 +130,13 @@ std::vector<Run> runsOf(const Ring& ring, const Choice& choice) {
 }  // namespace
 
 std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, double arc, double reach) {
-  std::vector<double> noises;
+  std::vector<double> noises, beginnings;
   for (const auto& place : places) {
     for (const FootCandidate& c : place) noises.push_back(c.noise);
+    if (!place.empty()) beginnings.push_back(place.front().from);
   }
   if (noises.empty()) return Choice(places.size());
-  const double usual = std::max(quantile(noises, 0.25), 1e-7);
+  const Usual usual{quantile(beginnings, 0.25), std::max(quantile(noises, 0.25), 1e-7)};
   Ring ring{places, {}, arc, reach};
   for (const auto& place : places) {
     ring.costs.emplace_back();

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
 #include "foot/foot_choice.h"
@@ -36,6 +37,23 @@ std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, d
   }
 }
 
+/// The elevation of a station's own points just outside the weld, of those about the stretch that was chosen; the
+/// stretch's where they are few.
+double guessAt(const std::vector<FootPoint>& points, double chosen, double near, double reach) {
+  constexpr std::size_t kFew = 5, kPlenty = 50;
+  constexpr double kAbout = 0.06;  // of the reach: what is further off is another thing
+  std::vector<double> heights;
+  const auto beside = std::count_if(points.begin(), points.end(), [&](const FootPoint& p) { return p.d >= near; });
+  if (static_cast<std::size_t>(beside) < kPlenty) return chosen;
+  for (double to = near + 0.1 * reach; heights.size() < kFew && to < reach; to += 0.1 * reach) {
+    heights.clear();
+    for (const FootPoint& p : points) {
+      if (p.d >= near && p.d <= to && std::abs(p.z - chosen) < kAbout * reach) heights.push_back(p.z);
+    }
+  }
+  return heights.size() < kFew ? chosen : median(heights);
+}
+
 /// Stations within a few degrees of one where something was believed.
 std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
   constexpr double kClose = 3.0 * kPi / 180.0;
@@ -67,10 +85,11 @@ std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& sc
   });
   const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
   const auto choice = chooseRoundRing(candidates, arc, foot.reach);
+  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
   std::vector<double> datum(count, kUnknown);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = std::min(places - 1, i / stride);
-    if (choice[k]) datum[i] = candidates[k][*choice[k]].height;
+    if (choice[k]) datum[i] = guessAt(foot.points[i], candidates[k][*choice[k]].height, near, foot.reach);
   }
   foot.believed = closeTo(datum, 2.0 * foot.half_step);
   foot.datum = filledUp(runningMedian(datum, 3));

@@ -63,17 +63,38 @@ void learnWide(const Foot& foot, const FootSections& sections, FootPriors& prior
   }
 }
 
+/// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
+/// more than their errors explain (empirical Bayes).
+void drawTogether(const std::vector<SeriesValue>& series, std::vector<SeriesValue>& smooth) {
+  std::vector<double> values, variances;
+  for (const SeriesValue& v : series) {
+    if (!std::isfinite(v.value)) continue;
+    values.push_back(v.value);
+    variances.push_back(v.sigma * v.sigma);
+  }
+  if (values.size() < 6) return;
+  const double ring = median(values), scatter = robustSigma(values, ring);
+  const double own = std::max(1e-12, scatter * scatter - median(variances));
+  for (SeriesValue& v : smooth) {
+    if (!std::isfinite(v.value)) continue;
+    const double weight = own / (own + v.sigma * v.sigma);
+    v.value = weight * v.value + (1.0 - weight) * ring;
+    v.sigma *= std::sqrt(weight);
+  }
+}
+
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // what blends and roughness do to the slope of a lip [m/m]
-  constexpr std::size_t kWidest = 12;
+  constexpr std::size_t kWidest = 4;
   const Slopes found = fitSlopes(foot, sections, 72, kHalfWindow, kLipSlope, priors.sigma_bend);
   std::vector<SeriesValue> series;
   for (const FootFit& fit : found.fits) {
     series.push_back({fit.valid() ? fit.slope : NAN, fit.valid() ? std::max(fit.sigma_slope, 1e-6) : NAN, 1.0});
   }
-  const std::vector<SeriesValue> smooth = smoothed(series, kWidest);
+  std::vector<SeriesValue> smooth = smoothed(series, kWidest);
+  drawTogether(series, smooth);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const std::size_t k = i / found.stride, next = (k + 1) % smooth.size();
     const double share = static_cast<double>(i - k * found.stride) / static_cast<double>(found.stride);

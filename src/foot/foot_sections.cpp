@@ -44,11 +44,14 @@ FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members,
   return stackProfile(points, levels, scales);
 }
 
-/// Whether a section of an arc shows the surface that the whole ring's does, and no heap that lies on it.
-bool isAlike(const FootProfile& arc, const FootProfile& whole) {
+/// Whether a section of an arc shows the surface that the whole ring's does: not a heap that lies on it, nor what lies
+/// behind it where the arc has too few points on it.
+bool isAlike(const FootProfile& arc, const FootProfile& whole, double reach) {
   constexpr double kSlope = 0.08;  // of lips, which lean more than wide surfaces do [m/m]
   constexpr double kNoise = 2.5;
-  return arc.valid() && arc.noise < kNoise * whole.noise && std::abs(arc.slope - whole.slope) < kSlope;
+  constexpr double kLevel = 0.004;  // of the reach
+  return arc.valid() && arc.noise < kNoise * whole.noise && std::abs(arc.slope - whole.slope) < kSlope &&
+         std::abs(arc.offset - whole.offset) < kLevel * reach;
 }
 
 }  // namespace
@@ -69,7 +72,7 @@ FootSections stackSections(const Foot& foot, const std::vector<double>& datum, c
     const std::vector<std::size_t> members = arcAround(foot, middle, datum);
     FootProfile& arc = sections.arcs[k];
     arc = members.empty() ? whole : sectionOf(foot, members, datum, scales);
-    if (!isAlike(arc, whole)) arc = whole;
+    if (!isAlike(arc, whole, foot.reach)) arc = whole;
     arc.band_from = std::max(arc.band_from, whole.band_from);
     if (arc.band_to <= arc.band_from) arc = whole;
   });
