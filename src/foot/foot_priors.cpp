@@ -4,8 +4,10 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
+#include "foot/foot_check.h"
 #include "foot/foot_state.h"
 #include "tank_datum/core/parallel.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -63,9 +65,23 @@ void learnWide(const Foot& foot, const FootSections& sections, FootPriors& prior
   }
 }
 
+/// The most that range noise may make a surface seem to lean: it moves a point along its slanting ray, in d and z
+/// together, and so draws the slope to that of the ray where the points' density ends within the surface. How much of
+/// the scatter in z is range noise and how much is roughness, which does nothing of the kind, cannot be told.
+/// @param shell_noise  which is the range noise in d [m]
+double feignedLean(const FootFit& fit, double shell_noise) {
+  const double spread = fit.noise / fit.sigma_slope;  // square root of the sum of squares of d [m]
+  return shell_noise * fit.noise * static_cast<double>(fit.points) / (spread * spread);
+}
+
+/// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do.
+struct Expected {
+  double slope, tolerance;
+};
+
 /// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
 /// more than their errors explain (empirical Bayes).
-void drawTogether(const std::vector<SeriesValue>& series, std::vector<SeriesValue>& smooth) {
+void drawTogether(const std::vector<SeriesValue>& series, const Expected& expected, std::vector<SeriesValue>& smooth) {
   std::vector<double> values, variances;
   for (const SeriesValue& v : series) {
     if (!std::isfinite(v.value)) continue;
@@ -73,7 +89,9 @@ void drawTogether(const std::vector<SeriesValue>& series, std::vector<SeriesValu
     variances.push_back(v.sigma * v.sigma);
   }
   if (values.size() < 6) return;
-  const double ring = median(values), scatter = robustSigma(values, ring);
+  double ring = median(values);
+  const double scatter = robustSigma(values, ring);
+  if (std::abs(ring - expected.slope) < expected.tolerance) ring = expected.slope;
   const double own = std::max(1e-12, scatter * scatter - median(variances));
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
@@ -83,18 +101,36 @@ void drawTogether(const std::vector<SeriesValue>& series, std::vector<SeriesValu
   }
 }
 
+/// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
+void widen(std::vector<SeriesValue>& series) {
+  std::vector<FootFit> fits(series.size());
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    if (std::isfinite(series[k].value)) fits[k].z = series[k].value, fits[k].sigma = series[k].sigma;
+  }
+  const double common = commonSigma(fits, 1);
+  for (SeriesValue& v : series) v.sigma = std::hypot(v.sigma, common);
+}
+
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
-  constexpr double kLeastSigma = 0.003;  // what blends and roughness do to the slope of a lip [m/m]
+  constexpr double kLeastSigma = 0.001;           // what blends and roughness do to the slope of a lip [m/m]
+  constexpr double kDoubt = 0.1, kFeigned = 0.6;  // of the largest lean that range noise may feign
   constexpr std::size_t kWidest = 4;
   const Slopes found = fitSlopes(foot, sections, 72, kHalfWindow, kLipSlope, priors.sigma_bend);
   std::vector<SeriesValue> series;
+  std::vector<double> feigned;
   for (const FootFit& fit : found.fits) {
-    series.push_back({fit.valid() ? fit.slope : NAN, fit.valid() ? std::max(fit.sigma_slope, 1e-6) : NAN, 1.0});
+    series.push_back({kUnknown, kUnknown, 1.0});
+    if (!fit.valid()) continue;
+    feigned.push_back(feignedLean(fit, 0.25 * sections.whole.blur));
+    series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
   }
+  if (feigned.empty()) return;
+  widen(series);
+  const double doubt = median(feigned), least = std::hypot(kLeastSigma, kDoubt * doubt);
   std::vector<SeriesValue> smooth = smoothed(series, kWidest);
-  drawTogether(series, smooth);
+  drawTogether(series, {sections.whole.slope, kFeigned * doubt}, smooth);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const std::size_t k = i / found.stride, next = (k + 1) % smooth.size();
     const double share = static_cast<double>(i - k * found.stride) / static_cast<double>(found.stride);
@@ -102,7 +138,7 @@ void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& pri
     if (!left && !right) continue;
     const SeriesValue &a = smooth[left ? k : next], &b = smooth[right ? next : k];
     priors.slope[i] = (1.0 - share) * a.value + share * b.value;
-    priors.sigma_slope[i] = std::hypot(kLeastSigma, (1.0 - share) * a.sigma + share * b.sigma);
+    priors.sigma_slope[i] = std::hypot(least, (1.0 - share) * a.sigma + share * b.sigma);
   }
 }
 
@@ -122,6 +158,7 @@ FootPriors learnPriors(const Foot& foot, const FootSections& sections) {
   priors.slope.assign(foot.directions.size(), sections.whole.slope);
   priors.sigma_slope.assign(foot.directions.size(), narrow ? kLipSlope : kWideSlope);
   priors.sigma_bend = kHighestWave / foot.radius;
+  priors.settled = narrow;
   narrow ? learnNarrow(foot, sections, priors) : learnWide(foot, sections, priors);
   return priors;
 }

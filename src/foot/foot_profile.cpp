@@ -213,9 +213,13 @@ FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, co
   const bool plate = profile.surface == Surface::AnnularPlate;
   profile.slope = plate ? slopeBeyond(profile, last, scales.reach) : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
-  // a lip that leans by more than blends make it seem to is levelled by its own slope, to find where it is plain
-  if (plate && std::abs(own.slope - profile.slope) > kPlainLean) profile.slope = own.slope;
-  const Plateau plateau = findPlateau(profile, first, last);
+  Plateau plateau = findPlateau(profile, first, last);
+  if (plate) {  // one that leans is plain along its own slope only
+    FootProfile leaning = profile;
+    leaning.slope = own.slope;
+    const Plateau wider = findPlateau(leaning, first, last);
+    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = own.slope;
+  }
   profile.offset = plateau.offset;
   profile.misfit = plateau.misfit;
   profile.band_from = static_cast<double>(plateau.first) * profile.bin;

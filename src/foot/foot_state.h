@@ -45,6 +45,7 @@ FootSections stackSections(const Foot& foot, const std::vector<double>& datum, c
 struct FootPriors {
   std::vector<double> slope, sigma_slope;  ///< [m/m]
   double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
+  bool settled = false;                    ///< a station's own points have no more to say about its slope
 
   FootPrior at(std::size_t station) const;
 };

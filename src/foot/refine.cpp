@@ -26,19 +26,24 @@ constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 
 
 /// Windows grow by borrowing from the neighbours until the standard error is what was asked for: that of the level,
 /// since the neighbours' points say no more about the slope than the prior does.
-FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPrior& prior,
-                   double slope) {
-  constexpr double kWidestAngle = 10.0 * kPi / 180.0;  // of a curve that a parabola still follows
-  constexpr double kKnownSlope = 0.003;                // [m/m]
+FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPriors& priors) {
+  constexpr double kWidestAngle = 10.0 * kPi / 180.0;     // of a curve that a parabola still follows
+  constexpr double kKnownSlope = 0.003, kSettled = 1e-4;  // [m/m]
+  const FootPrior prior = priors.at(station);
+  const double slope = priors.slope[station];
   const double azimuth = foot.directions[station], datum = foot.datum[station];
   const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
   FootPrior level = prior;
-  level.sigma_slope = std::min(prior.sigma_slope, kKnownSlope);
+  level.sigma_slope = priors.settled ? kSettled : std::min(prior.sigma_slope, kKnownSlope);
   for (double half = foot.half_step;; half *= 1.4) {
     const auto points = foot.ring.around(azimuth, half, datum, foot.reach);
     FootFit fit = fitFoot(points, profile, datum + profile.offset, slope, level);
     if (fit.sigma < foot.options.wanted_sigma || half > widest) {
-      fit = fitFoot(points, profile, datum + profile.offset, slope, prior);
+      if (priors.settled) {
+        fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
+      } else {
+        fit = fitFoot(points, profile, datum + profile.offset, slope, prior);
+      }
       fit.half_width = half;
       return fit;
     }
@@ -48,7 +53,7 @@ FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& pro
 std::vector<FootFit> fitStations(const Foot& foot, const FootSections& sections, const FootPriors& priors) {
   std::vector<FootFit> fits(foot.directions.size());
   forEachIndex(fits.size(), 0, [&](std::size_t i) {
-    if (foot.believed[i]) fits[i] = fitStation(foot, i, sections.at(i), priors.at(i), priors.slope[i]);
+    if (foot.believed[i]) fits[i] = fitStation(foot, i, sections.at(i), priors);
   });
   return fits;
 }
