@@ -9,6 +9,7 @@
 #include "point_hash.h"
 #include "ring_shape.h"
 #include "shell_bands.h"
+#include "stray_points.h"
 #include "tank_datum/voxel_sample.h"
 #include "units.h"
 
@@ -99,6 +100,11 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   };
   ring.counts = scan.forEachChosen(choose, threads, keep, rowStride(scan, tank, options));
   ring.points = share.take();
+  if (tank.strays) {
+    const double finest = 1e-4 * tank.circle.radius;
+    const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
+    if (holdsStrays(sample)) ring.points = withoutStrays(ring.points, closingEdge(sample));
+  }
   if (ring.points.size() <= options.search_points) {
     ring.search = ring.points;
     return ring;

@@ -6,7 +6,9 @@
 #include <iterator>
 
 #include "circle_search.h"
+#include "point_extent.h"
 #include "ring_shape.h"
+#include "stray_points.h"
 #include "tank_datum/parallel.h"
 #include "tank_datum/statistics.h"
 #include "tank_datum/voxel_sample.h"
@@ -23,6 +25,7 @@ constexpr double kShortOfRingwall = 0.075;  // half of the way to the face of th
 struct Sample {
   Points points;
   double voxel = 0;
+  bool strays = false;  ///< there were many, and are no more
 };
 
 /// A tank needs no more than every n-th point to be found; n is odd, since rows of a scan often have even lengths.
@@ -31,17 +34,32 @@ std::uint64_t strideOf(const Scan& scan) {
   return scan.size() / kLookedAt | 1U;
 }
 
+/// About every n-th point of the scan, without those that no surface returned.
+Points lookAt(const Scan& scan, int threads) {
+  Points points = scan.everyNth(strideOf(scan), threads);
+  dropNoReturns(points, -scan.origin());
+  return points;
+}
+
 /// The scan thinned to a ladder of voxels, from where the densest surfaces just close (a tenth of the voxels hold two
-/// points) to half of the smallest radius, and at least three rungs. Which rung shows a tank best depends on how much
-/// denser it was scanned than what stands around it.
+/// points) to an eighth of the smallest diameter or, where a tank may be larger than it need be, to a small part of the
+/// scan, and at least three rungs. Which rung shows a tank best depends on how much denser it was scanned than what
+/// stands around it.
 std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& options, int threads) {
-  VoxelSample sample(looked_at, options.sample_points, std::max(0.001, options.min_radius / 250.0), threads);
+  constexpr double kSmallPart = 1.0 / 60.0;  // of the scan's reach: tanks fill a good part of their scan
   std::vector<Sample> samples;
+  if (looked_at.empty()) return samples;
+  const double coarsest = std::max(0.25 * options.min_radius, kSmallPart * extentOf(looked_at).reach);
+  const double finest = options.min_radius / 250.0;
+  VoxelSample sample(looked_at, options.sample_points, finest, threads);
+  const bool strays = holdsStrays(sample);
+  if (strays)
+    sample = VoxelSample(withoutStrays(looked_at, closingEdge(sample)), options.sample_points, finest, threads);
   for (; sample.size() > 50; sample.coarsen()) {
     const double share = sample.shareHolding(2);
     // where most voxels hold several points, one that holds a single one is a stray beam
-    if (share >= 0.1) samples.push_back({sample.points(share >= 0.5 ? 2 : 1), sample.voxel()});
-    if (samples.size() >= 3 && sample.voxel() > 0.25 * options.min_radius) break;
+    if (share >= 0.1) samples.push_back({sample.points(share >= 0.5 ? 2 : 1), sample.voxel(), strays});
+    if (samples.size() >= 3 && sample.voxel() > coarsest) break;
   }
   return samples;
 }
@@ -95,6 +113,7 @@ Tank describe(const Sample& sample, const Circle& circle, double rms) {
   tank.circle = circle;
   tank.rms = rms;
   tank.resolution = sample.voxel;
+  tank.strays = sample.strays;
   auto sectors = sectorsOf(sample.points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
   const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
   std::vector<double> azimuths, feet, heights;
@@ -196,7 +215,7 @@ std::string firstError(const LocateOptions& options) {
 }
 
 std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads) {
-  const Points looked_at = scan.everyNth(strideOf(scan), threads);
+  const Points looked_at = lookAt(scan, threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
   std::vector<std::vector<Tank>> found(samples.size());
   forEachIndex(samples.size(), threads, [&](std::size_t i) { found[i] = tanksOf(samples[i], options); });
@@ -210,7 +229,7 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, in
 }
 
 std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads) {
-  const Points looked_at = scan.everyNth(strideOf(scan), threads);
+  const Points looked_at = lookAt(scan, threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
   if (samples.empty()) return std::nullopt;
   const Sample& sample = samples.front();

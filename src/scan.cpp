@@ -2,27 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "point_extent.h"
 #include "scan_source.h"
 #include "tank_datum/error.h"
 
 namespace tank_datum {
 namespace {
 
-/// The first finite point in whole metres, however many others come before it; zero if there is none.
+/// The first of the points that lies among them and not at zero, where scanners write what did not return; nothing when
+/// all are there.
+std::optional<Eigen::Vector3d> firstAmong(Points points) {
+  const auto is_zero = [](const Eigen::Vector3d& p) { return p.isZero(0.0); };
+  points.erase(std::remove_if(points.begin(), points.end(), is_zero), points.end());
+  if (points.empty()) return std::nullopt;
+  const Extent extent = extentOf(points);
+  return *std::find_if(points.begin(), points.end(), [&extent](const auto& p) { return extent.holds(p); });
+}
+
+/// The first finite point that is one of the scan, however many others come before it; zero if there is none.
 Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>>& sources) {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  bool found = false;
+  std::optional<Eigen::Vector3d> origin;
   for (const auto& source : sources) {
-    if (found) break;
+    if (origin) break;
     source->visit(Eigen::Vector3d::Zero(), [&](const Points& block) {
-      origin = block.front().array() + 0.0;  // + 0.0: no negative zero in the outputs
-      found = true;
-      return false;
+      origin = firstAmong(block);
+      return !origin;
     });
   }
-  return origin;
+  return origin ? Eigen::Vector3d(origin->array() + 0.0)  // + 0.0: no negative zero in the outputs
+                : Eigen::Vector3d::Zero();
 }
 
 }  // namespace

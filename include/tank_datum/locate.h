@@ -35,6 +35,7 @@ struct Tank {
   PeriodicFit foot;             ///< shell foot against azimuth [m], coarse
   double resolution = 0.0;      ///< spacing of the sample the figures come from [m]
   bool has_foundation = false;  ///< a surface was seen that meets the foot
+  bool strays = false;          ///< a good part of the scan's points float in the air, and are not to be fitted
   double near_foot = 0.0;       ///< share of the scan's rows within kNear of the foot, in radius and height
 
   static constexpr double kNear = 0.5;  ///< [m]
