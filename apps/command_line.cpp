@@ -7,16 +7,16 @@
 #include <sstream>
 
 #include "analysis_options.h"
+#include "core/length_units.h"
+#include "core/units.h"
 #include "exit_status.h"
 #include "movement_options.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
-#include "units_of_scans.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr int kProfilePoints = 90;  // a station's section is plain with them, and 360 of them take 300 kB
 
 const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"paper", Method::Paper}};

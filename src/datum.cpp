@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <sstream>
 
+#include "core/refusal.h"
 #include "datum_stages.h"
-#include "refusal.h"
-#include "shell_measures.h"
-#include "survey_shell.h"
-#include "tank_datum/error.h"
+#include "shell/shell_measures.h"
+#include "shell/shell_survey_impl.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
@@ -131,6 +131,26 @@ std::string firstError(const DatumOptions& options) {
   if (options.pick < 1) return "pick = " + std::to_string(options.pick) + " (must be >= 1)";
   if (options.threads < 0) return "threads = " + std::to_string(options.threads) + " (must be >= 0)";
   return {};
+}
+
+const char* nameOf(Status status) {
+  switch (status) {
+    case Status::NotRun:
+      return "not_run";
+    case Status::Ok:
+      return "ok";
+    case Status::Partial:
+      return "partial";
+    case Status::NoTank:
+      return "no_tank";
+    case Status::NoCrease:
+      return "no_crease";
+    case Status::TooFewPoints:
+      return "too_few_points";
+    case Status::FitFailed:
+      return "fit_failed";
+  }
+  return "";
 }
 
 const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "background_records.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::bench {
 namespace {

@@ -1,0 +1,112 @@
+#include "tank_datum/io/scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "io/point_extent.h"
+#include "io/scan_source.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+/// The first of the points that lies among them and not at zero, where scanners write what did not return; nothing when
+/// all are there.
+std::optional<Eigen::Vector3d> firstAmong(Points points) {
+  const auto is_zero = [](const Eigen::Vector3d& p) { return p.isZero(0.0); };
+  points.erase(std::remove_if(points.begin(), points.end(), is_zero), points.end());
+  if (points.empty()) return std::nullopt;
+  const Extent extent = extentOf(points);
+  return *std::find_if(points.begin(), points.end(), [&extent](const auto& p) { return extent.holds(p); });
+}
+
+/// The first finite point that is one of the scan, however many others come before it; zero if there is none.
+Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>>& sources) {
+  std::optional<Eigen::Vector3d> origin;
+  for (const auto& source : sources) {
+    if (origin) break;
+    source->visit(Eigen::Vector3d::Zero(), [&](const Points& block) {
+      origin = firstAmong(block);
+      return !origin;
+    });
+  }
+  return origin ? Eigen::Vector3d(origin->array() + 0.0)  // + 0.0: no negative zero in the outputs
+                : Eigen::Vector3d::Zero();
+}
+
+}  // namespace
+
+Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit) {
+  if (paths.empty()) throw Error(Error::Kind::Option, "io", "scans", "none", "at least one file");
+  if (!(metres_per_unit > 0.0 && std::isfinite(metres_per_unit))) {
+    throw Error(Error::Kind::Option, "io", "metres_per_unit", std::to_string(metres_per_unit), "a number > 0");
+  }
+  Scan scan;
+  scan.paths_ = paths;
+  for (const std::string& path : paths) scan.sources_.push_back(pcdSource(path, metres_per_unit));
+  scan.origin_ = findOrigin(scan.sources_);
+  return scan;
+}
+
+Scan Scan::fromPoints(const Points& points) {
+  const auto kept = std::make_shared<const Points>(points);
+  return fromRows(kept->size(), [kept](std::uint64_t i) { return (*kept)[i]; });
+}
+
+Scan Scan::fromRows(std::uint64_t rows, Row row) {
+  Scan scan;
+  scan.sources_.push_back(arraySource(rows, std::move(row)));
+  scan.origin_ = findOrigin(scan.sources_);
+  return scan;
+}
+
+ScanCounts Scan::forEachBlock(const Visitor& visit) const {
+  ScanCounts total;
+  for (const auto& source : sources_) {
+    total += source->visit(origin_, [&](const Points& block) {
+      visit(block);
+      return true;
+    });
+  }
+  return total;
+}
+
+double Scan::coordinateStep() const {
+  double step = 0.0;
+  for (const auto& source : sources_) step = std::max(step, source->coordinateStep(origin_));
+  return step;
+}
+
+ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n) const {
+  if (n < 1) throw Error(Error::Kind::Option, "io", "n of the rows looked at", "0", "at least 1");
+  ScanCounts total;
+  std::uint64_t block = 0;
+  for (const auto& source : sources_) {
+    source->choose(origin_, {choose, n}, threads, block, [&](const ScanCounts& read, const Points& chosen) {
+      total += read;
+      if (!chosen.empty()) visit(chosen);
+      if (progress_) progress_(total.points);
+    });
+  }
+  return total;
+}
+
+Points Scan::everyNth(std::uint64_t n, int threads) const {
+  Points all;
+  all.reserve(std::min<std::uint64_t>(size() / std::max<std::uint64_t>(1, n) + 1,
+                                      4'000'000));  // a header may promise more than there is
+  const auto choose = [](std::uint64_t, const Points& points, Points& chosen) { chosen = points; };
+  forEachChosen(
+      choose, threads, [&](const Points& chosen) { all.insert(all.end(), chosen.begin(), chosen.end()); }, n);
+  return all;
+}
+
+std::uint64_t Scan::size() const {
+  std::uint64_t rows = 0;
+  for (const auto& source : sources_) rows += source->size();
+  return rows;
+}
+
+}  // namespace tank_datum
