@@ -64,6 +64,11 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_option("--fit-points", o.crop.fit_points, "of more points in the ring an even share is kept for the fits")
       ->check(CLI::PositiveNumber);
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
+  app.add_flag("--accept", o.accept, "take a doubtful tank for one: message says which test it fails");
+  app.add_option("--up", command.up, "the axis of the scan that is up; results are in the frame turned so")
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
+  app.add_flag("--level", o.level, "turn the scan so that the shell stands upright; results are in that frame")
+      ->excludes(all);
   app.add_option("--units", command.units, "units of the input")->check(CLI::IsMember(kUnits));
   app.add_option("--baseline", command.baseline, "datum.json of an earlier survey: movement since then");
   addMovementOptions(app, command.movement, typed.movement);

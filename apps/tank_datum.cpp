@@ -3,7 +3,9 @@
 
 #include "background_records.h"
 #include "command_line.h"
+#include "datum_stages.h"
 #include "exit_status.h"
+#include "io/up_axis.h"
 #include "results/manifest.h"
 #include "results/output_file.h"
 #include "results/result_folder.h"
@@ -43,11 +45,16 @@ std::vector<Datum> extract(const Command& command, const std::optional<Baseline>
   const double metres = command.metresPerUnit();
   if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.options)};
   Scan scan = Scan::open(command.scans, metres);
+  if (command.up != "z") scan = scan.turned(upRotation(command.up));
   scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
   const std::vector<Tank> tanks = findTanks(scan, command.options, observer);
   if (baseline) requireAmong(tanks, scan.origin(), *baseline);
   if (command.all) return extractDatumsOf(tanks, scan, command.options, observer);
-  return {extractDatumAmong(tanks, scan, command.options, observer)};
+  const Datum datum = extractDatumAmong(tanks, scan, command.options, observer);
+  if (!command.options.level || !datum.lean.known()) return {datum};
+  DatumOptions upright = command.options;
+  upright.level = false;
+  return {extractDatum(levelled(scan, datum), upright, observer)};
 }
 
 /// The movement of one of several tanks; of those that are not the baseline's it says so.

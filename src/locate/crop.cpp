@@ -9,6 +9,7 @@
 #include "core/point_hash.h"
 #include "core/units.h"
 #include "locate/ring_shape.h"
+#include "locate/stray_points.h"
 #include "search/voxel_sample.h"
 
 namespace tank_datum {
@@ -97,6 +98,11 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   };
   ring.counts = scan.forEachChosen(choose, threads, keep, rowStride(scan, tank, options));
   ring.points = share.take();
+  if (tank.strays) {
+    const double finest = 1e-4 * tank.circle.radius;
+    const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
+    if (holdsStrays(sample)) ring.points = withoutStrays(ring.points, closingEdge(sample));
+  }
   if (ring.points.size() <= options.search_points) {
     ring.search = ring.points;
     return ring;

@@ -78,7 +78,7 @@ void writeResults(const std::string& folder, const Datum& datum, const Provenanc
   writeText(folder + "/datum.json", datumJson(datum, provenance));
   writeText(folder + "/stations.csv", stationsCsv(datum));
   writeText(folder + "/shell.csv", shellCsv(datum.shell));
-  if (!datum.usable()) return;
+  if (!datum.hasStations()) return;
   Points curve;
   for (const Station& s : datum.stations) {
     if (s.flag != StationFlag::Missing) curve.emplace_back(s.x, s.y, s.z);
