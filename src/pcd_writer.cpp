@@ -131,7 +131,8 @@ void requireReplaceable(const std::string& path) {
                   "a file, or the name of a new one");
 }
 
-PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format)
+PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format,
+                     const std::array<double, 3>& viewpoint)
     : path_(std::move(path)), temporary_(temporaryName(path_)), fields_(std::move(fields)), format_(format) {
   checkFields(fields_);
   requireReplaceable(path_);
@@ -145,7 +146,12 @@ PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format form
   std::string header = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + names + "\n" + sizes + "\n" +
                        types + "\n" + counts + "\nWIDTH ";
   width_at_ = static_cast<std::streamoff>(header.size());
-  header += paddedCount(0) + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS ";
+  header += paddedCount(0) + "\nHEIGHT 1\nVIEWPOINT ";
+  for (const double at : viewpoint) {
+    appendAscii(at, header);
+    header += ' ';
+  }
+  header += "1 0 0 0\nPOINTS ";
   points_at_ = static_cast<std::streamoff>(header.size());
   header += paddedCount(0) + (format_ == Format::Ascii ? "\nDATA ascii\n" : "\nDATA binary\n");
 

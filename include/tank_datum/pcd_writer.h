@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <string>
@@ -22,8 +23,10 @@ class PcdWriter {
  public:
   enum class Format { Ascii, Binary };
 
+  /// @param viewpoint  where the scanner stood, in the frame and units of the rows; zero: unknown
   /// @throws Error (File) when the file cannot be made
-  PcdWriter(std::string path, std::vector<PcdField> fields, Format format = Format::Binary);
+  PcdWriter(std::string path, std::vector<PcdField> fields, Format format = Format::Binary,
+            const std::array<double, 3>& viewpoint = {});
   ~PcdWriter();
   PcdWriter(const PcdWriter&) = delete;
   PcdWriter& operator=(const PcdWriter&) = delete;
