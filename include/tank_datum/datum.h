@@ -17,6 +17,7 @@
 #include "tank_datum/scan.h"
 #include "tank_datum/shell_survey.h"
 #include "tank_datum/spline.h"
+#include "tank_datum/station_covariance.h"
 #include "tank_datum/stations.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -75,6 +76,7 @@ struct Datum {
   ClosedSpline curve;  ///< the paper's
   Refined refined;     ///< not valid with Method::Paper
   std::vector<Station> stations;
+  StationCovariance covariance;  ///< of their z; empty: each station by itself, sigma_z
   Level level;
   Tilt tilt;
   Antipodal antipodal;
