@@ -10,6 +10,8 @@
 #include "shell_measures.h"
 #include "survey_shell.h"
 #include "tank_datum/error.h"
+#include "tank_datum/setups/agreement.h"
+#include "tank_datum/setups/setup_shares.h"
 
 namespace tank_datum {
 namespace {
@@ -60,6 +62,11 @@ Datum withoutTank(const Scan& scan, const DatumOptions& options) {
 void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
   datum.refined = refineStations(datum.stations, ring, datum.tank, options.refine, options.stations);
   datum.circle = datum.refined.circle;
+  if (!datum.refined.valid()) return;
+  const FootProfile& profile = datum.refined.profile;
+  const FoundationBand band{profile.band_from, profile.band_to, profile.slope, profile.noise};
+  const SetupShares shares = setupShares(ring, datum.tank, datum.stations, datum.circle.center, band);
+  datum.covariance = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
 }
 
 /// A missing station keeps its place on the fitted circle, and nothing else.
@@ -120,8 +127,9 @@ Datum meant(Datum datum, const DatumOptions& options) {
 std::string firstError(const DatumOptions& options) {
   for (const std::string& error :
        {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
-        firstError(options.centre_filter), firstError(options.spline), firstError(options.refine),
-        firstError(options.stations), firstError(options.analysis), firstError(options.shell)}) {
+        firstError(options.centre_filter), firstError(options.spline), firstError(options.setups),
+        firstError(options.refine), firstError(options.stations), firstError(options.analysis),
+        firstError(options.shell)}) {
     if (!error.empty()) return error;
   }
   if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
@@ -187,8 +195,11 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   const AlsoGathered shell{
       [&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
       [&bands](const Points& block) { bands.add(block); }};
-  const Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
+  Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
   datum.counts = ring.counts;
+  begin("setups");
+  datum.agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
+  if (datum.agreement.adjusted()) thinForSearch(ring, tank, options.crop, options.threads);
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }

@@ -30,6 +30,8 @@ struct Ring {
   std::vector<std::uint16_t>
       point_setups;  ///< of each point the index of its setup; empty when there is one setup only
 
+  /// How many setups the points can be told apart by.
+  std::size_t setupCount() const { return point_setups.empty() ? 1 : setups.size(); }
   /// Index of a point's setup.
   std::uint16_t setupOf(std::size_t point) const {
     return point_setups.empty() ? std::uint16_t{0} : point_setups[point];

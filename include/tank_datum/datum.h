@@ -15,6 +15,7 @@
 #include "tank_datum/refine.h"
 #include "tank_datum/region_growing.h"
 #include "tank_datum/scan.h"
+#include "tank_datum/setups/setups.h"
 #include "tank_datum/shell_survey.h"
 #include "tank_datum/spline.h"
 #include "tank_datum/station_covariance.h"
@@ -40,6 +41,7 @@ struct DatumOptions {
   GrowingOptions growing;
   CentreFilterOptions centre_filter;
   SplineOptions spline;
+  SetupOptions setups;
   RefineOptions refine;
   StationOptions stations;
   AnalysisOptions analysis;
@@ -76,6 +78,7 @@ struct Datum {
   ClosedSpline curve;  ///< the paper's
   Refined refined;     ///< not valid with Method::Paper
   std::vector<Station> stations;
+  SetupAgreement agreement;      ///< of the scanner's setups
   StationCovariance covariance;  ///< of their z; empty: each station by itself, sigma_z
   Level level;
   Tilt tilt;
