@@ -136,6 +136,7 @@ SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
   const SetupRing polar(ring, tank, threads);
   const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
+  agreement.given = {options.error, options.tilt, options.error};
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
   move(ring, agreement.setups, threads);
   return agreement;

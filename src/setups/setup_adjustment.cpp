@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "setups/setup_system.h"
 #include "tank_datum/statistics.h"
@@ -112,65 +113,68 @@ class Overlaps {
   double extra_[2] = {0.0, 0.0};
 };
 
-/// What a parameter would be without its own prior, and the standard error of that; unknown where the overlaps hardly
-/// tell it.
-struct Unbiased {
-  double error = std::nan(""), sigma = std::nan("");
-};
-
-Unbiased unbiased(const SetupSolution& solution, Eigen::Index i, double prior) {
-  constexpr double kWorthIt = 4.0;  // prior sigmas that the overlaps must tell it better than
-  const double variance = solution.covariance(i, i), information = 1.0 / variance - 1.0 / (prior * prior);
-  if (!(information * kWorthIt * kWorthIt * prior * prior > 1.0)) return {};
-  return {solution.errors[i] / variance / information, 1.0 / std::sqrt(information)};
+/// How far a setup lies beyond what its sigmas allow, the setup freed of its priors: the larger of two squares over
+/// their bounds, for its height and tilts and for its place. Beyond 1 it is bad.
+double beyond(const SetupSolution& freed, std::size_t setup, const KindSigmas& sigmas) {
+  constexpr double kBound3 = 13.93, kBound2 = 11.62;  // chi squared of 3 and 2 at 0.3 %
+  const Eigen::Index at = static_cast<Eigen::Index>(setup) * SetupMotion::kParameters;
+  Eigen::MatrixXd spread = freed.covariance.block<SetupMotion::kParameters, SetupMotion::kParameters>(at, at);
+  for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) spread(i, i) += sigmas[kindOf(i)] * sigmas[kindOf(i)];
+  const SetupMotion::Vector error = freed.errors.segment<SetupMotion::kParameters>(at);
+  const Eigen::Vector3d upright = error.head<3>();
+  const Eigen::Vector2d place = error.tail<2>();
+  return std::max(upright.dot(spread.topLeftCorner<3, 3>().ldlt().solve(upright)) / kBound3,
+                  place.dot(spread.bottomRightCorner<2, 2>().ldlt().solve(place)) / kBound2);
 }
 
-/// Sigmas that one bad setup of several does not move: medians, drawn towards the usual ones by so many setups' worth.
-KindSigmas robustSigmas(const SetupSolution& solution, const Eigen::VectorXd& priors, const KindSigmas& usual,
-                        const std::vector<bool>& freed) {
+/// Sigmas of the setups that are not freed (one step of expectation and maximisation), drawn towards the usual ones by
+/// so many setups' worth.
+KindSigmas sigmasOfOthers(const SetupSolution& solution, const KindSigmas& usual, const std::vector<bool>& freed) {
   constexpr double kUsualWorth = 6.0;
-  std::array<std::vector<double>, kParameterKinds> sizes;
-  for (Eigen::Index i = 0; i < priors.size(); ++i) {
+  KindSigmas squares{}, counts{}, sigmas{};
+  for (Eigen::Index i = 0; i < solution.errors.size(); ++i) {
     if (freed[static_cast<std::size_t>(i / SetupMotion::kParameters)]) continue;
-    const Unbiased alone = unbiased(solution, i, priors[i]);
-    if (std::isfinite(alone.error)) sizes[kindOf(i)].push_back(std::abs(alone.error));
+    squares[kindOf(i)] += solution.errors[i] * solution.errors[i] + solution.covariance(i, i);
+    counts[kindOf(i)] += 1.0;
   }
-  KindSigmas sigmas{};
   for (std::size_t k = 0; k < kParameterKinds; ++k) {
-    const auto count = static_cast<double>(sizes[k].size());
-    const double own = sizes[k].empty() ? 0.0 : 1.4826 * median(sizes[k]);
-    sigmas[k] = std::sqrt((count * own * own + kUsualWorth * usual[k] * usual[k]) / (count + kUsualWorth));
+    const double worth = kUsualWorth * (k == 0 ? 1.0 : 2.0);
+    sigmas[k] = std::sqrt((squares[k] + worth * usual[k] * usual[k]) / (counts[k] + worth));
   }
   return sigmas;
 }
 
-/// The setup furthest beyond what its sigmas allow, or none.
-std::size_t worstSetup(const SetupSystem& system, const KindSigmas& usual, const std::vector<bool>& freed) {
-  constexpr double kBeyond = 3.5;       // of a normal deviate
-  constexpr double kBeyondPair = 3.92;  // the same chance for the length of two
-  const std::size_t count = freed.size();
+/// The same for a setup by itself, its own error kept out of the others' sigmas.
+double beyondOthers(const SetupSystem& system, const KindSigmas& usual, std::vector<bool> freed, std::size_t setup) {
+  freed[setup] = true;
   KindSigmas sigmas = usual;
-  for (int pass = 0; pass < 3; ++pass) {
-    const Eigen::VectorXd priors = priorSigmas(sigmas, freed);
-    sigmas = robustSigmas(solveSetups(system, priors), priors, usual, freed);
+  for (int pass = 0; pass < 2; ++pass) {
+    sigmas = sigmasOfOthers(solveSetups(system, priorSigmas(sigmas, freed)), usual, freed);
   }
-  const Eigen::VectorXd priors = priorSigmas(sigmas, freed);
-  const SetupSolution solution = solveSetups(system, priors);
+  return beyond(solveSetups(system, priorSigmas(sigmas, freed)), setup, sigmas);
+}
+
+/// The setup furthest beyond what its sigmas allow, or none. Those with the largest errors are looked at.
+std::size_t worstSetup(const SetupSystem& system, const KindSigmas& usual, const std::vector<bool>& freed) {
+  constexpr std::size_t kLookedAt = 8;
+  const std::size_t count = freed.size();
+  const SetupSolution solution = solveSetups(system, priorSigmas(usual, freed));
+  std::vector<std::pair<double, std::size_t>> suspects;
+  for (std::size_t s = 0; s < count; ++s) {
+    double square = 0.0;
+    for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) {
+      const double error = solution.errors[static_cast<Eigen::Index>(s) * SetupMotion::kParameters + i];
+      square += error * error / (usual[kindOf(i)] * usual[kindOf(i)]);
+    }
+    if (!freed[s]) suspects.emplace_back(-square, s);
+  }
+  std::sort(suspects.begin(), suspects.end());
+  suspects.resize(std::min(suspects.size(), kLookedAt));
   std::size_t worst = count;
   double most = 1.0;
-  for (std::size_t s = 0; s < count; ++s) {
-    if (freed[s]) continue;
-    KindSigmas squares{};
-    for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) {
-      const Eigen::Index at = static_cast<Eigen::Index>(s) * SetupMotion::kParameters + i;
-      const Unbiased alone = unbiased(solution, at, priors[at]);
-      if (!std::isfinite(alone.error)) continue;
-      squares[kindOf(i)] += alone.error * alone.error / (alone.sigma * alone.sigma + priors[at] * priors[at]);
-    }
-    for (std::size_t k = 0; k < kParameterKinds; ++k) {
-      const double beyond = std::sqrt(squares[k]) / (k == 0 ? kBeyond : kBeyondPair);
-      if (beyond > most) most = beyond, worst = s;
-    }
+  for (const auto& suspect : suspects) {
+    const double far = beyondOthers(system, usual, freed, suspect.second);
+    if (far > most) most = far, worst = suspect.second;
   }
   return worst;
 }

@@ -34,8 +34,9 @@ struct SetupAdjustment {
 /// point of Harville 1977 (sigma^2 = x'x / effective number), with a weak log-normal prior about 2 mm, 10 arc-seconds
 /// and 2 mm; these figures are taken as they are where fewer than three of the parameters are determined. Offsets of an
 /// arc have an error of their own on top of that of their points, from the residuals (median of the squares).
-/// A setup is bad when its error, as the overlaps alone tell it, is beyond 3.5 robust sigmas: its priors are then
-/// freed, and the rest is adjusted again.
+/// A setup is bad when its error, as the overlaps alone tell it, is beyond what chi squared allows once in 300 times
+/// under the sigmas of the others: its priors are then freed, and the rest is adjusted again. Fewer than half of the
+/// setups can be bad.
 SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setups, const SetupOptions& options);
 
 }  // namespace tank_datum

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <map>
+#include <string>
+
 #include "tank_datum/crop.h"
 #include "tank_datum/export.h"
 #include "tank_datum/locate.h"
@@ -14,5 +18,11 @@ namespace TANK_DATUM_API tank_datum {
 /// @param threads  0 means all cores; the result does not depend on it
 SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const SetupOptions& options,
                            int threads = 0);
+
+/// Reads where setups stood: rows name,x,y,z in the scan's frame, the name a file's stem or a label; a heading may come
+/// first.
+/// @return in metres
+/// @throws Error (File) naming the line
+std::map<std::string, Eigen::Vector3d> readSetupOrigins(const std::string& path, double metres_per_unit = 1.0);
 
 }  // namespace tank_datum

@@ -86,7 +86,8 @@ struct SetupSpread {
 /// How the setups of a scan agree.
 struct SetupAgreement {
   std::vector<Setup> setups;
-  SetupSpread spread;
+  SetupSpread spread;             ///< that the setups were adjusted with
+  SetupSpread given;              ///< by the options; zeros where not
   bool height_estimated = false;  ///< whether spread.height and tilt come from the overlaps; else given or assumed
   bool plan_estimated = false;    ///< whether spread.plan does
   double rms_before = Setup::kUnknown, rms_after = Setup::kUnknown;  ///< over all [m]
