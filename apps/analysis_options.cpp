@@ -1,5 +1,7 @@
 #include "analysis_options.h"
 
+#include "tank_datum/core/unknown.h"
+
 namespace tank_datum {
 
 void addAnalysisOptions(CLI::App& app, TypedAnalysis& typed) {
@@ -16,9 +18,9 @@ void addAnalysisOptions(CLI::App& app, TypedAnalysis& typed) {
 
 AnalysisOptions analysisOptions(const TypedAnalysis& typed) {
   AnalysisOptions options;
-  options.facts.height = typed.height.value_or(Station::kUnknown);
-  options.facts.yield = typed.yield_mpa.value_or(Station::kUnknown);
-  options.facts.modulus = typed.modulus_mpa.value_or(Station::kUnknown);
+  options.facts.height = typed.height.value_or(kUnknown);
+  options.facts.yield = typed.yield_mpa.value_or(kUnknown);
+  options.facts.modulus = typed.modulus_mpa.value_or(kUnknown);
   options.facts.roof = typed.roof;
   options.facts.foundation = typed.foundation;
   options.classic_points = typed.classic_points;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "tank_datum/analysis.h"
+#include "tank_datum/shape/analysis.h"
 
 namespace tank_datum {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tank_datum/report.h"
+#include "tank_datum/report/report.h"
 
 namespace tank_datum {
 

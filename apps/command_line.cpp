@@ -7,18 +7,17 @@
 #include <sstream>
 
 #include "analysis_options.h"
+#include "core/length_units.h"
+#include "core/units.h"
 #include "exit_status.h"
 #include "movement_options.h"
-#include "tank_datum/error.h"
-#include "tank_datum/setups/agreement.h"
+#include "setups/agreement.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
-#include "units_of_scans.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-constexpr double kArcSecond = kDegree / 3600.0;
 constexpr int kProfilePoints = 90;  // a station's section is plain with them, and 360 of them take 300 kB
 
 const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"paper", Method::Paper}};
@@ -140,7 +139,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   typed.zero_azimuth_deg = command.options.stations.zero_azimuth / kDegree;
   typed.method = nameOf(command.options.method);
   typed.search = nameOf(command.options.normals.search);
-  typed.setup_tilt_arcsec = command.options.setups.tilt / kArcSecond;
+  typed.setup_tilt_arcsec = toArcSeconds(command.options.setups.tilt);
   typed.bad_setups = nameOf(command.options.setups.bad);
   addOptions(app, command, typed);
   bool print_config = false;
@@ -169,7 +168,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   o.method = kMethods.at(typed.method);
   typed.movement.putInto(command.movement);
   o.normals.search = kEngines.at(typed.search);
-  o.setups.tilt = typed.setup_tilt_arcsec * kArcSecond;
+  o.setups.tilt = typed.setup_tilt_arcsec / toArcSeconds(1.0);
   o.setups.bad = kBadSetups.at(typed.bad_setups);
   if (!typed.setup_origins.empty()) o.setups.origins = readSetupOrigins(typed.setup_origins, command.metresPerUnit());
   if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tank_datum/datum.h"
-#include "tank_datum/movement.h"
+#include "tank_datum/movement/movement.h"
 
 namespace tank_datum {
 

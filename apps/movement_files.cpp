@@ -7,9 +7,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tank_datum/error.h"
-#include "tank_datum/report_page.h"
-#include "tank_datum/statistics.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/report/report_page.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {
@@ -21,8 +22,6 @@ using Json = nlohmann::ordered_json;
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// To a ten-thousand-millionth, so that a third of a turn reads 120.
-double inDegrees(double radians) { return std::round(radians * (180.0 / 3.14159265358979323846) * 1e10) / 1e10; }
-
 std::string text(double value) {
   if (!std::isfinite(value)) return {};
   char buffer[32];
@@ -57,7 +56,7 @@ std::string movementCsv(const std::vector<StationHistory>& histories) {
   }
   csv += "\n";
   for (const StationHistory& place : histories) {
-    csv += text(inDegrees(place.azimuth)) + "," + text(place.rate) + "," + text(place.sigma_rate);
+    csv += text(toDegrees(place.azimuth)) + "," + text(place.rate) + "," + text(place.sigma_rate);
     for (const StationMovement& s : place.surveys) {
       csv += "," + text(s.dz) + "," + text(s.lod95()) + "," + (std::isfinite(s.dz) ? s.significant ? "1" : "0" : "");
     }
@@ -89,7 +88,7 @@ std::string movementsJson(const Comparison& comparison) {
     surveys.push_back(movement);
   }
   for (const StationHistory& place : comparison.histories) {
-    stations.push_back({{"azimuth_deg", inDegrees(place.azimuth)},
+    stations.push_back({{"azimuth_deg", toDegrees(place.azimuth)},
                         {"rate", number(place.rate)},
                         {"sigma", number(place.sigma_rate)},
                         {"lod95", number(place.lod95())}});

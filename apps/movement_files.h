@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "result_folder.h"
-#include "tank_datum/trend.h"
+#include "tank_datum/movement/trend.h"
 
 namespace tank_datum {
 

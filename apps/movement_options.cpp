@@ -2,10 +2,11 @@
 
 #include <map>
 
+#include "core/units.h"
+
 namespace tank_datum {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kArcSecond = kDegree / 3600.0;
 
 const std::map<std::string, Removal> kRemovals = {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "tank_datum/movement.h"
+#include "tank_datum/movement/movement.h"
 
 namespace tank_datum {
 

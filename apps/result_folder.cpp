@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {

@@ -8,11 +8,11 @@
 #include "exit_status.h"
 #include "result_folder.h"
 #include "stage_clock.h"
-#include "tank_datum/baseline.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/levelling.h"
-#include "tank_datum/report.h"
-#include "tank_datum/report_page.h"
+#include "tank_datum/movement/baseline.h"
+#include "tank_datum/report/report.h"
+#include "tank_datum/report/report_page.h"
 #include "terminal.h"
 
 namespace tank_datum {

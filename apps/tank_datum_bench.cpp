@@ -4,7 +4,7 @@
 #include "bench/command_line.h"
 #include "bench/tables.h"
 #include "exit_status.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::bench {
 namespace {

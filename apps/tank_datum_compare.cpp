@@ -3,18 +3,17 @@
 #include <cstdio>
 #include <iostream>
 
+#include "core/units.h"
 #include "exit_status.h"
+#include "io/sha256.h"
 #include "movement_files.h"
 #include "movement_options.h"
 #include "parsed.h"
-#include "tank_datum/error.h"
-#include "tank_datum/sha256.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 struct CompareCommand {
   std::vector<std::string> epochs;  ///< datum.json or result folders, the baseline first

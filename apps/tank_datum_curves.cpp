@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "exit_status.h"
+#include "fit/curve_comparison.h"
 #include "parsed.h"
-#include "tank_datum/curve_comparison.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {

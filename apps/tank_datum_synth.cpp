@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "synth/output.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 int main(int argc, char** argv) {
   using namespace tank_datum;

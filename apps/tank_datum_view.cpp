@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <iostream>
 
+#include "core/length_units.h"
 #include "exit_status.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
-#include "units_of_scans.h"
 #include "view/display.h"
 #include "view/window.h"
 

@@ -5,13 +5,14 @@
 #include <cstdio>
 #include <sstream>
 
+#include "core/refusal.h"
 #include "datum_stages.h"
-#include "refusal.h"
-#include "shell_measures.h"
-#include "survey_shell.h"
-#include "tank_datum/error.h"
-#include "tank_datum/setups/agreement.h"
-#include "tank_datum/setups/setup_shares.h"
+#include "setups/agreement.h"
+#include "setups/setup_shares.h"
+#include "shell/shell_measures.h"
+#include "shell/shell_survey_impl.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -141,6 +142,26 @@ std::string firstError(const DatumOptions& options) {
   return {};
 }
 
+const char* nameOf(Status status) {
+  switch (status) {
+    case Status::NotRun:
+      return "not_run";
+    case Status::Ok:
+      return "ok";
+    case Status::Partial:
+      return "partial";
+    case Status::NoTank:
+      return "no_tank";
+    case Status::NoCrease:
+      return "no_crease";
+    case Status::TooFewPoints:
+      return "too_few_points";
+    case Status::FitFailed:
+      return "fit_failed";
+  }
+  return "";
+}
+
 const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
 
 std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
@@ -183,6 +204,7 @@ std::vector<Datum> extractDatumsOf(const std::vector<Tank>& tanks, const Scan& s
 Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options, const StageObserver& observer,
                      const NormalStage& normal_stage) {
   requireValid(options);
+  const ThreadScope threads(options.threads);
   const auto begin = [&](const char* stage) {
     if (observer) observer(stage);
   };

@@ -4,11 +4,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "csv.h"
+#include "core/units.h"
 #include "datum_stages.h"
-#include "tank_datum/error.h"
-#include "tank_datum/sha256.h"
-#include "units.h"
+#include "io/csv.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
@@ -138,10 +137,6 @@ Datum readLevelling(const std::string& path, double metres_per_unit, double diam
   return datumOfLevelling(
       levellingStations(textOf(path, "levelling"), path, metres_per_unit, diameter, options.stations), diameter,
       options);
-}
-
-InputRecord recordOfLevelling(const std::string& path, const Datum& datum) {
-  return {path, sha256OfFile(path), datum.stations.size()};
 }
 
 }  // namespace tank_datum

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "made_clouds.h"
-#include "tank_datum/error.h"
+#include "support/made_clouds.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {

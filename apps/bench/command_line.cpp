@@ -3,13 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "core/units.h"
 #include "parsed.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum::bench {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 /// Refused before minutes of measuring, not after them.
 std::string inAFolder(const std::string& path) {

@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <random>
 
-#include "input_file.h"
-#include "tank_datum/pcd_writer.h"
+#include "core/units.h"
+#include "io/input_file.h"
+#include "io/pcd_writer.h"
 
 namespace tank_datum::bench {
 namespace {
@@ -42,7 +43,7 @@ double secondsToRead(const std::string& path) {
 }  // namespace
 
 void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const std::string& path) {
-  constexpr double kWidestTurn = 0.025 * 3.14159265358979323846 / 180.0, kNoise = 0.001;
+  constexpr double kWidestTurn = 0.025 * kDegree, kNoise = 0.001;
   PcdWriter writer(path, {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}, PcdWriter::Format::Binary);
   const std::uint64_t repeats = (points + source.size() - 1) / source.size();
   const std::uint64_t all = repeats * source.size();

@@ -7,12 +7,12 @@
 #include <random>
 #include <vector>
 
-#include "tank_datum/parallel.h"
+#include "core/units.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum::rates {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr int kStations = 360;
 constexpr int kMiddle = 100;  ///< of the dip [deg]
 

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tank_datum/movement.h"
+#include "tank_datum/movement/movement.h"
 
 namespace tank_datum::rates {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "scene_file.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::synth {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/units.h"
+
 /// What a simulated scene holds: plain values with their defaults, SI and radians. Scene files carry the same names;
 /// there an angle ends in _deg and is in degrees.
 namespace tank_datum::synth {
-
-constexpr double kPi = 3.14159265358979323846;
 
 constexpr double radians(double degrees) { return degrees * kPi / 180.0; }
 constexpr double degrees(double radians) { return radians * 180.0 / kPi; }

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <memory>
 
-#include "tank_datum/error.h"
-#include "tank_datum/pcd_writer.h"
+#include "io/pcd_writer.h"
+#include "tank_datum/core/error.h"
 #include "truth.h"
 
 namespace tank_datum::synth {

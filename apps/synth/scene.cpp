@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::synth {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "option_fields.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum::synth {
 namespace {

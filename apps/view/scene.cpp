@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tank_datum/deformation.h"
+#include "core/units.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/shape/deformation.h"
 
 namespace tank_datum::view {
 namespace {
 
-constexpr double kTwoPi = 2.0 * 3.14159265358979323846;
 constexpr double kRadialRange = 0.05, kDistanceRange = 1.0;  // [m]
 constexpr int kPlaneCorners = 72;
 constexpr double kPlaneMargin = 1.05;  ///< of the tank's radius
@@ -35,14 +36,14 @@ class DatumLine {
 
   /// NaN in a gap.
   double at(double x, double y) const {
-    if (knots_.size() < 2) return Station::kUnknown;
+    if (knots_.size() < 2) return kUnknown;
     const double angle = directionOf(result_, x, y);
     const auto next = std::lower_bound(knots_.begin(), knots_.end(), std::make_pair(angle, -HUGE_VAL));
     const auto& b = next == knots_.end() ? knots_.front() : *next;
     const auto& a = next == knots_.begin() ? knots_.back() : *(next - 1);
     const auto from = [](double to, double start) { return std::fmod(to - start + kTwoPi, kTwoPi); };
     const double gap = from(b.first, a.first);
-    if (gap > longest_ || gap <= 0.0) return Station::kUnknown;
+    if (gap > longest_ || gap <= 0.0) return kUnknown;
     return a.second + (b.second - a.second) * from(angle, a.first) / gap;
   }
 

@@ -5,12 +5,12 @@
 #include <map>
 #include <sstream>
 
-#include "tank_datum/error.h"
+#include "core/units.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum::view {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
@@ -36,7 +36,7 @@ class Row {
   /// NaN of an empty cell.
   double number(const std::string& name) const {
     const std::string& cell = text(name);
-    if (cell.empty()) return Station::kUnknown;
+    if (cell.empty()) return kUnknown;
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size()) {

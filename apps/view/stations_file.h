@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tank_datum/stations.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum::view {
 

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tank_datum/error.h"
-#include "tank_datum/report.h"
-#include "tank_datum/voxel_sample.h"
-#include "units_of_scans.h"
+#include "core/length_units.h"
+#include "search/voxel_sample.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/report/report.h"
 #include "view/stations_file.h"
 
 namespace tank_datum::view {

@@ -11,7 +11,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/core/unknown.h"
 #include "view/interaction.h"
 
 namespace tank_datum::view {
@@ -163,7 +164,7 @@ int Window::stationAt(int x, int y) {
     renderer_->SetWorldPoint(at.x(), at.y(), at.z(), 1.0);
     renderer_->WorldToDisplay();
     marks.emplace_back(renderer_->GetDisplayPoint()[0], renderer_->GetDisplayPoint()[1]);
-    if (!at.allFinite()) marks.back().setConstant(Station::kUnknown);
+    if (!at.allFinite()) marks.back().setConstant(kUnknown);
   }
   return nearestMark(marks, {x, y}, kReach);
 }

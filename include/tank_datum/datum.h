@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "tank_datum/analysis.h"
-#include "tank_datum/centre_filter.h"
-#include "tank_datum/crop.h"
-#include "tank_datum/deformation.h"
-#include "tank_datum/export.h"
-#include "tank_datum/locate.h"
-#include "tank_datum/normals.h"
-#include "tank_datum/refine.h"
-#include "tank_datum/region_growing.h"
-#include "tank_datum/scan.h"
+#include "tank_datum/core/export.h"
+#include "tank_datum/edge/centre_filter.h"
+#include "tank_datum/edge/region_growing.h"
+#include "tank_datum/fit/spline.h"
+#include "tank_datum/foot/refine.h"
+#include "tank_datum/io/scan.h"
+#include "tank_datum/locate/crop.h"
+#include "tank_datum/locate/locate.h"
+#include "tank_datum/search/normals.h"
 #include "tank_datum/setups/setups.h"
-#include "tank_datum/shell_survey.h"
-#include "tank_datum/spline.h"
-#include "tank_datum/station_covariance.h"
-#include "tank_datum/stations.h"
+#include "tank_datum/shape/analysis.h"
+#include "tank_datum/shape/deformation.h"
+#include "tank_datum/shell/shell_survey.h"
+#include "tank_datum/stations/station_covariance.h"
+#include "tank_datum/stations/stations.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -63,6 +63,9 @@ enum class Status {
   TooFewPoints,  ///< fewer points than the neighbours asked for
   FitFailed,     ///< edge points that no closed curve can be fitted to
 };
+
+/// The name used in files: "ok", "partial", "no_tank", ...
+const char* nameOf(Status status);
 
 /// The datum of one tank. Lengths in metres relative to `origin`; usable() says whether there is one.
 struct Datum {

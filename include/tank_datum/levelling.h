@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/export.h"
 #include "tank_datum/datum.h"
-#include "tank_datum/export.h"
-#include "tank_datum/report.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -25,9 +24,5 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
 /// Reads the file, "m", "mm", "ft" or "in" being its units, and describes its datum; with its record.
 /// @throws Error  the file cannot be read, or is refused
 Datum readLevelling(const std::string& path, double metres_per_unit, double diameter, const DatumOptions& options);
-
-/// The hash of such a file and its stations.
-/// @throws Error (File) naming it when it cannot be read
-InputRecord recordOfLevelling(const std::string& path, const Datum& datum);
 
 }  // namespace tank_datum

@@ -11,7 +11,7 @@ function(tank_datum_embed source file name)
     string(APPEND pieces "\n      R\"embedded(${piece})embedded\"")
     math(EXPR at "${at} + 8000")
   endwhile()
-  file(CONFIGURE OUTPUT ${source} @ONLY CONTENT "#include \"embedded.h\"
+  file(CONFIGURE OUTPUT ${source} @ONLY CONTENT "#include \"io/embedded.h\"
 
 const std::string& tank_datum::embedded::@name@() {
   static const std::string text =@pieces@;

@@ -30,7 +30,7 @@ string(LENGTH "${mark}" length)
 math(EXPR after "${at} + ${length}")
 string(SUBSTRING "${html}" 0 ${at} before_data)
 string(SUBSTRING "${html}" ${after} -1 after_data)
-file(WRITE "${OUTPUT}" "#include \"report_template.h\"
+file(WRITE "${OUTPUT}" "#include \"report/report_template.h\"
 
 namespace tank_datum {
 

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "job.h"
-#include "tank_datum/error.h"
+#include "tank_datum/core/error.h"
 
 namespace py = pybind11;
 

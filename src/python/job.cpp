@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "tank_datum/baseline.h"
+#include "tank_datum/movement/baseline.h"
 
 namespace py = pybind11;
 

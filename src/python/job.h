@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "options.h"
-#include "tank_datum/report.h"
+#include "tank_datum/report/report.h"
 
 namespace tank_datum::python {
 

@@ -7,9 +7,10 @@
 #include <map>
 #include <vector>
 
-#include "tank_datum/error.h"
-#include "units.h"
-#include "units_of_scans.h"
+#include "core/length_units.h"
+#include "core/units.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/core/unknown.h"
 
 namespace py = pybind11;
 
@@ -79,14 +80,13 @@ Keyword tank() {
 /// A figure that may not be known.
 template <typename Place>
 Keyword fact(const char* name, Place place) {
-  return {name,
-          [place](const Options& o) {
-            const double value = place(const_cast<Options&>(o));
-            return std::isnan(value) ? py::object(py::none()) : py::cast(value);
-          },
-          [place](Options& o, const py::handle& value) {
-            place(o) = value.is_none() ? Station::kUnknown : value.cast<double>();
-          }};
+  return {
+      name,
+      [place](const Options& o) {
+        const double value = place(const_cast<Options&>(o));
+        return std::isnan(value) ? py::object(py::none()) : py::cast(value);
+      },
+      [place](Options& o, const py::handle& value) { place(o) = value.is_none() ? kUnknown : value.cast<double>(); }};
 }
 
 /// A word that may not be known.

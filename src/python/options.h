@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tank_datum/datum.h"
-#include "tank_datum/movement.h"
+#include "tank_datum/movement/movement.h"
 
 namespace tank_datum::python {
 

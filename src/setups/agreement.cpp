@@ -1,4 +1,4 @@
-#include "tank_datum/setups/agreement.h"
+#include "setups/agreement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
 #include "setups/setup_views.h"
-#include "tank_datum/parallel.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "tank_datum/statistics.h"
+#include "core/statistics.h"
 
 namespace tank_datum {
 namespace {

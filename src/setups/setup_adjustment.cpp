@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/statistics.h"
+#include "core/units.h"
 #include "setups/setup_system.h"
-#include "tank_datum/statistics.h"
-#include "units.h"
 
 namespace tank_datum {
 namespace {

@@ -1,9 +1,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "csv.h"
-#include "tank_datum/error.h"
-#include "tank_datum/setups/agreement.h"
+#include "io/csv.h"
+#include "setups/agreement.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "tank_datum/parallel.h"
-#include "tank_datum/statistics.h"
-#include "units.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

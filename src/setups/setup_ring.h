@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tank_datum/crop.h"
-#include "tank_datum/locate.h"
+#include "tank_datum/locate/crop.h"
+#include "tank_datum/locate/locate.h"
 
 namespace tank_datum {
 

@@ -1,10 +1,11 @@
-#include "tank_datum/setups/setup_shares.h"
+#include "setups/setup_shares.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "units.h"
+#include "core/units.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -54,7 +55,7 @@ std::size_t CellCounts::cellOf(double direction) const {
 }
 
 std::vector<CellCounts::Level> CellCounts::levels(const std::vector<Station>& stations) const {
-  std::vector<Level> levels(cells_, {Station::kUnknown, Station::kUnknown});
+  std::vector<Level> levels(cells_, {kUnknown, kUnknown});
   for (const Station& s : stations) {
     if (std::isfinite(s.z) && std::isfinite(s.radius)) levels[cellOf(s.direction)] = {s.radius, s.z};
   }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "tank_datum/parallel.h"
-#include "units.h"
+#include "core/units.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

@@ -1,11 +1,11 @@
 // A program that knows the installed package only: the chain on a file, its stages on a cloud, the filter, and what the
 // library throws. Exits with 0 when each gives the tank that the scan holds: consumer SCAN RADIUS
 #include <pcl/search/kdtree.h>
-#include <tank_datum/datum_filter.h>
-#include <tank_datum/error.h>
-#include <tank_datum/pcl_stages.h>
-#include <tank_datum/region_growing.h>
-#include <tank_datum/report.h>
+#include <tank_datum/core/error.h>
+#include <tank_datum/edge/region_growing.h>
+#include <tank_datum/pcl/datum_filter.h>
+#include <tank_datum/pcl/pcl_stages.h>
+#include <tank_datum/report/report.h>
 #include <tank_datum/version.h>
 
 #include <cmath>

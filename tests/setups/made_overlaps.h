@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "core/units.h"
 #include "setups/setup_adjustment.h"
-#include "units.h"
 
 /// Setups round a tank and what their overlaps show, without a scan.
 namespace tank_datum::made_overlaps {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tank_datum/export.h"
+#include "tank_datum/core/export.h"
 
 namespace TANK_DATUM_API tank_datum {
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/fit/circle.h"
+#include "tank_datum/io/scan.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+struct CentreFilterOptions {
+  /// The paper's distance threshold: how far from the circle an edge point may lie [m]; 0 takes 0.1 m (out-of-roundness
+  /// of a shell foot within API 653's tolerances) or a tenth of the radius, whichever is less.
+  double tolerance = 0.0;
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const CentreFilterOptions& options);
+
+/// Candidates near the circle of the datum, in order round it.
+struct EdgePoints {
+  Circle circle;                      ///< fitted robustly to the candidates [m]
+  double tolerance = 0;               ///< threshold used [m]
+  std::vector<std::int32_t> indices;  ///< of the cloud's points, by ascending azimuth about the circle's centre
+  std::vector<double> azimuths;       ///< the same points' azimuths in [0, 2 pi) [rad]
+};
+
+/// Step 4 of the method: candidates whose distance from the centre is not within a threshold of the radius are noise.
+/// @param start  the tank's circle when known; without one it is searched among the candidates
+/// @return no indices and an invalid circle when the candidates determine none
+EdgePoints filterByCentre(const Points& points, const std::vector<std::int32_t>& candidates,
+                          const std::optional<Circle>& start, const CentreFilterOptions& options);
+
+}  // namespace tank_datum

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tank_datum/core/export.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// Points relative to Scan::origin() [m].
+using Points = std::vector<Eigen::Vector3d>;
+
+/// What one pass over a scan met.
+struct ScanCounts {
+  std::uint64_t points = 0;   ///< rows in the files
+  std::uint64_t invalid = 0;  ///< rows dropped because x, y or z is not finite
+
+  ScanCounts& operator+=(const ScanCounts& other) {
+    points += other.points;
+    invalid += other.invalid;
+    return *this;
+  }
+};
+
+/// Which setup of a scanner points come from: the file, and what the file's field of labels says.
+struct SetupKey {
+  std::uint32_t source = 0;  ///< number of the file, from 0
+  std::uint32_t label = 0;   ///< 0 in a file without labels
+
+  static constexpr std::uint32_t kUnlabelled = 0xffffffffU;  ///< what the field says is no number from 0 on
+  bool operator==(const SetupKey& other) const { return source == other.source && label == other.label; }
+};
+
+/// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
+///
+/// Coordinates are read in double and reduced by a local origin before anybody sees them, so that float32 work on
+/// them keeps micrometres at 4e6 m. Several files are scan stations of one tank in one frame: one stream.
+class Scan {
+ public:
+  /// Receives the next block of finite points, relative to origin().
+  using Visitor = std::function<void(const Points& block)>;
+
+  /// The i-th row of points somebody else holds, in their own frame [m].
+  using Row = std::function<Eigen::Vector3d(std::uint64_t i)>;
+
+  /// Opens PCD files (ascii, binary, binary_compressed). Headers are read and checked here, data in forEachBlock.
+  /// @param metres_per_unit  scale of the stored coordinates (0.001 for mm)
+  /// @throws Error (File) naming the file, the value met and what was expected
+  static Scan open(const std::vector<std::string>& paths, double metres_per_unit = 1.0);
+
+  /// Points in memory, in their own frame [m]; not finite ones are dropped and counted like those of a file.
+  static Scan fromPoints(const Points& points);
+
+  /// The same without a copy: points of any kind in memory, asked for row by row in every pass.
+  static Scan fromRows(std::uint64_t rows, Row row);
+
+  /// Visits every finite point once, in file order. May be called again for another pass.
+  /// @throws Error (File) when the data are shorter or other than the header says
+  ScanCounts forEachBlock(const Visitor& visit) const;
+
+  /// Local origin in the scan's own frame [m]; add it to go back. It is the first finite point, so that the same tank
+  /// has the same local coordinates, and so the same datum, wherever its frame has its zero.
+  const Eigen::Vector3d& origin() const { return origin_; }
+
+  /// Appends to `chosen` what it wants of the points of a block, the block-th of the scan.
+  using Chooser = std::function<void(std::uint64_t block, const Points& points, Points& chosen)>;
+
+  /// Visits, in file order, what is chosen of each block. Blocks of a binary file are read, decoded and chosen from in
+  /// several threads at once; visit is called from the caller's.
+  /// @param threads  0 means all cores; which blocks there are does not depend on it
+  /// @param n        choose is given about every n-th row only, and these alone are decoded where the format allows;
+  ///                 odd, lest it keeps step with rows of even lengths
+  /// @return of all rows
+  /// @throws as forEachBlock
+  ScanCounts forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n = 1) const;
+
+  /// The same, told of what is chosen the setup it comes from. Points of one block that come from several setups are
+  /// chosen from and visited setup by setup.
+  using SetupVisitor = std::function<void(const Points& chosen, SetupKey setup)>;
+  ScanCounts forEachChosen(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n = 1) const;
+
+  /// Whether the scan may hold several setups: several files, or points with labels (a field `setup`, `scan_id` or
+  /// `point_source_id`).
+  bool tellsSetups() const;
+
+  /// The file's name without its ending, the label, or both where both are needed.
+  std::string setupName(SetupKey setup) const;
+
+  /// Where the scanner stood, as the file says (PCD VIEWPOINT), relative to origin() [m]; nothing when it does not, or
+  /// when the file holds several setups.
+  std::optional<Eigen::Vector3d> setupOrigin(SetupKey setup) const;
+
+  /// Of about every n-th row the point, if it is finite, in file order.
+  /// @param n,threads  as for forEachChosen
+  /// @throws as forEachBlock
+  Points everyNth(std::uint64_t n, int threads = 0) const;
+
+  /// Told during forEachChosen and everyNth, from the caller's thread, how many of the size() rows have been read.
+  using Progress = std::function<void(std::uint64_t rows)>;
+  void setProgress(Progress progress) { progress_ = std::move(progress); }
+
+  /// Rows announced by the headers.
+  std::uint64_t size() const;
+
+  /// Step between neighbouring coordinates that the files can hold at the origin [m]: 0.25 for 4-byte floats near 4e6
+  /// m. Zero for points in memory.
+  double coordinateStep() const;
+
+  /// Empty for points in memory.
+  const std::vector<std::string>& paths() const { return paths_; }
+
+  class Source;  ///< one file or one array, see scan.cpp
+
+ private:
+  std::vector<std::shared_ptr<const Source>> sources_;
+  std::vector<std::string> paths_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  Progress progress_;
+};
+
+}  // namespace tank_datum

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/limits/limits.h"
+#include "tank_datum/limits/verdict.h"
+#include "tank_datum/stations/placed_value.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// What is known of the tank beside the scan; NaN or empty when not given.
+struct TankFacts {
+  double height = kUnknown;   ///< of the shell, H, at most 100 [m]
+  double yield = kUnknown;    ///< yield strength of its steel, Y, 50 to 2000 [MPa]
+  double modulus = kUnknown;  ///< its elastic modulus, E, 5e4 to 5e5 [MPa]
+  std::string roof;           ///< "open" (floating roof) or "fixed"
+  std::string foundation;     ///< "ringwall" or "earth"
+};
+
+/// One line naming the first refused field, its value and what it must be; empty when all are fine.
+std::string firstError(const TankFacts& facts);
+
+/// A figure that the file of limits may judge.
+struct Measure {
+  std::string quantity;          ///< one of knownQuantities()
+  PlacedValue worst;             ///< unknown when it could not be had
+  double spacing = kUnknown;     ///< of survey points, L [m]
+  double arc = kUnknown;         ///< length of the settlement arc, S [m]
+  std::vector<PlacedValue> all;  ///< every value of which `worst` is the largest, where their share matters
+  std::string note;              ///< what a reader should know of it
+  std::string unavailable;       ///< why it could not be had
+  bool whole_ring = true;        ///< false: a gap too wide to say there is nothing worse in it
+};
+
+/// A figure beside its limit.
+struct Check {
+  std::string code, clause, name;
+  double value = kUnknown, sigma = kUnknown;  ///< in `unit`; sigma is its standard error
+  double limit = kUnknown;                    ///< unknown when something for it is not given
+  double azimuth = kUnknown;                  ///< of the worst place [rad]
+  std::string unit;
+  Verdict verdict = Verdict::NotApplicable;
+  std::string trust;     ///< how far the rule's numbers are trusted: verified, secondary, unverified
+  std::string note;      ///< why not, or what to know of it
+  std::string citation;  ///< of the limit
+};
+
+/// Every limit beside the figure it is for; rows of a table (one code, clause and name) make one check.
+/// Pass and fail need the limit outside the value's 95 % interval; a pass also that no gap hides a part of the ring.
+/// @param diameter  of the tank [m]
+std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
+                         double diameter);
+
+}  // namespace tank_datum

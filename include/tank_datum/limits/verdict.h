@@ -1,0 +1,18 @@
+#pragma once
+
+#include "tank_datum/core/export.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// How a figure stands to its limit.
+enum class Verdict {
+  Pass,
+  Fail,
+  Undecided,      ///< the limit lies within the 95 % interval, or what was not seen could be worse
+  NotApplicable,  ///< the rule is not for such a tank, or something it needs is not known
+};
+
+/// The names used in files: "pass", "fail", "undecided", "not_applicable".
+const char* nameOf(Verdict verdict);
+
+}  // namespace tank_datum

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/fit/circle.h"
+#include "tank_datum/fit/harmonics.h"
+#include "tank_datum/io/scan.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// From which side of the shell the foundation was seen.
+enum class Side { Outside, Inside };
+
+struct LocateOptions {
+  double min_radius = 2.0;              ///< the smallest tank to look for [m]
+  double min_arc = 1.2217304763960306;  ///< the least seen arc of shell that makes a tank [rad], 70 degrees
+  std::size_t sample_points = 500'000;  ///< bound of the thinned sample
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const LocateOptions& options);
+
+/// A vertical cylinder standing in the scan, to the accuracy of the thinned sample.
+struct Tank {
+  Circle circle;  ///< of the shell near its foot, relative to the scan's origin [m]
+  double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the shell's cells about the circle [m]
+  double coverage = 0.0;                                  ///< seen arc of the shell [rad]
+  double height = 0.0;                                    ///< seen height of the shell [m]
+  Side side = Side::Outside;
+  PeriodicFit foot;             ///< shell foot against azimuth [m], coarse
+  double resolution = 0.0;      ///< spacing of the sample the figures come from [m]
+  bool has_foundation = false;  ///< a surface was seen that meets the foot
+  double near_foot = 0.0;       ///< share of the scan's rows within kNear of the foot, in radius and height
+
+  static constexpr double kNear = 0.5;  ///< [m]
+
+  double azimuthOf(const Eigen::Vector2d& p) const;
+};
+
+/// The tanks of a scan, best first: the one whose shell is seen along the longest arc [m].
+///
+/// Columns of the thinned sample that are filled over some height are walls; circles are drawn through three of them
+/// and kept by the arc on which walls face the centre (RANSAC). A circle whose walls do not turn with the azimuth is a
+/// box; one that encloses a taller one is a bund wall; one just outside of another and below its foot is a ringwall.
+/// @param threads  0 means all cores; the tanks do not depend on it
+std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads = 0);
+
+/// A tank whose circle is known (--tank X,Y,R); only side, foot and coverage are looked for.
+std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads = 0);
+
+}  // namespace tank_datum

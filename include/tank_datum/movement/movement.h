@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/movement/epoch.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// What is taken from the differences before they are judged.
+enum class Removal {
+  Nothing,  ///< both surveys hang on the same benchmarks
+  Mean,     ///< the common height: settlement of the whole is not seen
+  Tilt,     ///< height and tilt: neither is seen, whatever the scanners' levels
+};
+
+/// The names used at the command line and in files: "none", "mean", "tilt".
+const char* nameOf(Removal removal);
+
+struct MovementOptions {
+  Removal removal = Removal::Nothing;
+  double registration_error = 0.0;  ///< 1 sigma of a height common to all stations, left after the removal [m]
+  double registration_tilt = 0.0;   ///< 1 sigma of a tilt about either level axis, left after it [rad]
+  double azimuth_offset = 0.0;      ///< of the current survey's frame: added to its directions [rad]
+  bool estimate_offset = false;     ///< find the azimuth offset by the datum's shape instead
+  double correlation = 0.0;         ///< arc within which stations share points; 0: as the surveys say themselves [rad]
+  double radius_difference = 0.05;  ///< surveys whose radii differ by more are of different tanks [m]
+  double centre_distance = 0.25;    ///< the same of the centres, in a common frame [m]
+};
+
+/// One line naming the first refused field, its value and what it must be; or empty.
+std::string firstError(const MovementOptions& options);
+
+/// @throws Error (Option) naming the first refused field
+void requireValid(const MovementOptions& options);
+
+/// Refuses a circle that is not that of the baseline's tank. The centre of a levelled baseline is not looked at.
+/// @throws Error (Option) naming radius or centre, and the units that may have been confused
+void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
+                     const MovementOptions& options);
+
+constexpr double kNormal95 = 1.959963984540054;  ///< two-sided 95 % point of the normal distribution
+
+/// Refuses a survey none of whose stations has a standard error.
+/// @throws Error (Option) naming it and, of a levelling, the column that its table lacks
+void requireErrors(const Epoch& epoch);
+
+/// The movement of one station.
+struct StationMovement {
+  double azimuth = kUnknown;         ///< as the current survey counts it [rad]
+  double direction = kUnknown;       ///< in the baseline's frame [rad]
+  double dz = kUnknown;              ///< current less baseline, after the removal [m]; NaN where either is not measured
+  double sigma = kUnknown;           ///< standard error of dz, the registration's included [m]
+  double sigma_baseline = kUnknown;  ///< the baseline's part of it [m]
+  bool significant = false;          ///< moved: false anywhere on an unmoved tank in at most 5 % of comparisons
+
+  double lod95() const { return kNormal95 * sigma; }  ///< 95 % level of detection of this station alone [m]
+};
+
+/// Movement of a tank's datum between two surveys.
+struct Movement {
+  std::string baseline;  ///< name of the earlier survey
+  Removal removal = Removal::Nothing;
+  double registration_error = 0.0;        ///< as given [m]
+  double registration_tilt = 0.0;         ///< as given [rad]
+  double azimuth_offset = 0.0;            ///< as given or estimated [rad]
+  double sigma_azimuth_offset = 0.0;      ///< its standard error; 0 when given [rad]
+  double threshold = kUnknown;            ///< of the largest standardised window mean on an unmoved tank, 97 %
+  std::vector<StationMovement> stations;  ///< of one survey, in its order: the current one's, or the sparser baseline's
+  std::size_t matched = 0;                ///< stations measured in both
+  std::size_t significant = 0;
+  double max = kUnknown;          ///< dz of the largest magnitude [m]
+  double max_azimuth = kUnknown;  ///< where [rad]
+  double rms = kUnknown;          ///< of dz [m]
+  std::string message;            ///< why there is none
+
+  bool valid() const { return matched > 0 && message.empty(); }
+};
+
+/// Compares two surveys of one tank, scanned or levelled, at the stations of the current one; where the baseline's lie
+/// too far apart for that, at the baseline's. The other survey's elevations are interpolated there between neighbours
+/// at most 2 degrees apart; stations without such neighbours, or without a standard error, are not compared. Of a
+/// levelling neither centre nor foundation surface is known, so they are not compared either: its azimuths are taken
+/// about the tank's centre, and its heights may differ from a scan's by a constant, since the rod stands on chime or
+/// bottom projection (Removal::Mean).
+/// @throws Error (Option) a refused option; surveys of different tanks, units, methods or foundation surfaces; a survey
+///         without any standard error
+Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
+
+/// The `movement` of datum.json by itself. Metres, degrees; unknown values null.
+std::string movementJson(const Movement& movement);
+
+/// The `movement` of datum.json's options by itself, without the baseline's name. Metres, degrees.
+std::string movementOptionsJson(const MovementOptions& options);
+
+}  // namespace tank_datum

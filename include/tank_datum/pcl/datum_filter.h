@@ -1,0 +1,86 @@
+#pragma once
+
+#include <pcl/filters/filter_indices.h>
+#include <pcl/point_types.h>
+#include <pcl/search/search.h>
+
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/datum.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// The chain as a filter of PCL: keeps a cloud's edge points, those where a tank's shell meets its foundation, and has
+/// the datum made from them.
+///
+/// It obeys pcl::FilterIndices: points come out in the order of the indices given, not finite ones are always removed,
+/// and a scan without a usable datum has no edge points (getDatum().status says why). Instantiated for PointXYZ,
+/// PointXYZI, PointXYZRGB and PointNormal; for other point types with x, y and z include
+/// tank_datum/impl/datum_filter.hpp.
+///
+/// filter() throws Error (Option) for refused options, for an index that the cloud does not have, and for a search
+/// method that finds too few neighbours; the outputs are empty then and getDatum() says NotRun.
+template <typename PointT>
+class DatumFilter : public pcl::FilterIndices<PointT> {
+ public:
+  using Base = pcl::FilterIndices<PointT>;
+  using PointCloud = typename Base::PointCloud;
+  using PointCloudConstPtr = typename Base::PointCloudConstPtr;
+  using Ptr = pcl::shared_ptr<DatumFilter<PointT>>;
+  using ConstPtr = pcl::shared_ptr<const DatumFilter<PointT>>;
+  using SearcherPtr = typename pcl::search::Search<PointT>::Ptr;
+
+  /// @param extract_removed_indices  whether getRemovedIndices() is wanted
+  explicit DatumFilter(bool extract_removed_indices = false);
+
+  /// Forgets the last cloud's datum.
+  void setInputCloud(const PointCloudConstPtr& cloud) override;
+
+  void setOptions(const DatumOptions& options) { options_ = options; }
+  const DatumOptions& getOptions() const { return options_; }
+
+  /// Neighbours are asked of this search, not of options.normals.search. It is given the input cloud unless it already
+  /// holds it, whole or by the same indices; the datum is the same as without it. A ring that is thinned
+  /// (options.crop.search_points) is asked for the more neighbours the thinner it is. Null: the chain's own.
+  void setSearchMethod(const SearcherPtr& search) { search_ = search; }
+  SearcherPtr getSearchMethod() const { return search_; }
+
+  /// Whether the cloud's own normals are used, where finite and not zero, instead of estimated ones.
+  /// @throws Error (Option) when the point type has none
+  void setUseCloudNormals(bool use);
+  bool getUseCloudNormals() const { return use_cloud_normals_; }
+
+  /// The whole result of the last run; relative to its `origin`.
+  const Datum& getDatum() const { return datum_; }
+
+ protected:
+  using Base::extract_removed_indices_;
+  using Base::indices_;
+  using Base::input_;
+  using Base::keep_organized_;
+  using Base::negative_;
+  using Base::removed_indices_;
+
+  void applyFilter(PointCloud& output) override;
+  void applyFilter(pcl::Indices& indices) override;
+
+ private:
+  /// The input's points that are asked for, each once.
+  pcl::IndicesPtr selected() const;
+  void runOn(const pcl::IndicesPtr& selection, std::vector<bool>& is_edge);
+  Normals normalsOf(const Points& points, const pcl::Indices& chosen, const NormalOptions& options, int threads) const;
+  void prepareSearch() const;
+
+  DatumOptions options_;
+  SearcherPtr search_;
+  bool use_cloud_normals_ = false;
+  Datum datum_;
+};
+
+extern template class TANK_DATUM_API DatumFilter<pcl::PointXYZ>;
+extern template class TANK_DATUM_API DatumFilter<pcl::PointXYZI>;
+extern template class TANK_DATUM_API DatumFilter<pcl::PointXYZRGB>;
+extern template class TANK_DATUM_API DatumFilter<pcl::PointNormal>;
+
+}  // namespace tank_datum

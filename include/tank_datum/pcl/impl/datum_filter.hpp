@@ -1,0 +1,129 @@
+#pragma once
+
+#include <pcl/common/point_tests.h>
+#include <pcl/type_traits.h>
+
+#include <pcl/filters/impl/filter_indices.hpp>
+#include <pcl/impl/pcl_base.hpp>
+#include <string>
+
+#include "tank_datum/core/error.h"
+#include "tank_datum/pcl/datum_filter.h"
+#include "tank_datum/pcl/pcl_search.h"
+#include "tank_datum/pcl/pcl_stages.h"
+#include "tank_datum/search/scan_rows.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+template <typename PointT>
+DatumFilter<PointT>::DatumFilter(bool extract_removed_indices) : Base(extract_removed_indices) {
+  this->filter_name_ = "DatumFilter";
+}
+
+template <typename PointT>
+void DatumFilter<PointT>::setInputCloud(const PointCloudConstPtr& cloud) {
+  Base::setInputCloud(cloud);
+  datum_ = Datum();
+  removed_indices_ = std::make_shared<pcl::Indices>();
+}
+
+template <typename PointT>
+void DatumFilter<PointT>::setUseCloudNormals(bool use) {
+  if (use && !pcl::traits::has_normal<PointT>::value) {
+    throw Error(Error::Kind::Option, "filter", "use_cloud_normals", "true", "a point type that has normals");
+  }
+  use_cloud_normals_ = use;
+}
+
+template <typename PointT>
+void DatumFilter<PointT>::applyFilter(PointCloud& output) {
+  output.clear();
+  if (keep_organized_) extract_removed_indices_ = true;  // as the base would, which warns on stderr
+  Base::applyFilter(output);
+  if (!keep_organized_) output.is_dense = true;  // the base copies the input's flag, and only finite points are kept
+}
+
+template <typename PointT>
+void DatumFilter<PointT>::applyFilter(pcl::Indices& indices) {
+  datum_ = Datum();
+  indices.clear();
+  removed_indices_ = std::make_shared<pcl::Indices>();  // a new one: the caller may keep the last run's
+  std::vector<bool> is_edge(input_->size(), false);
+  runOn(selected(), is_edge);
+  for (const pcl::index_t i : *indices_) {
+    const auto at = static_cast<std::size_t>(i);
+    if (pcl::isXYZFinite((*input_)[at]) && is_edge[at] != negative_) {
+      indices.push_back(i);
+    } else if (extract_removed_indices_) {
+      removed_indices_->push_back(i);
+    }
+  }
+}
+
+template <typename PointT>
+pcl::IndicesPtr DatumFilter<PointT>::selected() const {
+  auto selection = std::make_shared<pcl::Indices>();
+  std::vector<bool> taken(input_->size(), false);
+  for (const pcl::index_t i : *indices_) {
+    const auto at = static_cast<std::size_t>(i);
+    if (i < 0 || at >= taken.size()) {
+      throw Error(Error::Kind::Option, "filter", "index", std::to_string(i),
+                  "one of the cloud's " + std::to_string(taken.size()) + " points");
+    }
+    if (!taken[at]) selection->push_back(i);
+    taken[at] = true;
+  }
+  return selection;
+}
+
+template <typename PointT>
+void DatumFilter<PointT>::runOn(const pcl::IndicesPtr& selection, std::vector<bool>& is_edge) {
+  const Scan scan = scanOf<PointT>(input_, selection);
+  pcl::Indices finite;
+  for (const pcl::index_t i : *selection) {
+    if (pcl::isXYZFinite((*input_)[static_cast<std::size_t>(i)])) finite.push_back(i);
+  }
+  const auto sources = [&](const Points& points) {
+    pcl::Indices found;
+    for (const std::size_t row : rowsOf(points, scan)) found.push_back(finite[row]);
+    return found;
+  };
+  NormalStage normals;
+  if (search_ || use_cloud_normals_) {
+    normals = [&](const Points& points, const NormalOptions& options, int threads) {
+      return normalsOf(points, sources(points), options, threads);
+    };
+  }
+  datum_ = extractDatum(scan, options_, {}, normals);
+  if (!datum_.usable()) return;
+  for (const pcl::index_t i : sources(datum_.edge_points)) is_edge[static_cast<std::size_t>(i)] = true;
+}
+
+template <typename PointT>
+Normals DatumFilter<PointT>::normalsOf(const Points& points, const pcl::Indices& chosen, const NormalOptions& options,
+                                       int threads) const {
+  Normals normals;
+  if (search_) {
+    prepareSearch();
+    auto neighbours = findNeighbours(*search_, *input_, chosen, options.k, threads);
+    normals = fitNormals(points, std::move(neighbours), options.k, threads);
+  } else {
+    normals = estimateNormals(points, options, threads);
+  }
+  if constexpr (pcl::traits::has_normal<PointT>::value) {
+    for (std::size_t i = 0; use_cloud_normals_ && i < chosen.size(); ++i) {
+      const Eigen::Vector3f n = (*input_)[static_cast<std::size_t>(chosen[i])].getNormalVector3fMap();
+      if (n.allFinite() && n.norm() > 0.0F) normals.normals[i] = n.normalized();
+    }
+  }
+  return normals;
+}
+
+template <typename PointT>
+void DatumFilter<PointT>::prepareSearch() const {
+  const auto covered = search_->getIndices();
+  const bool holds_all = !covered || covered == indices_ || *covered == *indices_;
+  if (search_->getInputCloud() != input_ || !holds_all) search_->setInputCloud(input_);
+}
+
+}  // namespace tank_datum

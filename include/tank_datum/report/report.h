@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/datum.h"
+#include "tank_datum/movement/movement.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// A scan file as the results name it.
+struct InputRecord {
+  std::string path;
+  std::string sha256;  ///< empty: not taken
+  std::uint64_t points = 0;
+};
+
+/// Where a datum comes from, for the record.
+struct Provenance {
+  std::vector<InputRecord> files;
+  std::string units = "m";
+  std::uint64_t invalid_points = 0;
+  DatumOptions options;
+  std::string baseline;  ///< the earlier survey compared with, or empty
+  MovementOptions movement_options;
+  std::optional<Movement> movement;  ///< since the baseline
+};
+
+/// The hashes and rows of files. This reads all of them once more and takes as long as the extraction, beside which it
+/// can run in a thread of its own.
+/// @param wanted  asked now and then; false: it returns soon, the rest of the hashes empty
+/// @throws Error (File) naming the file that cannot be read
+std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted = {});
+
+/// The hash of a levelling survey's file and its stations.
+/// @throws Error (File) naming it when it cannot be read
+InputRecord recordOfLevelling(const std::string& path, const Datum& datum);
+
+/// The record of a datum read from files.
+/// @param units  of the files, "m", "mm" or "ft"
+Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units, const DatumOptions& options,
+                        const Datum& datum);
+
+/// stations.csv: the header line, then one row per station; unknown values are empty. Metres, degrees.
+std::string stationsCsv(const Datum& datum);
+
+/// datum.json: two-space indented, unknown values null. Metres, degrees.
+std::string datumJson(const Datum& datum, const Provenance& provenance);
+
+/// The summary for a terminal: at most 15 lines.
+/// @param blocks  whether to draw the elevations in UTF-8 block characters
+std::string summary(const Datum& datum, bool blocks = false);
+
+/// Writes datum.json, stations.csv, shell.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a
+/// folder.
+/// @throws Error (File) naming the path
+void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance);
+
+}  // namespace tank_datum

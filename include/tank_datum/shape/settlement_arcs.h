@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/stations/placed_value.h"
+#include "tank_datum/stations/stations.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+/// A stretch of the shell between two changes of U's sign (Andreani et al.).
+struct SettlementArc {
+  double length = 0.0;  ///< [m]
+  PlacedValue largest;  ///< |U| where it is largest
+};
+
+/// The arcs between zero crossings of U; with more than 64 stations of its regression, since noise crosses zero too.
+/// Empty when U nowhere changes its sign.
+std::vector<SettlementArc> settlementArcs(const std::vector<Station>& stations, double radius);
+
+}  // namespace tank_datum

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tank_datum/core/export.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/fit/circle.h"
+#include "tank_datum/limits/verdict.h"
+
+namespace TANK_DATUM_API tank_datum {
+
+struct ShellOptions {
+  std::vector<double> heights;    ///< above the datum [m], increasing; empty: 0.3 m and every `step` above that
+  double step = 1.0;              ///< between heights [m]; with the courses' height all lie 0.3 m above a seam
+  double half_band = 0.1;         ///< a height takes the points this far above and below it [m]
+  double reach = 0.3;             ///< the shell is looked for this far from the tank's circle [m]
+  std::size_t cell_points = 100;  ///< of half a degree and one height at most this many points are kept
+};
+
+/// One line naming the first refused field, or empty.
+std::string firstError(const ShellOptions& options);
+
+/// The shell at one height and azimuth.
+struct ShellPoint {
+  double azimuth = kUnknown;    ///< as the user counts it [rad]
+  double height = kUnknown;     ///< above the datum here [m]
+  double radius = kUnknown;     ///< from the centre of the datum's circle [m]
+  double deviation = kUnknown;  ///< from the circle through this height, positive outwards [m]
+  double offset = kUnknown;     ///< of the radius from that at the lowest height seen here [m]
+  double sigma = kUnknown;      ///< standard error of the radius [m]
+  std::size_t points = 0;       ///< behind it
+};
+
+/// The shell at one height against the circle that fits it best. Extremes are those of the shell smoothed over as wide
+/// an arc as its shape allows, so that the largest of many noisy values is not taken for the shell's.
+struct Roundness {
+  double height = kUnknown;         ///< above the datum [m]
+  Circle circle;                    ///< least squares, every station seen the same [m]
+  double max_deviation = kUnknown;  ///< outwards [m]
+  double min_deviation = kUnknown;  ///< inwards, negative [m]
+  double azimuth = kUnknown;        ///< of the larger of the two [rad]
+  double sigma = kUnknown;          ///< its standard error [m]
+  std::size_t stations = 0;         ///< at which the shell is seen at this height
+  double widest_gap = kUnknown;     ///< arc between two of them [m]
+  double tolerance = kUnknown;      ///< of the radius, API 650 7.5.3 and API 653 10.5.3 [m]
+  Verdict verdict = Verdict::Undecided;
+
+  double largest() const { return std::max(max_deviation, -min_deviation); }  ///< [m]
+};
+
+/// How far the shell stands off the vertical at one azimuth, positive outwards.
+struct Plumbness {
+  double azimuth = kUnknown;                        ///< as the user counts it [rad]
+  double direction = kUnknown;                      ///< counter-clockwise from +x [rad]
+  double height = kUnknown;                         ///< between the lowest and the highest place seen here [m]
+  double offset = kUnknown, sigma = kUnknown;       ///< of the highest from the lowest, smoothed along the shell [m]
+  double slope = kUnknown, sigma_slope = kUnknown;  ///< line through all heights [m/m]; no sigma through two
+};
+
+/// The lean of the tank as a whole, what the slopes round it have in common.
+struct Lean {
+  Eigen::Vector2d gradient = Eigen::Vector2d::Constant(kUnknown);  ///< of the axis with height [m/m]
+  double sigma = kUnknown;                                         ///< standard error of either component [m/m]
+  double direction = kUnknown;  ///< towards which the top leans, as the user counts azimuths [rad]
+  double height = kUnknown;     ///< over which it was seen [m]
+
+  bool valid() const { return gradient.allFinite(); }
+  double slope() const { return gradient.norm(); }
+  double offset() const { return height * slope(); }  ///< of the top [m]
+};
+
+/// What the scan holds of the shell above the datum; empty until surveyed.
+struct ShellSurvey {
+  std::string message;               ///< why there is nothing
+  std::vector<ShellPoint> points;    ///< by height, then by station
+  std::vector<Roundness> roundness;  ///< one per height seen round enough of the tank, lowest first
+  std::vector<Plumbness> plumbness;  ///< one per station seen at two heights or more
+  Lean lean;
+
+  bool valid() const { return !points.empty(); }
+  const Roundness* foot() const;            ///< the highest at one foot above the bottom or below; null when not seen
+  const Roundness* worstAbove() const;      ///< higher up, the largest deviation; null when not seen
+  const Plumbness* worstPlumbness() const;  ///< the offset surely (95 %) largest either way; or null
+};
+
+}  // namespace tank_datum

@@ -1,0 +1,53 @@
+#include "core/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tank_datum {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double rank = std::floor(q * static_cast<double>(values.size()));
+  const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
+  const auto at = values.begin() + std::min(last, static_cast<std::ptrdiff_t>(rank));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double robustSigma(const std::vector<double>& values, double center) {
+  std::vector<double> deviations(values.size());
+  std::transform(values.begin(), values.end(), deviations.begin(), [&](double v) { return std::abs(v - center); });
+  return 1.4826 * median(std::move(deviations));
+}
+
+double halfSampleMode(const std::vector<double>& sorted) {
+  std::size_t first = 0, count = sorted.size();
+  while (count > 3) {
+    const std::size_t half = (count + 1) / 2;
+    std::size_t best = first;
+    for (std::size_t i = first; i + half <= first + count; ++i) {
+      if (sorted[i + half - 1] - sorted[i] < sorted[best + half - 1] - sorted[best]) best = i;
+    }
+    first = best;
+    count = half;
+  }
+  return sorted[first + count / 2];
+}
+
+double tukeyWeight(double residual_in_sigmas) {
+  const double u = residual_in_sigmas / 4.685;
+  if (std::abs(u) >= 1.0) return 0.0;
+  const double w = 1.0 - u * u;
+  return w * w;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+namespace tank_datum {
+
+/// The middle value (mean of the two middle ones for an even count); NaN for no values.
+double median(std::vector<double> values);
+
+/// The value below which the share `q` in [0, 1] of the values lies (nearest rank); NaN for no values.
+double quantile(std::vector<double> values, double q);
+
+/// Robust standard deviation: 1.4826 times the median absolute deviation from `center`; NaN for no values.
+double robustSigma(const std::vector<double>& values, double center);
+
+/// The densest place of sorted values: the half-sample mode (Bickel and Fruehwirth 2006).
+/// @param sorted  not empty
+double halfSampleMode(const std::vector<double>& sorted);
+
+/// Tukey's biweight with the constant 4.685 (95 % efficient for normal errors) of the residual in sigmas.
+double tukeyWeight(double residual_in_sigmas);
+
+}  // namespace tank_datum

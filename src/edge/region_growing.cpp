@@ -1,0 +1,40 @@
+#include "tank_datum/edge/region_growing.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+
+std::string firstError(const GrowingOptions& options) {
+  constexpr double kRightAngle = 1.5707963267948966;
+  if (options.angle > 0.0 && options.angle < kRightAngle) return {};
+  char text[80];
+  std::snprintf(text, sizeof text, "growing.angle = %g rad (must be > 0 and < pi/2)", options.angle);
+  return text;
+}
+
+std::vector<std::int32_t> growCandidates(const Normals& normals, const GrowingOptions& options, int threads) {
+  const auto k = static_cast<std::size_t>(normals.k);
+  const float limit = static_cast<float>(std::cos(options.angle));
+  std::vector<std::atomic<char>> marked(normals.size());
+  forEachRun(normals.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t seed = begin; seed < end; ++seed) {
+      for (std::size_t j = seed * k; j < (seed + 1) * k; ++j) {
+        const auto neighbour = static_cast<std::size_t>(normals.neighbours[j]);
+        if (std::abs(normals.normals[seed].dot(normals.normals[neighbour])) < limit) {
+          marked[neighbour].store(1, std::memory_order_relaxed);
+        }
+      }
+    }
+  });
+  std::vector<std::int32_t> candidates;
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (marked[i]) candidates.push_back(static_cast<std::int32_t>(i));
+  }
+  return candidates;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,64 @@
+#include "tank_datum/fit/harmonics.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "core/statistics.h"
+
+namespace tank_datum {
+
+Eigen::RowVectorXd harmonicRow(double azimuth, int order) {
+  Eigen::RowVectorXd row(2 * order + 1);
+  row[0] = 1.0;
+  for (int n = 1; n <= order; ++n) {
+    row[2 * n - 1] = std::cos(n * azimuth);
+    row[2 * n] = std::sin(n * azimuth);
+  }
+  return row;
+}
+
+double PeriodicFit::operator()(double azimuth) const {
+  if (coefficients.size() == 0) return 0.0;
+  const double cosine = std::cos(azimuth), sine = std::sin(azimuth);
+  double value = coefficients[0], c = 1.0, s = 0.0;  // of n times the azimuth
+  for (Eigen::Index n = 1; n < coefficients.size(); n += 2) {
+    const double before = c;
+    c = c * cosine - s * sine;
+    s = s * cosine + before * sine;
+    value += coefficients[n] * c + coefficients[n + 1] * s;
+  }
+  return value;
+}
+
+PeriodicFit fitHarmonics(const std::vector<double>& azimuths, const std::vector<double>& values,
+                         const std::vector<double>& weights, int order, bool robust, double ridge) {
+  PeriodicFit fit;
+  const auto count = static_cast<Eigen::Index>(values.size());
+  if (count == 0) return fit;
+  Eigen::MatrixXd design(count, 2 * order + 1);
+  for (Eigen::Index i = 0; i < count; ++i) design.row(i) = harmonicRow(azimuths[static_cast<std::size_t>(i)], order);
+  const Eigen::VectorXd given = Eigen::Map<const Eigen::VectorXd>(values.data(), count);
+  Eigen::VectorXd base = Eigen::VectorXd::Ones(count);
+  if (!weights.empty()) base = Eigen::Map<const Eigen::VectorXd>(weights.data(), count);
+
+  Eigen::VectorXd used = base;
+  for (int iteration = 0; iteration < (robust ? 30 : 1); ++iteration) {
+    Eigen::MatrixXd normal = design.transpose() * used.asDiagonal() * design;
+    for (int n = 1; n <= order; ++n) {
+      const double quiet = ridge * used.sum() * std::pow(static_cast<double>(n) / order, 4);
+      normal(2 * n - 1, 2 * n - 1) += quiet;
+      normal(2 * n, 2 * n) += quiet;
+    }
+    const Eigen::LDLT<Eigen::MatrixXd> solver(normal);
+    fit.coefficients = solver.solve(design.transpose() * (used.asDiagonal() * given));
+    fit.covariance = solver.solve(Eigen::MatrixXd::Identity(2 * order + 1, 2 * order + 1));
+    const Eigen::VectorXd residuals = given - design * fit.coefficients;
+    const std::vector<double> list(residuals.data(), residuals.data() + count);
+    fit.sigma = robustSigma(list, 0.0);
+    if (fit.sigma <= 0.0) break;
+    for (Eigen::Index i = 0; i < count; ++i) used[i] = base[i] * tukeyWeight(residuals[i] / fit.sigma);
+  }
+  return fit;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,116 @@
+#include "foot/foot_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.h"
+
+namespace tank_datum {
+namespace {
+
+/// A run of neighbouring stations without a step between them.
+struct Run {
+  std::size_t first, count;
+};
+
+bool isStep(const FootFit& a, const FootFit& b, double arc) {
+  constexpr double kSteepest = 0.02;  // of a datum along its shell; ten times what the codes allow [m/m]
+  constexpr double kLeast = 0.002;    // a step that matters [m]
+  return std::abs(a.z - b.z) > kSteepest * arc + 3.0 * std::hypot(a.sigma, b.sigma) + kLeast;
+}
+
+constexpr double kThirdDifference = 1.0 + 9.0 + 9.0 + 1.0;  // its variance over that of one value
+
+struct ThirdDifference {
+  double value, variance;
+};
+
+void addDifferences(const std::vector<FootFit>& fits, std::size_t lag, std::vector<ThirdDifference>& differences) {
+  const std::size_t count = fits.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const FootFit *a = &fits[i], *b = &fits[(i + lag) % count], *c = &fits[(i + 2 * lag) % count],
+                  *d = &fits[(i + 3 * lag) % count];
+    if (!a->valid() || !b->valid() || !c->valid() || !d->valid()) continue;
+    differences.push_back(
+        {d->z - 3.0 * c->z + 3.0 * b->z - a->z,
+         d->sigma * d->sigma + 9.0 * (c->sigma * c->sigma + b->sigma * b->sigma) + a->sigma * a->sigma});
+  }
+}
+
+/// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
+std::vector<Run> runsBetweenSteps(const std::vector<FootFit>& fits, const std::vector<bool>& dropped, double step) {
+  std::vector<std::size_t> seen, starts;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i].valid() && !dropped[i]) seen.push_back(i);
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::size_t at = seen[i], before = seen[(i + seen.size() - 1) % seen.size()];
+    const std::size_t apart = (at + fits.size() - before) % fits.size();
+    if (isStep(fits[at], fits[before], static_cast<double>(apart) * step)) starts.push_back(i);
+  }
+  std::vector<Run> runs;
+  for (std::size_t s = 0; s < starts.size() && starts.size() > 1; ++s) {
+    const std::size_t next = starts[(s + 1) % starts.size()];
+    runs.push_back({seen[starts[s]], (next + seen.size() - starts[s] - 1) % seen.size() + 1});
+  }
+  return runs;
+}
+
+}  // namespace
+
+bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, double prior_slope,
+                   const FootProfile& profile) {
+  constexpr double kSlope = 0.03;     // a foundation's slope varies by less along the shell [m/m]
+  constexpr double kNoise = 3.0;      // times the usual roughness
+  constexpr double kSection = 0.010;  // how far the section beyond may differ in height [m]
+  if (std::abs(fit.slope - prior_slope) > kSlope + 3.0 * fit.sigma_slope) return false;
+  if (fit.noise > kNoise * profile.noise) return false;
+  std::vector<double> off;
+  for (const FootPoint& p : points) {
+    const auto bin = static_cast<std::size_t>(std::max(0.0, p.d) / profile.bin);
+    if (p.d < profile.edge + profile.blur || bin >= profile.height.size()) continue;
+    if (!(profile.spread[bin] <= 2.0 * profile.noise)) continue;  // an upright face has no height of its own
+    const double expected = fit.z - profile.offset + profile.height[bin];
+    if (std::isfinite(expected)) off.push_back(p.z - expected);
+  }
+  return off.size() < 10 || std::abs(median(off)) <= kSection + 2.0 * fit.sigma;
+}
+
+std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step) {
+  std::vector<bool> dropped(fits.size(), false);
+  for (auto runs = runsBetweenSteps(fits, dropped, step); !runs.empty(); runs = runsBetweenSteps(fits, dropped, step)) {
+    const auto shortest =
+        std::min_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.count < b.count; });
+    std::size_t left = shortest->count;
+    for (std::size_t i = shortest->first; left > 0; i = (i + 1) % fits.size()) {
+      if (!fits[i].valid() || dropped[i]) continue;
+      dropped[i] = true;
+      --left;
+    }
+  }
+  return dropped;
+}
+
+double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {
+  constexpr std::size_t kFewest = 20;
+  // four in five of normal deviates are within 1.2816: more is heard of the tails than in a median, less than in a mean
+  constexpr double kShare = 0.8, kWithin = 1.2816;
+  std::vector<ThirdDifference> differences;  // at three lags, for their number
+  for (std::size_t lag = apart; lag <= 3 * apart && 4 * lag < fits.size(); lag += apart)
+    addDifferences(fits, lag, differences);
+  if (differences.size() < kFewest) return 0.0;
+  std::vector<double> ratios(differences.size());
+  const auto excess = [&](double common) {
+    std::transform(differences.begin(), differences.end(), ratios.begin(), [&](const ThirdDifference& d) {
+      return std::abs(d.value) / std::sqrt(d.variance + kThirdDifference * common * common);
+    });
+    return quantile(ratios, kShare) / kWithin - 1.0;
+  };
+  double low = 0.0, high = 0.0;
+  for (const ThirdDifference& d : differences) high = std::max(high, std::abs(d.value));
+  if (excess(low) <= 0.0) return 0.0;
+  for (int halving = 0; halving < 40; ++halving) (excess(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+  return high;
+}
+
+}  // namespace tank_datum

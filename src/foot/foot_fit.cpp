@@ -1,0 +1,123 @@
+#include "foot/foot_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fit/surface_rows.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+
+FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach) {
+  const auto& points = ring.points();
+  constexpr std::size_t kParts = 64;
+  std::array<std::vector<Entry>, kParts> parts;
+  const auto beginOf = [&](std::size_t part) { return points.size() * part / kParts; };
+  forEachIndex(kParts, 0, [&](std::size_t part) {
+    parts[part].reserve(beginOf(part + 1) - beginOf(part));
+    for (std::size_t i = beginOf(part); i < beginOf(part + 1); ++i) {
+      const double radius = shell.at(points[i].azimuth), d = side * (points[i].radius - radius);
+      if (d > -0.1 * reach && d < reach) parts[part].push_back({points[i].azimuth, radius, d, points[i].z});
+    }
+  });
+  std::array<std::size_t, kParts + 1> starts{};
+  for (std::size_t part = 0; part < kParts; ++part) starts[part + 1] = starts[part] + parts[part].size();
+  entries_.resize(starts.back());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t part = 0; part < kParts; ++part) {
+    std::copy(parts[part].begin(), parts[part].end(), entries_.begin() + static_cast<std::ptrdiff_t>(starts[part]));
+  }
+}
+
+std::vector<FootPoint> FootRing::around(double azimuth, double half_width, double z, double height) const {
+  std::vector<FootPoint> points;
+  visitAround(azimuth, half_width, z, height, [&points](const FootPoint& p) { points.push_back(p); });
+  return points;
+}
+
+std::pair<std::size_t, std::size_t> FootRing::between(double from, double to) const {
+  const auto first = std::lower_bound(entries_.begin(), entries_.end(), from,
+                                      [](const Entry& e, double value) { return e.azimuth < value; });
+  const auto last =
+      std::upper_bound(first, entries_.end(), to, [](double value, const Entry& e) { return value < e.azimuth; });
+  return {static_cast<std::size_t>(first - entries_.begin()), static_cast<std::size_t>(last - entries_.begin())};
+}
+
+namespace {
+
+/// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
+/// both err together, and a row of the scan close to an end of the band is cut on that side alone.
+/// @param rows  a is d, the residuals are z without the fit
+double selectionError(const SurfaceRows& rows, double from, double to) {
+  const std::vector<double>&d = rows.a(), &z = rows.residuals(), &weights = rows.weights();
+  double sum = 0, mean_d = 0, mean_z = 0, squares = 0, products = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    sum += weights[i];
+    mean_d += weights[i] * d[i];
+    mean_z += weights[i] * z[i];
+  }
+  mean_d /= sum;
+  mean_z /= sum;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    squares += weights[i] * (d[i] - mean_d) * (d[i] - mean_d);
+    products += weights[i] * (d[i] - mean_d) * (z[i] - mean_z);
+  }
+  if (!(squares > 0.0)) return 0.0;
+  const double spread = std::sqrt(squares / sum), to_end = std::min(mean_d - from, to - mean_d) / spread;
+  return std::abs(products / squares) * spread * std::exp(-0.5 * to_end * to_end);
+}
+
+}  // namespace
+
+FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
+                const FootPrior& prior) {
+  constexpr double kSteepestSettlement = 0.01;  // of the datum along the shell [m/m]
+  constexpr double kPooled = 10.0;  // how many points the noise of the whole ring counts for beside a station's own
+  FootFit fit;
+  const auto on_surface = [&](const FootPoint& p) {
+    return p.d >= profile.band_from && p.d <= profile.edge &&
+           std::abs(p.z - start - profile.slope * p.d) <= 8.0 * profile.noise + profile.blur;
+  };
+  double seen_to = 0;  // a shadow may end the surface before its edge does
+  for (const FootPoint& p : points) {
+    if (on_surface(p)) seen_to = std::max(seen_to, p.d);
+  }
+  const double to = std::min(profile.band_to, seen_to - profile.blur);
+  SurfaceRows rows;
+  rows.reserve(points.size());
+  for (const FootPoint& p : points) {
+    if (p.d <= to && on_surface(p)) rows.add(p.d, p.t, p.z);
+  }
+  fit.points = rows.size();
+  if (rows.size() < 4) return fit;
+  rows.close();
+  double noise = profile.noise;
+  Eigen::Vector4d solution(start, slope, 0.0, 0.0);
+  Eigen::Matrix4d inverse;
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    auto [normal, rhs, used] = rows.equations();
+    const auto belief = [&](double sigma) { return noise * noise / (sigma * sigma); };
+    normal(1, 1) += belief(prior.sigma_slope);
+    rhs[1] += belief(prior.sigma_slope) * slope;
+    normal(2, 2) += belief(kSteepestSettlement);
+    normal(3, 3) += belief(prior.sigma_bend);
+    if (used < 3.0) return fit;
+    inverse = normal.inverse();
+    solution = inverse * rhs;
+    const double own = std::max(rows.residualsFrom(solution), 1e-7);
+    noise = std::sqrt((kPooled * profile.noise * profile.noise + used * own * own) / (kPooled + used));
+    rows.weigh(noise);
+  }
+  fit.z = solution[0];
+  fit.slope = solution[1];
+  fit.along = solution[2];
+  fit.bend = solution[3];
+  fit.sigma = std::hypot(noise * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
+  fit.sigma_slope = noise * std::sqrt(inverse(1, 1));
+  fit.noise = noise;
+  return fit;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "foot/polar_ring.h"
+#include "foot/shell_line.h"
+#include "tank_datum/core/default_init_allocator.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/fit/harmonics.h"
+#include "tank_datum/foot/foot_profile.h"
+
+namespace tank_datum {
+
+/// What is known of the foundation surface before a station's own points are looked at.
+struct FootPrior {
+  PeriodicFit slope;       ///< across the shell, against azimuth [m/m]
+  double sigma_slope = 0;  ///< how far stations differ from it [m/m]
+  double sigma_bend = 0;   ///< of the datum's second-order term along the shell [1/m]
+};
+
+/// The foundation surface at one station: z at the shell, with its slope outwards.
+struct FootFit {
+  double z = kUnknown, sigma = kUnknown;            ///< at the shell, and its standard error [m]
+  double slope = kUnknown, sigma_slope = kUnknown;  ///< [m/m]
+  double along = kUnknown, bend = kUnknown;         ///< of z along the shell: along t + bend t^2 [m/m], [1/m]
+  double noise = kUnknown;                          ///< standard deviation of the points about it [m]
+  double half_width = kUnknown;                     ///< half the angle of the window the points come from [rad]
+  std::size_t points = 0;                           ///< within the band of the profile
+
+  bool valid() const { return sigma > 0.0; }
+};
+
+/// The ring's points as the foot sees them: arc along the shell, distance from it, elevation; in order of azimuth.
+class FootRing {
+ public:
+  /// @param side  +1 when the foundation lies outside of the shell, -1 inside
+  FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach);
+
+  /// The points within half_width [rad] of an azimuth and within `height` of an elevation [m].
+  std::vector<FootPoint> around(double azimuth, double half_width, double z, double height) const;
+
+  /// Calls visit(point) for each of them.
+  template <typename Visit>
+  void visitAround(double azimuth, double half_width, double z, double height, Visit&& visit) const {
+    constexpr double kTurn = 6.283185307179586;
+    for (const double shift : {-kTurn, 0.0, kTurn}) {
+      const auto [begin, end] = between(azimuth + shift - half_width, azimuth + shift + half_width);
+      for (std::size_t i = begin; i < end; ++i) {
+        const Entry& e = entries_[i];
+        if (std::abs(e.z - z) < height) visit(FootPoint{(e.azimuth - azimuth - shift) * e.radius, e.d, e.z});
+      }
+    }
+  }
+
+ private:
+  struct Entry {
+    double azimuth, radius, d, z;
+  };
+  /// Indices of the first entry from an azimuth on, and of the first beyond another.
+  std::pair<std::size_t, std::size_t> between(double from, double to) const;
+
+  std::vector<Entry, DefaultInitAllocator<Entry>> entries_;
+};
+
+/// A robust plane z = z0 + slope d + along t + bend t^2 through the points in the profile's band, in which what is
+/// known beforehand counts as observations (Bayesian least squares), so that few points lean on the prior and say so in
+/// sigma.
+/// @param start  elevation of the surface at the shell, to a few noises [m]
+/// @return not valid for fewer than four points
+FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
+                const FootPrior& prior);
+
+}  // namespace tank_datum

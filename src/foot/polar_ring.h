@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "tank_datum/core/default_init_allocator.h"
+#include "tank_datum/locate/crop.h"
+#include "tank_datum/locate/locate.h"
+
+namespace tank_datum {
+
+/// A ring point seen from the tank's axis.
+struct PolarPoint {
+  double azimuth;  ///< counter-clockwise from +x, in [0, 2 pi) [rad]
+  double radius;   ///< [m]
+  double z;        ///< [m]
+};
+
+using PolarPoints = std::vector<PolarPoint, DefaultInitAllocator<PolarPoint>>;
+
+/// The ring's points in order of azimuth, for windows round the tank.
+class PolarRing {
+ public:
+  PolarRing(const Points& points, const Eigen::Vector2d& center);
+
+  /// Calls visit(point, turn) for every point whose azimuth is within half_width of `azimuth`; turn is the signed
+  /// difference [rad].
+  template <typename Visit>
+  void around(double azimuth, double half_width, Visit&& visit) const {
+    constexpr double kTurn = 6.283185307179586;
+    for (const double shift : {-kTurn, 0.0, kTurn}) {
+      for (std::size_t i = firstFrom(azimuth + shift - half_width); i < points_.size(); ++i) {
+        const double turn = points_[i].azimuth - shift - azimuth;
+        if (turn > half_width) break;
+        visit(points_[i], turn);
+      }
+    }
+  }
+
+  const PolarPoints& points() const { return points_; }
+  /// Index of the first point at an azimuth or beyond; the number of points if there is none.
+  std::size_t firstFrom(double azimuth) const;
+
+ private:
+  PolarPoints points_;
+};
+
+}  // namespace tank_datum

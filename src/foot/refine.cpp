@@ -1,0 +1,272 @@
+#include "tank_datum/foot/refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "fit/circular_series.h"
+#include "foot/foot_check.h"
+#include "foot/foot_fit.h"
+#include "foot/foot_state.h"
+#include "foot/polar_ring.h"
+#include "foot/shell_circle.h"
+#include "foot/shell_fits.h"
+#include "foot/shell_line.h"
+#include "foot/station_section.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/fit/harmonics.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
+
+/// Each station's own points, and a first elevation from those just outside the weld.
+void lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
+  constexpr std::size_t kFew = 5;
+  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
+  foot.points.resize(foot.directions.size());
+  std::vector<double> guesses(foot.directions.size());
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t i = 0; i < guesses.size(); ++i) {
+    const double direction = foot.directions[i];
+    foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach);
+    std::vector<double> heights;
+    for (double to = near + 0.1 * foot.reach; heights.size() < kFew && to < foot.reach; to += 0.1 * foot.reach) {
+      heights.clear();
+      for (const FootPoint& p : foot.points[i]) {
+        if (p.d >= near && p.d <= to) heights.push_back(p.z);
+      }
+    }
+    guesses[i] = heights.size() < kFew ? kUnknown : median(heights);
+  }
+  foot.datum = filledUp(runningMedian(guesses, 3));
+}
+
+/// Windows grow by borrowing from the neighbours until the standard error is what was asked for.
+FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPrior& prior) {
+  constexpr double kWidestAngle = 10.0 * kPi / 180.0;  // of a curve that a parabola still follows
+  const double azimuth = foot.directions[station], datum = foot.datum[station];
+  const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
+  for (double half = foot.half_step;; half *= 1.4) {
+    const auto points = foot.ring.around(azimuth, half, datum, foot.reach);
+    FootFit fit = fitFoot(points, profile, datum + profile.offset, prior.slope(azimuth), prior);
+    fit.half_width = half;
+    if (fit.sigma < foot.options.wanted_sigma || half > widest) return fit;
+  }
+}
+
+std::vector<FootFit> fitStations(const Foot& foot, const FootProfile& profile, const FootPrior& prior) {
+  std::vector<FootFit> fits(foot.directions.size());
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t i = 0; i < fits.size(); ++i) fits[i] = fitStation(foot, i, profile, prior);
+  return fits;
+}
+
+/// The slope of a wide foundation surface round the tank, from windows ten degrees wide.
+void learnSlope(const Foot& foot, const FootProfile& profile, FootPrior& prior) {
+  constexpr double kHalfWindow = 5.0 * kPi / 180.0;
+  constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
+  const std::size_t stride = std::max<std::size_t>(1, foot.directions.size() / 36);
+  std::vector<FootFit> fits((foot.directions.size() + stride - 1) / stride);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    const std::size_t i = k * stride;
+    const auto points = foot.ring.around(foot.directions[i], kHalfWindow, foot.datum[i], foot.reach);
+    fits[k] = fitFoot(points, profile, foot.datum[i] + profile.offset, profile.slope, prior);
+  }
+  std::vector<double> azimuths, slopes, weights;
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    if (!fits[k].valid()) continue;
+    azimuths.push_back(foot.directions[k * stride]);
+    slopes.push_back(fits[k].slope);
+    weights.push_back(1.0 / (fits[k].sigma_slope * fits[k].sigma_slope));
+  }
+  if (slopes.size() < 6) return;
+  double mean = 0;
+  for (const double w : weights) mean += w / static_cast<double>(weights.size());
+  for (double& w : weights) w /= mean;
+  prior.slope = fitHarmonics(azimuths, slopes, weights, 1, true, 0.02);
+  const double among_windows = prior.slope.sigma * prior.slope.sigma - 1.0 / mean;
+  prior.sigma_slope = std::max(kLeastSigma, std::sqrt(std::max(0.0, among_windows)));
+}
+
+FootPrior priorFor(const Foot& foot, const FootProfile& profile) {
+  constexpr double kPlateSlope = 0.003;  // an annular plate lies on the ringwall's top to 0.2 mm in 65 [m/m]
+  constexpr double kWideSlope = 0.1;     // of pads and floors, before they are looked at [m/m]
+  FootPrior prior;
+  prior.slope.coefficients = Eigen::Vector3d(profile.slope, 0.0, 0.0);
+  prior.sigma_bend = kHighestWave / foot.radius;
+  const bool plate = profile.surface == Surface::AnnularPlate;
+  prior.sigma_slope = plate ? kPlateSlope : kWideSlope;
+  if (!plate) learnSlope(foot, profile, prior);
+  return prior;
+}
+
+/// The fits with the datum's own shape, harmonics to the eighth, taken out of z.
+std::vector<FootFit> withoutShape(const Foot& foot) {
+  constexpr int kOrder = 8;
+  std::vector<double> azimuths, elevations, weights;
+  double mean = 0;
+  for (std::size_t i = 0; i < foot.fits.size(); ++i) {
+    if (!foot.fits[i].valid()) continue;
+    azimuths.push_back(foot.directions[i]);
+    elevations.push_back(foot.fits[i].z);
+    weights.push_back(1.0 / (foot.fits[i].sigma * foot.fits[i].sigma));
+    mean += weights.back();
+  }
+  for (double& w : weights) w *= static_cast<double>(weights.size()) / mean;
+  const PeriodicFit shape = fitHarmonics(azimuths, elevations, weights, kOrder, true, 1e-6);
+  std::vector<FootFit> fits = foot.fits;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (fits[i].valid()) fits[i].z -= shape(foot.directions[i]);
+  }
+  return fits;
+}
+
+/// What the formal standard errors leave out: roughness common to a window's points, and blends that bend the section.
+void widenSigmas(Foot& foot, const FootProfile& profile) {
+  std::vector<double> widths;
+  for (const FootFit& fit : foot.fits) {
+    if (fit.valid()) widths.push_back(fit.half_width);
+  }
+  if (widths.empty()) return;
+  const auto apart = static_cast<std::size_t>(std::ceil(median(widths) / foot.half_step));
+  const double common = std::hypot(commonSigma(withoutShape(foot), apart), profile.misfit);
+  for (FootFit& fit : foot.fits) fit.sigma = std::hypot(fit.sigma, common);
+}
+
+void fillStations(std::vector<Station>& stations, const Foot& foot, const std::vector<ShellLine>& shell,
+                  const Eigen::Vector2d& center) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    Station& s = stations[i];
+    const FootFit& fit = foot.fits[i];
+    s.flag = fit.valid() ? StationFlag::Measured : StationFlag::Missing;
+    s.x = s.y = s.z = s.sigma_z = s.radius = s.sigma_radius = s.window = kUnknown;
+    s.n_shell = shell[i].points;
+    s.n_foundation = fit.points;
+    if (!fit.valid()) continue;
+    s.z = fit.z;
+    s.sigma_z = fit.sigma;
+    s.window = 2.0 * fit.half_width;
+    s.radius = shell[i].radius;
+    s.sigma_radius = shell[i].sigma_radius;
+    s.x = center.x() + s.radius * std::cos(s.direction);
+    s.y = center.y() + s.radius * std::sin(s.direction);
+  }
+}
+
+/// What the report shows of each station; a stranger's points are shown without the line that was refused.
+std::vector<StationProfile> sectionsOf(const Foot& foot, const std::vector<ShellLine>& shell, double band_to,
+                                       double side) {
+  std::vector<StationProfile> sections;
+  if (foot.options.profile_points == 0) return sections;
+  sections.resize(foot.fits.size());
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const ProfileWindow window{foot.directions[i], foot.half_step, foot.datum[i], foot.reach, band_to, side};
+    sections[i] = profileOf(foot.ring, window, foot.fits[i], shell[i], foot.options.profile_points);
+  }
+  return sections;
+}
+
+/// Stations stand at their azimuths about the fitted centre, which is millimetres from the one the fits went round: the
+/// shell moves by that in radius, and its elevation by nothing that can be told.
+void recentre(std::vector<Station>& stations, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  for (Station& s : stations) {
+    if (s.flag != StationFlag::Measured) continue;
+    const Eigen::Vector2d outwards(std::cos(s.direction), std::sin(s.direction));
+    s.radius -= outwards.dot(to - from);
+    s.x = to.x() + s.radius * outwards.x();
+    s.y = to.y() + s.radius * outwards.y();
+  }
+}
+
+}  // namespace
+
+std::string firstError(const RefineOptions& options) {
+  char text[96] = "";
+  const auto refuse = [&text](const char* name, double value) {
+    if (value > 0.0 || text[0] != '\0') return;
+    std::snprintf(text, sizeof text, "refine.%s = %g m (must be > 0)", name, value);
+  };
+  refuse("largest_weld", options.largest_weld);
+  refuse("widest_band", options.widest_band);
+  refuse("widest_window", options.widest_window);
+  refuse("wanted_sigma", options.wanted_sigma);
+  if (options.profile_points < 0 && text[0] == '\0') {
+    std::snprintf(text, sizeof text, "refine.profile_points = %d (must be >= 0)", options.profile_points);
+  }
+  return text;
+}
+
+Refined refineStations(std::vector<Station>& stations, const Ring& ring, const Tank& tank, const RefineOptions& options,
+                       const StationOptions& station_options) {
+  constexpr int kFewest = 360;  // stations that follow the shell's lobes; fewer are picked from as many
+  if (station_options.count < kFewest) {
+    const int every = (kFewest + station_options.count - 1) / station_options.count;
+    StationOptions fine_options = station_options;
+    fine_options.count *= every;
+    std::vector<Station> fine = emptyStations(fine_options);
+    Refined refined = refineStations(fine, ring, tank, options, fine_options);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const Station coarse = stations[i];
+      stations[i] = fine[i * static_cast<std::size_t>(every)];
+      stations[i].azimuth = coarse.azimuth;
+      stations[i].z_paper = coarse.z_paper;
+      if (!refined.sections.empty()) refined.sections[i] = refined.sections[i * static_cast<std::size_t>(every)];
+    }
+    if (!refined.sections.empty()) refined.sections.resize(stations.size());
+    return refined;
+  }
+  constexpr int kPasses = 3;  // the section sharpens as the elevations do; the third moves a few stations by 0.1 mm
+  Refined refined;
+  refined.circle = tank.circle;
+  const PolarRing polar(ring.points, tank.circle.center);
+  const ShellFits fits = fitShell(stations, polar, tank, ring.reach);
+  const auto& shell = fits.lines;
+  const double side = tank.side == Side::Outside ? 1.0 : -1.0, noise = fits.noise();
+  if (!(noise > 0.0)) return refined;  // no shell line anywhere
+  const FootRing foot_ring(polar, modelShell(shell, station_options), side, ring.reach);
+  Foot foot{foot_ring, options, ring.reach, kPi / station_options.count, tank.circle.radius, {}, {}, {}, {}};
+  for (const Station& s : stations) foot.directions.push_back(s.direction);
+
+  const double weld = std::min(options.largest_weld, 0.05 * ring.reach);
+  const FootScales scales{std::min(options.widest_band, ring.reach), noise, weld};
+  lookFirst(foot, tank, scales);
+  std::vector<double> to_stack = foot.datum;
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    if (!shell[i].seen()) to_stack[i] = kUnknown;
+  }
+  std::vector<bool> strange;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    refined.profile = stackProfile(foot.points, to_stack, scales);
+    if (!refined.profile.valid()) return refined;
+    const FootPrior prior = priorFor(foot, refined.profile);
+    foot.fits = fitStations(foot, refined.profile, prior);
+    std::vector<double> elevations;
+    for (const FootFit& fit : foot.fits) elevations.push_back(fit.z);
+    strange = findStrangers(foot, shell, refined.profile, prior);
+    to_stack = withoutStrangers(elevations, strange);
+    foot.datum = filledUp(elevations);
+  }
+  for (std::size_t i = 0; i < strange.size(); ++i) {
+    if (strange[i]) foot.fits[i] = {};
+  }
+  refined.sections = sectionsOf(foot, shell, refined.profile.band_to, side);
+  widenSigmas(foot, refined.profile);
+  fillStations(stations, foot, shell, tank.circle.center);
+  const ShellCircle round = fitShellCircle(fits.lines, foot.directions, fits.from, fits.to, tank.circle, priorOf(tank));
+  refined.circle = round.circle;
+  refined.sigma_radius = round.sigma_radius;
+  recentre(stations, tank.circle.center, refined.circle.center);
+  std::vector<bool> measured;
+  for (const Station& s : stations) measured.push_back(s.flag == StationFlag::Measured);
+  flagGaps(stations, measured, station_options);
+  bridgeGaps(stations, refined.circle.center, kHighestWave / tank.circle.radius);
+  return refined;
+}
+
+}  // namespace tank_datum

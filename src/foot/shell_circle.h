@@ -1,0 +1,37 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "foot/shell_line.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/fit/circle.h"
+#include "tank_datum/locate/locate.h"
+
+namespace tank_datum {
+
+struct ShellCircle {
+  Circle circle;                   ///< at the datum [m]
+  double sigma_radius = kUnknown;  ///< standard error, out-of-roundness included [m]
+};
+
+/// How well the circle is known before the lines are looked at, from the shell over all of its height [m].
+struct CirclePrior {
+  double sigma_radius = std::numeric_limits<double>::infinity();
+  double sigma_center = std::numeric_limits<double>::infinity();
+};
+
+/// What a located tank's circle is worth: more than nothing only where half of the shell or more was seen.
+CirclePrior priorOf(const Tank& tank);
+
+/// One circle and one lean through the stations' shell lines, each taken at two heights: a short arc bears that better
+/// than the stations' own radii at the datum, extrapolated one by one. Robust; every station counts the same, however
+/// densely it was scanned.
+/// @param azimuths  of the lines [rad]
+/// @param from,to   heights above the datum between which the lines were fitted [m]
+/// @param start     the circle that the lines' radii are measured from the centre of
+/// @param prior     of that circle
+ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths, double from,
+                           double to, const Circle& start, const CirclePrior& prior);
+
+}  // namespace tank_datum

@@ -1,0 +1,43 @@
+#include "foot/shell_fits.h"
+
+#include <algorithm>
+
+#include "core/statistics.h"
+#include "core/units.h"
+
+namespace tank_datum {
+double ShellFits::noise() const {
+  std::vector<double> noises;
+  for (const ShellLine& line : lines) {
+    if (line.seen()) noises.push_back(line.noise);
+  }
+  return median(noises);
+}
+
+ShellFits fitShell(const std::vector<Station>& stations, const PolarRing& ring, const Tank& tank, double reach) {
+  constexpr std::size_t kPlenty = 40;                 // points for four unknowns
+  constexpr double kWidestShell = 5.0 * kPi / 180.0;  // half the arc that a sparse station may borrow points from
+  const ShellOutline outline = outlineShell(ring, tank, reach);
+  ShellFits shell;
+  shell.from = std::max(0.1 * reach, 4.0 * outline.noise);
+  shell.to = reach;
+  shell.lines.resize(stations.size());
+  const double step = kTwoPi / static_cast<double>(stations.size());
+  auto& lines = shell.lines;
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const double azimuth = stations[i].direction;
+    for (double half = step; lines[i].points < kPlenty && half < kWidestShell; half *= 1.5) {
+      lines[i] = fitShellLine(ring, outline, azimuth, half, tank.foot(azimuth), shell.from, reach);
+    }
+    if (!lines[i].standsWithin(step * tank.circle.radius)) lines[i] = {};
+  }
+  return shell;
+}
+
+ShellModel modelShell(std::vector<ShellLine> lines, const StationOptions& options) {
+  if (options.clockwise) std::reverse(lines.begin() + 1, lines.end());
+  return ShellModel(std::move(lines), options.zero_azimuth);
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,154 @@
+#include "foot/shell_line.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/fast_floor.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "fit/surface_rows.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kPointsPerCell = 40;  // enough for a mode, few enough for cells finer than the lobes of a shell
+
+/// Replaces cells that stand apart from the running median of their neighbours by NaN: pipes, boxes, outliers.
+void dropStrays(std::vector<double>& radius, double noise, double cell_arc) {
+  constexpr std::ptrdiff_t kReach = 4;
+  constexpr double kSteepest = 0.15;  // a lobe of +-50 mm over 3 m turns the shell by 0.1 against the circle
+  const auto count = static_cast<std::ptrdiff_t>(radius.size());
+  const std::vector<double> given = radius;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    std::vector<double> around;
+    for (std::ptrdiff_t j = i - kReach; j <= i + kReach; ++j) {
+      const double r = given[static_cast<std::size_t>((j + count) % count)];
+      if (std::isfinite(r)) around.push_back(r);
+    }
+    double& cell = radius[static_cast<std::size_t>(i)];
+    if (std::abs(cell - median(around)) > 4.0 * noise + kSteepest * kReach * cell_arc) cell = kUnknown;
+  }
+}
+
+template <typename Keep>
+ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep) {
+  const PolarPoints& points = ring.points();
+  std::vector<char> kept(points.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < points.size(); ++i) kept[i] = keep(points[i]);
+  const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
+  const std::size_t cells = std::clamp<std::size_t>(count / kPointsPerCell, 36, 1440);
+  ShellOutline result;
+  result.radius.resize(cells);
+  std::vector<double> spreads(cells);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const double width = kTwoPi / static_cast<double>(cells), from = static_cast<double>(cell) * width;
+    std::vector<double> radii;
+    const std::size_t end = cell + 1 == cells ? points.size() : ring.firstFrom(from + width);
+    for (std::size_t i = ring.firstFrom(from); i < end; ++i) {
+      if (kept[i]) radii.push_back(points[i].radius);
+    }
+    std::sort(radii.begin(), radii.end());
+    const bool enough = radii.size() >= 5;
+    result.radius[cell] = enough ? halfSampleMode(radii) : kUnknown;
+    spreads[cell] = enough ? robustSigma(radii, result.radius[cell]) : kUnknown;
+  }
+  spreads.erase(std::remove_if(spreads.begin(), spreads.end(), [](double s) { return std::isnan(s); }), spreads.end());
+  result.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
+  dropStrays(result.radius, result.noise, kTwoPi * tank_radius / static_cast<double>(cells));
+  return result;
+}
+
+}  // namespace
+
+bool ShellLine::standsWithin(double step) const {
+  constexpr double kCoarse = 1.25;  // between columns, in steps
+  return before <= 0.5 * step || after <= 0.5 * step || before + after <= kCoarse * step;
+}
+
+double ShellOutline::at(double azimuth) const {
+  const auto count = static_cast<std::ptrdiff_t>(radius.size());
+  const double turn = azimuth / kTwoPi;
+  const double position = (turn - fastFloor(turn)) * static_cast<double>(count) - 0.5;
+  const auto left = static_cast<std::ptrdiff_t>(fastFloor(position));
+  const double share = position - static_cast<double>(left);
+  const auto cell = [&](std::ptrdiff_t i) {  // i is off by less than a turn
+    return radius[static_cast<std::size_t>(i < 0 ? i + count : i >= count ? i - count : i)];
+  };
+  const double between = (1.0 - share) * cell(left) + share * cell(left + 1);
+  if (std::isfinite(between)) return between;
+  for (std::ptrdiff_t away = 0; away <= 3; ++away) {
+    if (std::isfinite(cell(left - away))) return cell(left - away);
+    if (std::isfinite(cell(left + 1 + away))) return cell(left + 1 + away);
+  }
+  return kUnknown;
+}
+
+ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach) {
+  return outline(ring, tank.circle.radius,
+                 [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; });
+}
+
+ShellOutline outlineBand(const PolarRing& ring, double radius) {
+  return outline(ring, radius, [](const PolarPoint&) { return true; });
+}
+
+ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, double azimuth, double half_width,
+                       double foot, double from, double to) {
+  constexpr std::size_t kUnknowns = 4;
+  ShellLine line;
+  const double start = outline.at(azimuth);
+  if (!std::isfinite(start)) return line;
+  SurfaceRows rows;
+  ring.around(azimuth, half_width, [&](const PolarPoint& p, double turn) {
+    const double h = p.z - foot;
+    if (h >= from && h <= to && std::abs(p.radius - outline.at(p.azimuth)) < 6.0 * outline.noise) {
+      rows.add(h, turn * start, p.radius);
+    }
+  });
+  if (rows.size() < 3 * kUnknowns) return line;
+  rows.close();
+  Eigen::Vector4d solution;
+  Eigen::Matrix4d inverse;
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    const SurfaceRows::Equations equations = rows.equations();
+    const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
+    if (!lu.isInvertible()) return line;
+    inverse = lu.inverse();
+    solution = inverse * equations.right;
+    line.noise = std::max(rows.residualsFrom(solution), 1e-7);
+    rows.weigh(line.noise);
+  }
+  line.radius = solution[0];
+  line.lean = solution[1];
+  line.turn_slope = solution[2];
+  line.bend = solution[3];
+  line.sigma_radius = line.noise * std::sqrt(inverse(0, 0));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows.weights()[i] <= 0.0) continue;
+    ++line.points;
+    double& nearest = rows.t()[i] < 0 ? line.before : line.after;
+    if (!(nearest <= std::abs(rows.t()[i]))) nearest = std::abs(rows.t()[i]);
+  }
+  return line;
+}
+
+ShellModel::ShellModel(std::vector<ShellLine> lines, double first) : lines_(std::move(lines)), first_(first) {}
+
+double ShellModel::at(double azimuth) const {
+  const double turn = (azimuth - first_) / kTwoPi, step = kTwoPi / static_cast<double>(lines_.size());
+  const double position = (turn - fastFloor(turn)) * static_cast<double>(lines_.size());
+  const auto left = static_cast<std::size_t>(position) % lines_.size();
+  const double share = position - fastFloor(position);
+  const ShellLine& a = lines_[left];
+  const ShellLine& b = lines_[(left + 1) % lines_.size()];
+  const auto radius = [&](const ShellLine& line, double angle) { return line.at(angle * line.radius, 0.0); };
+  if (!a.seen()) return radius(b, (share - 1.0) * step);
+  if (!b.seen()) return radius(a, share * step);
+  return (1.0 - share) * radius(a, share * step) + share * radius(b, (share - 1.0) * step);
+}
+
+}  // namespace tank_datum

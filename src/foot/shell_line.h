@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "foot/polar_ring.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+
+/// The shell's surface near its foot at one azimuth: radius = radius + turn_slope * t + lean * h, with the arc t from
+/// the azimuth [m] and the height h above the foot [m].
+struct ShellLine {
+  double radius = kUnknown;        ///< at the foot [m]
+  double sigma_radius = kUnknown;  ///< its standard error [m]
+  double turn_slope = 0;           ///< [m/m]
+  double bend = 0;                 ///< second-order term in t [1/m]
+  double lean = 0;                 ///< [m/m]
+  double noise = kUnknown;         ///< standard deviation of the points about the line [m]
+  std::size_t points = 0;          ///< behind it; 0 when the shell is not seen here
+  double before = kUnknown;        ///< arc to the nearest of them on the one side [m]
+  double after = kUnknown;         ///< and on the other
+
+  bool seen() const { return points > 0; }
+  /// Whether the shell is seen within this step of azimuth [m] itself, or between two columns of points so close that
+  /// the scan may just be that coarse; otherwise only the neighbours' shell is seen.
+  bool standsWithin(double step) const;
+  double at(double t, double h) const { return radius + turn_slope * t + bend * t * t + lean * h; }
+};
+
+/// The shell as a first picture: the radius where the ring's points above the foot lie densest, cell by cell.
+struct ShellOutline {
+  std::vector<double> radius;  ///< per equal cell of azimuth [m], NaN where nothing stands
+  double noise = 0;            ///< typical spread of a cell's points about its radius [m]
+
+  double at(double azimuth) const;  ///< nearest cell that was seen, NaN where none is within three cells
+};
+
+/// From the points that are surely above the foot.
+ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach);
+
+/// From all points: a band of a shell that nothing else meets.
+ShellOutline outlineBand(const PolarRing& ring, double radius);
+
+/// A robust local fit of the shell over +-half_width [rad] around an azimuth, above the weld.
+/// @param foot     elevation of the foot here [m]
+/// @param from,to  heights above the foot that are shell [m]
+ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, double azimuth, double half_width,
+                       double foot, double from, double to);
+
+/// The shell's radius at the foot, all round: the stations' lines, blended between neighbours.
+class ShellModel {
+ public:
+  /// @param lines  one per equal step of azimuth, counter-clockwise
+  /// @param first  azimuth of the first line [rad]
+  ShellModel(std::vector<ShellLine> lines, double first);
+
+  /// NaN where neither neighbour was seen [m].
+  double at(double azimuth) const;
+
+ private:
+  std::vector<ShellLine> lines_;
+  double first_;
+};
+
+}  // namespace tank_datum

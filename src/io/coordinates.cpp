@@ -1,0 +1,123 @@
+#include "io/coordinates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace tank_datum {
+namespace {
+
+template <typename T>
+double loadAs(const char* from) {
+  T value;
+  std::memcpy(&value, from, sizeof(T));
+  return static_cast<double>(value);
+}
+
+using Load = double (*)(const char*);
+
+Load loadOf(const CoordinateColumn& column) {
+  if (column.type == 'F') return column.size == 4 ? loadAs<float> : loadAs<double>;
+  const bool is_signed = column.type == 'I';
+  switch (column.size) {
+    case 1:
+      return is_signed ? loadAs<std::int8_t> : loadAs<std::uint8_t>;
+    case 2:
+      return is_signed ? loadAs<std::int16_t> : loadAs<std::uint16_t>;
+    case 4:
+      return is_signed ? loadAs<std::int32_t> : loadAs<std::uint32_t>;
+    default:
+      return is_signed ? loadAs<std::int64_t> : loadAs<std::uint64_t>;
+  }
+}
+
+/// The loop itself; load(axis, from) is inlined where the type is known when compiling.
+template <typename LoadAxis>
+std::size_t decode(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, LoadAxis load, double* to) {
+  const double scale = frame.metres_per_unit;
+  const double ox = frame.origin.x(), oy = frame.origin.y(), oz = frame.origin.z();
+  const char *from_x = xyz[0].first, *from_y = xyz[1].first, *from_z = xyz[2].first;
+  const std::size_t step_x = xyz[0].stride, step_y = xyz[1].stride, step_z = xyz[2].stride;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double x = load(0, from_x + i * step_x) * scale - ox;
+    const double y = load(1, from_y + i * step_y) * scale - oy;
+    const double z = load(2, from_z + i * step_z) * scale - oz;
+    to[3 * kept] = x;
+    to[3 * kept + 1] = y;
+    to[3 * kept + 2] = z;
+    // 0 times a finite number is 0, times anything else NaN; no branch, as NaN may be every second row
+    kept += static_cast<std::size_t>(x * 0.0 + y * 0.0 + z * 0.0 == 0.0);
+  }
+  return kept;
+}
+
+}  // namespace
+
+void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, Points& points) {
+  if (rows == 0) return points.clear();
+  points.resize(rows);
+  double* to = points.front().data();
+  const std::array<Load, 3> loads = {loadOf(xyz[0]), loadOf(xyz[1]), loadOf(xyz[2])};
+  const auto all_are = [&](Load one) { return loads[0] == one && loads[1] == one && loads[2] == one; };
+  std::size_t kept = 0;
+  if (all_are(loadAs<float>)) {
+    kept = decode(
+        xyz, rows, frame, [](int, const char* from) { return loadAs<float>(from); }, to);
+  } else if (all_are(loadAs<double>)) {
+    kept = decode(
+        xyz, rows, frame, [](int, const char* from) { return loadAs<double>(from); }, to);
+  } else {
+    kept = decode(
+        xyz, rows, frame, [&](std::size_t axis, const char* from) { return loads[axis](from); }, to);
+  }
+  points.resize(kept);
+}
+
+std::uint32_t labelOf(double value) {
+  const double whole = std::nearbyint(value);
+  return whole >= 0.0 && whole < static_cast<double>(SetupKey::kUnlabelled) ? static_cast<std::uint32_t>(whole)
+                                                                            : SetupKey::kUnlabelled;
+}
+
+void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, std::size_t rows, const Frame& frame,
+                  Labels& labels) {
+  labels.clear();
+  const std::array<Load, 3> loads = {loadOf(xyz[0]), loadOf(xyz[1]), loadOf(xyz[2])};
+  const Load load = loadOf(label);
+  for (std::size_t i = 0; i < rows; ++i) {
+    bool finite = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double stored = loads[axis](xyz[axis].first + i * xyz[axis].stride);
+      finite = finite && std::isfinite(stored * frame.metres_per_unit - frame.origin[static_cast<Eigen::Index>(axis)]);
+    }
+    if (finite) labels.push_back(labelOf(load(label.first + i * label.stride)));
+  }
+}
+
+std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame) {
+  const auto is_float = [](const CoordinateColumn& column) { return column.type == 'F' && column.size == 4; };
+  const bool stays_finite =
+      std::isfinite(frame.metres_per_unit * static_cast<double>(std::numeric_limits<float>::max()));
+  if (!std::all_of(xyz.begin(), xyz.end(), is_float) || !stays_finite) {
+    thread_local Points points;
+    decodeRows(xyz, rows, frame, points);
+    return rows - points.size();
+  }
+  const auto is_finite = [](const char* from) {
+    constexpr std::uint32_t kExponent = 0x7f800000U;  // all of it set: infinite or not a number
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, from, sizeof bits);
+    return static_cast<unsigned>((bits & kExponent) != kExponent);
+  };
+  std::size_t finite = 0;
+  const char *x = xyz[0].first, *y = xyz[1].first, *z = xyz[2].first;
+  for (std::size_t i = 0; i < rows; ++i, x += xyz[0].stride, y += xyz[1].stride, z += xyz[2].stride) {
+    finite += is_finite(x) & is_finite(y) & is_finite(z);
+  }
+  return rows - finite;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "io/pcd_data.h"
+
+namespace tank_datum {
+
+/// One coordinate of many rows somewhere in memory, unaligned.
+struct CoordinateColumn {
+  const char* first = nullptr;
+  std::size_t stride = 0;  ///< bytes from one row to the next
+  char type = 'F';
+  int size = 4;  ///< bytes
+};
+
+/// Appends the point if all of it is finite in the frame, else returns false.
+inline bool appendFinite(const Eigen::Vector3d& stored, const Frame& frame, Points& points) {
+  const Eigen::Vector3d point = stored * frame.metres_per_unit - frame.origin;
+  if (!point.allFinite()) return false;
+  points.push_back(point);
+  return true;
+}
+
+using CoordinateColumns = std::array<CoordinateColumn, 3>;
+
+/// Replaces points by the finite ones of the rows, in order.
+void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, Points& points);
+
+/// What a field of labels says, as a number; SetupKey::kUnlabelled for what is no whole number from 0 on.
+std::uint32_t labelOf(double value);
+
+/// Replaces labels by those of the finite rows, in order, as decodeRows has their points.
+void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, std::size_t rows, const Frame& frame,
+                  Labels& labels);
+
+/// How many of the rows decodeRows would leave out.
+std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame);
+
+}  // namespace tank_datum

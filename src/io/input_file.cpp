@@ -1,0 +1,52 @@
+#include "io/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "io/io_error.h"
+
+namespace tank_datum {
+
+InputFile::InputFile(std::string path) : path_(std::move(path)) {
+  // O_NONBLOCK: a pipe with nobody at the other end is refused below instead of waited for
+  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor_ < 0) throw fileError("opening", path_, std::strerror(errno), "a file that can be read");
+  struct stat status {};
+  const bool known = ::fstat(descriptor_, &status) == 0;
+  if (!known || !S_ISREG(status.st_mode)) {
+    ::close(descriptor_);
+    throw fileError("opening", path_, known && S_ISDIR(status.st_mode) ? "a folder" : "not a regular file",
+                    "a file that can be read");
+  }
+  size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+InputFile::~InputFile() { ::close(descriptor_); }
+
+std::size_t InputFile::readSome(std::uint64_t offset, void* to, std::size_t count) const {
+  std::size_t done = 0;
+  while (done < count) {
+    const ssize_t got =
+        ::pread(descriptor_, static_cast<char*>(to) + done, count - done, static_cast<off_t>(offset + done));
+    if (got == 0) break;
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw fileError("reading", path_, std::strerror(errno), "a file that can be read");
+    done += static_cast<std::size_t>(got);
+  }
+  return done;
+}
+
+void InputFile::read(std::uint64_t offset, void* to, std::size_t count) const {
+  const std::size_t got = readSome(offset, to, count);
+  if (got < count) {
+    throw fileError("size", path_, std::to_string(offset + got) + " bytes",
+                    "at least " + std::to_string(offset + count) + " (cut short while reading?)");
+  }
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,255 @@
+#include "io/pcd_header.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "io/input_file.h"
+#include "io/io_error.h"
+#include "io/pcd_size.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kLongestHeader = 64 * 1024;  // bytes
+constexpr std::uint64_t kLongestRow = 64 * 1024;   // bytes
+
+using Words = std::vector<std::string_view>;
+
+Words splitWords(std::string_view line) {
+  constexpr std::string_view kBlank = " \t\r\v\f";
+  Words words;
+  for (std::size_t at = line.find_first_not_of(kBlank); at < line.size(); at = line.find_first_not_of(kBlank, at)) {
+    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
+/// The header's text, split into keyword and values.
+struct Lines {
+  std::string path;
+  std::map<std::string_view, Words> values;
+  std::uint64_t data_offset = 0;
+
+  bool has(std::string_view key) const { return values.count(key) != 0; }
+
+  const Words& list(std::string_view key) const {
+    const auto found = values.find(key);
+    if (found == values.end()) throw fileError(std::string(key), path, "missing", "a line " + std::string(key));
+    return found->second;
+  }
+
+  std::string_view word(std::string_view key) const {
+    const Words& words = list(key);
+    if (words.size() != 1) {
+      throw fileError(std::string(key), path, std::to_string(words.size()) + " values", "one");
+    }
+    return words[0];
+  }
+
+  std::uint64_t number(std::string_view key, std::string_view text, std::uint64_t least) const {
+    std::uint64_t value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc() || end != text.data() + text.size() || value < least) {
+      throw fileError(std::string(key), path, echo(text), "a whole number >= " + std::to_string(least));
+    }
+    return value;
+  }
+
+  std::optional<std::uint64_t> number(std::string_view key) const {
+    if (!has(key)) return std::nullopt;
+    return number(key, word(key), 0);
+  }
+};
+
+bool isKeyword(std::string_view word) {
+  constexpr std::array<std::string_view, 10> kKeywords = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+                                                          "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+  return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+}
+
+/// Takes one line in; true when it is the last (DATA).
+bool addLine(std::string_view line, std::size_t line_number, Lines& lines) {
+  Words words = splitWords(line);
+  if (words.empty() || words[0][0] == '#') return false;
+  const std::string_view key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
+  if (!isKeyword(key)) {
+    throw fileError("header line " + std::to_string(line_number), lines.path, "\"" + echo(line) + "\"",
+                    "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or DATA");
+  }
+  words.erase(words.begin());
+  if (!lines.values.emplace(key, std::move(words)).second) {
+    throw fileError(std::string(key), lines.path, "a second line " + std::to_string(line_number), "one line");
+  }
+  return key == "DATA";
+}
+
+Lines splitHeader(std::string_view text, const InputFile& file) {
+  Lines lines;
+  lines.path = file.path();
+  std::size_t begin = 0;
+  for (std::size_t number = 1; begin < text.size(); ++number) {
+    const std::size_t newline = text.find('\n', begin);
+    if (newline == text.npos && text.size() < file.size()) {
+      throw fileError("header", file.path(), "no DATA line in " + std::to_string(text.size()) + " bytes",
+                      "a PCD header");
+    }
+    const std::size_t end = std::min(newline, text.size());
+    const bool last = addLine(text.substr(begin, end - begin), number, lines);
+    begin = std::min(end + 1, text.size());
+    lines.data_offset = begin;
+    if (last) return lines;
+  }
+  throw fileError("header", file.path(), text.empty() ? "an empty file" : "no DATA line",
+                  "a PCD header that ends in a line DATA");
+}
+
+void checkVersion(const Lines& lines) {
+  if (!lines.has("VERSION")) return;
+  std::string_view version = lines.word("VERSION");
+  if (version.substr(0, 1) == "v") version.remove_prefix(1);
+  if (version.substr(0, 1) == "0") version.remove_prefix(1);
+  if (version != ".5" && version != ".6" && version != ".7") {
+    throw fileError("VERSION", lines.path, echo(lines.word("VERSION")), "0.5, 0.6 or 0.7");
+  }
+}
+
+PcdColumn parseColumn(const Lines& lines, std::size_t i) {
+  PcdColumn column;
+  column.name = lines.list("FIELDS")[i];
+  const std::string_view type = lines.list("TYPE")[i];
+  const std::string_view size = lines.list("SIZE")[i];
+  const bool is_float = type == "F" && (size == "4" || size == "8");
+  const bool is_integer = (type == "I" || type == "U") && (size == "1" || size == "2" || size == "4" || size == "8");
+  if (!is_float && !is_integer) {
+    throw fileError("TYPE and SIZE of field " + echo(column.name), lines.path, echo(type) + " " + echo(size),
+                    "F of 4 or 8 bytes, I or U of 1, 2, 4 or 8");
+  }
+  column.type = type[0];
+  column.size = size[0] - '0';
+  if (lines.has("COUNT")) column.count = lines.number("COUNT", lines.list("COUNT")[i], 1);
+  return column;
+}
+
+void parseColumns(const Lines& lines, PcdHeader& header) {
+  const std::size_t fields = lines.list("FIELDS").size();
+  for (const std::string_view key : {"SIZE", "TYPE", "COUNT"}) {
+    if (key == "COUNT" && !lines.has(key)) continue;
+    if (lines.list(key).size() != fields) {
+      throw fileError(std::string(key), lines.path, std::to_string(lines.list(key).size()) + " values",
+                      std::to_string(fields) + " as in FIELDS");
+    }
+  }
+  for (std::size_t i = 0; i < fields; ++i) {
+    PcdColumn column = parseColumn(lines, i);
+    column.offset = header.row_bytes;
+    column.first_value = header.row_values;
+    const std::uint64_t most = (kLongestRow - header.row_bytes) / static_cast<std::uint64_t>(column.size);
+    if (column.count > most) {
+      throw fileError("COUNT of field " + echo(column.name), lines.path, std::to_string(column.count),
+                      "rows of at most " + std::to_string(kLongestRow) + " bytes");
+    }
+    header.row_bytes += column.count * static_cast<std::size_t>(column.size);
+    header.row_values += column.count;
+    header.columns.push_back(std::move(column));
+  }
+}
+
+/// The column of that name, which must be the only one and hold one value a row; nothing when there is none.
+std::optional<std::size_t> findColumn(const PcdHeader& header, char name, const std::string& path) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    if (header.columns[i].name != std::string(1, name)) continue;
+    if (found) throw fileError("FIELDS", path, std::string(1, name) + " twice", "it once");
+    found = i;
+  }
+  if (found && header.columns[*found].count != 1) {
+    throw fileError(std::string("COUNT of field ") + name, path, std::to_string(header.columns[*found].count), "1");
+  }
+  return found;
+}
+
+void findXyz(const Lines& lines, PcdHeader& header) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto column = findColumn(header, "xyz"[axis], lines.path);
+    if (!column) column = findColumn(header, "XYZ"[axis], lines.path);
+    if (!column) throw fileError("FIELDS", lines.path, std::string("no ") + "xyz"[axis], "x, y and z");
+    header.xyz[axis] = *column;
+  }
+}
+
+/// The first of the names that a field of one value a row has.
+void findLabel(PcdHeader& header) {
+  for (const char* name : {"setup", "scan_id", "point_source_id"}) {
+    for (std::size_t i = 0; i < header.columns.size() && !header.label; ++i) {
+      if (header.columns[i].name == name && header.columns[i].count == 1) header.label = i;
+    }
+  }
+}
+
+/// Where the scanner stood. Zeros are what writers put who do not know.
+void parseViewpoint(const Lines& lines, PcdHeader& header) {
+  if (!lines.has("VIEWPOINT") || lines.list("VIEWPOINT").size() < 3) return;
+  std::array<double, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view text = lines.list("VIEWPOINT")[axis];
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), place[axis]);
+    if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(place[axis])) return;
+  }
+  if (place != std::array<double, 3>{}) header.viewpoint = place;
+}
+
+void parsePoints(const Lines& lines, PcdHeader& header) {
+  const auto width = lines.number("WIDTH");
+  const std::uint64_t height = lines.number("HEIGHT").value_or(1);
+  const auto points = lines.number("POINTS");
+  if (!width && !points) throw fileError("POINTS", lines.path, "missing", "a line POINTS or WIDTH");
+  std::uint64_t product = points.value_or(0);
+  if (width && (__builtin_mul_overflow(*width, height, &product) || (points && product != *points))) {
+    throw fileError("WIDTH x HEIGHT", lines.path, std::to_string(*width) + " x " + std::to_string(height),
+                    points ? std::to_string(*points) + " (POINTS)" : "a 64-bit number");
+  }
+  header.points = product;
+}
+
+void parseEncoding(const Lines& lines, PcdHeader& header) {
+  const std::string_view word = lines.word("DATA");
+  if (word == "ascii") {
+    header.encoding = PcdEncoding::Ascii;
+  } else if (word == "binary") {
+    header.encoding = PcdEncoding::Binary;
+  } else if (word == "binary_compressed") {
+    header.encoding = PcdEncoding::BinaryCompressed;
+  } else {
+    throw fileError("DATA", lines.path, echo(word), "ascii, binary or binary_compressed");
+  }
+}
+
+}  // namespace
+
+PcdHeader readPcdHeader(const InputFile& file) {
+  std::string text(std::min<std::uint64_t>(kLongestHeader, file.size()), '\0');
+  text.resize(file.readSome(0, text.data(), text.size()));
+  const Lines lines = splitHeader(text, file);
+  PcdHeader header;
+  header.data_offset = lines.data_offset;
+  checkVersion(lines);
+  parseEncoding(lines, header);
+  parseColumns(lines, header);
+  findXyz(lines, header);
+  findLabel(header);
+  parseViewpoint(lines, header);
+  parsePoints(lines, header);
+  checkPcdSize(file, header);
+  return header;
+}
+
+PcdHeader readPcdHeader(const std::string& path) { return readPcdHeader(InputFile(path)); }
+
+}  // namespace tank_datum

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "io/pcd_data.h"
+#include "tank_datum/io/scan.h"
+
+namespace tank_datum {
+
+/// One file, or one array, of a scan.
+class Scan::Source {
+ public:
+  virtual ~Source() = default;
+  virtual std::uint64_t size() const = 0;
+  virtual double coordinateStep(const Eigen::Vector3d& origin) const = 0;
+
+  /// All finite points in order, block by block, until the visitor ends it.
+  virtual ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const = 0;
+
+  /// Of about every n-th row, what is chosen of each block.
+  struct Choice {
+    const Chooser& choose;
+    std::uint64_t n = 1;
+  };
+  /// Told the rows read since the last call, and what was chosen of them, all of one label.
+  using ChosenVisitor = std::function<void(const ScanCounts& read, const Points& chosen, std::uint32_t label)>;
+
+  /// @param block  number of the source's first block; raised by the blocks read
+  virtual void choose(const Eigen::Vector3d& origin, const Choice& choice, int threads, std::uint64_t& block,
+                      const ChosenVisitor& told) const = 0;
+
+  /// The field that tells the setups of one file apart; empty when there is none.
+  virtual std::string labelField() const { return {}; }
+
+  /// Where the scanner stood [m], in the scan's own frame, if the file says so.
+  virtual std::optional<Eigen::Vector3d> viewpoint() const { return std::nullopt; }
+};
+
+std::shared_ptr<const Scan::Source> pcdSource(const std::string& path, double metres_per_unit);
+std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row);
+
+}  // namespace tank_datum

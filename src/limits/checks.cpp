@@ -1,0 +1,181 @@
+#include "tank_datum/limits/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double k95 = 1.959963984540054;
+
+using Table = std::vector<const Limit*>;
+
+std::vector<Table> tablesOf(const std::vector<Limit>& limits) {
+  std::vector<Table> tables;
+  for (const Limit& limit : limits) {
+    const auto same = std::find_if(tables.begin(), tables.end(), [&](const Table& table) {
+      const Limit& first = *table.front();
+      return first.code == limit.code && first.clause == limit.clause && first.name == limit.name;
+    });
+    (same == tables.end() ? tables.emplace_back() : *same).push_back(&limit);
+  }
+  return tables;
+}
+
+void add(std::string& note, const std::string& more) {
+  if (!more.empty()) note += (note.empty() ? "" : "; ") + more;
+}
+
+/// The row for this tank, or why there is none.
+const Limit* rowFor(const Table& table, const TankFacts& facts, double diameter, std::string& reason) {
+  bool roof_needed = false, foundation_needed = false;
+  for (const Limit* limit : table) {
+    if (!limit->diameter.holds(diameter)) continue;
+    const bool roof = limit->roof.empty() || limit->roof == facts.roof;
+    const bool foundation = limit->foundation.empty() || limit->foundation == facts.foundation;
+    if (roof && foundation) return limit;
+    roof_needed = roof_needed || (!roof && facts.roof.empty());
+    foundation_needed = foundation_needed || (!foundation && facts.foundation.empty());
+  }
+  if (roof_needed) add(reason, "the type of roof is not given (--roof open or fixed)");
+  if (foundation_needed) add(reason, "the kind of foundation is not given (--foundation ringwall or earth)");
+  if (reason.empty()) reason = "the rule has no limit for such a tank";
+  return nullptr;
+}
+
+std::map<char, double> letters(const Measure& measure, const TankFacts& facts, double diameter) {
+  std::map<char, double> all = {{'D', diameter},      {'H', facts.height},    {'Y', facts.yield},
+                                {'E', facts.modulus}, {'L', measure.spacing}, {'S', measure.arc}};
+  for (auto it = all.begin(); it != all.end();) it = std::isfinite(it->second) ? std::next(it) : all.erase(it);
+  return all;
+}
+
+double limitAt(const Limit& limit, const Measure& measure, const TankFacts& facts, double diameter) {
+  const auto value = limit.formula.at(letters(measure, facts, diameter));
+  return value ? std::min(*value, limit.at_most) : kUnknown;
+}
+
+std::string whatIsNotGiven(const Limit& limit, const TankFacts& facts) {
+  std::string names;
+  const auto lacks = [&](char letter, double value, const char* name) {
+    if (limit.formula.powers.count(letter) == 0 || std::isfinite(value)) return;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  };
+  lacks('H', facts.height, "shell height (--height)");
+  lacks('Y', facts.yield, "yield strength (--yield-mpa)");
+  lacks('E', facts.modulus, "elastic modulus (--modulus-mpa)");
+  return names.empty() ? names : "not given: " + names;
+}
+
+Verdict verdictOf(const Check& check, bool whole_ring) {
+  const double half = std::isfinite(check.sigma) ? k95 * check.sigma : 0.0;
+  if (check.value - half > check.limit) return Verdict::Fail;
+  if (check.value + half > check.limit || !whole_ring) return Verdict::Undecided;
+  return Verdict::Pass;
+}
+
+std::string shareBeyond(const Measure& measure, double limit) {
+  if (measure.all.empty() || !std::isfinite(limit)) return {};
+  const auto beyond =
+      std::count_if(measure.all.begin(), measure.all.end(), [limit](const PlacedValue& v) { return v.value > limit; });
+  char text[80];
+  std::snprintf(text, sizeof text, "%.0f %% of %zu values exceed the limit",
+                100.0 * static_cast<double>(beyond) / static_cast<double>(measure.all.size()), measure.all.size());
+  return text;
+}
+
+/// The figure that comes nearest to its limit, or goes furthest beyond.
+const Measure& worstOf(const std::vector<const Measure*>& candidates, const Limit& limit, const TankFacts& facts,
+                       double diameter) {
+  const auto share = [&](const Measure* m) { return m->worst.value / limitAt(limit, *m, facts, diameter); };
+  return **std::max_element(candidates.begin(), candidates.end(), [&](const Measure* a, const Measure* b) {
+    return std::isfinite(share(a)) && std::isfinite(share(b)) ? share(a) < share(b) : a->worst.value < b->worst.value;
+  });
+}
+
+Check checkOf(const Table& table, const std::vector<Measure>& measures, const TankFacts& facts, double diameter) {
+  const Limit& first = *table.front();
+  Check check;
+  check.code = first.code;
+  check.clause = first.clause;
+  check.name = first.name;
+  check.unit = first.unit;
+  check.trust = first.trust;
+  check.citation = first.citation;
+  std::vector<const Measure*> candidates;
+  for (const Measure& m : measures) {
+    if (m.quantity == first.quantity) candidates.push_back(&m);
+  }
+  const Limit* limit = rowFor(table, facts, diameter, check.note);
+  if (candidates.empty()) {
+    check.note = "the survey does not hold it";
+    return check;
+  }
+  const Measure& measure = worstOf(candidates, limit ? *limit : first, facts, diameter);
+  check.value = measure.worst.value;
+  check.sigma = measure.worst.sigma;
+  check.azimuth = measure.worst.azimuth;
+  if (!measure.unavailable.empty()) {
+    check.note = measure.unavailable;
+    return check;
+  }
+  if (!limit) return check;
+  check.trust = limit->trust;
+  check.citation = limit->citation;
+  check.limit = limitAt(*limit, measure, facts, diameter);
+  add(check.note, whatIsNotGiven(*limit, facts));
+  if (!limit->judged) add(check.note, "shown beside the limit that is judged by");
+  if (std::isfinite(check.limit) && limit->judged) check.verdict = verdictOf(check, measure.whole_ring);
+  add(check.note, shareBeyond(measure, check.limit));
+  if (check.verdict == Verdict::Undecided) {
+    add(check.note,
+        measure.whole_ring ? "the limit lies within the 95 % interval" : "what was not seen could be worse");
+  }
+  add(check.note, measure.note);
+  return check;
+}
+
+/// A fact and what it can be: a limit in proportion to one of another unit would pass, or fail, every tank.
+struct Range {
+  const char* name;
+  double value, above, at_most;
+  const char* unit;
+};
+
+std::string outside(const Range& range) {
+  if (std::isnan(range.value) || (range.value > range.above && range.value <= range.at_most)) return {};
+  char text[96];
+  std::snprintf(text, sizeof text, "facts.%s = %g (must be in %s, > %g and at most %g)", range.name, range.value,
+                range.unit, range.above, range.at_most);
+  return text;
+}
+
+}  // namespace
+
+std::string firstError(const TankFacts& facts) {
+  for (const Range& range : {Range{"height", facts.height, 0.0, 100.0, "m"},
+                             {"yield", facts.yield, 50.0, 2000.0, "MPa"},
+                             {"modulus", facts.modulus, 5e4, 5e5, "MPa"}}) {
+    const std::string error = outside(range);
+    if (!error.empty()) return error;
+  }
+  if (!facts.roof.empty() && facts.roof != "open" && facts.roof != "fixed") {
+    return "facts.roof = " + facts.roof + " (must be open or fixed)";
+  }
+  if (!facts.foundation.empty() && facts.foundation != "ringwall" && facts.foundation != "earth") {
+    return "facts.foundation = " + facts.foundation + " (must be ringwall or earth)";
+  }
+  return {};
+}
+
+std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
+                         double diameter) {
+  std::vector<Check> checks;
+  for (const Table& table : tablesOf(limits)) checks.push_back(checkOf(table, measures, facts, diameter));
+  return checks;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,19 @@
+#include "tank_datum/limits/verdict.h"
+
+namespace tank_datum {
+
+const char* nameOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Pass:
+      return "pass";
+    case Verdict::Fail:
+      return "fail";
+    case Verdict::Undecided:
+      return "undecided";
+    case Verdict::NotApplicable:
+      return "not_applicable";
+  }
+  return "";
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "locate/wall_map.h"
+#include "tank_datum/locate/locate.h"
+
+namespace tank_datum {
+
+/// A circle on which walls stand.
+struct WallCircle {
+  Circle circle;
+  double rms = 0;       ///< of its walls about it [m]
+  double coverage = 0;  ///< arc on which walls face the centre [rad]
+};
+
+/// Circles of at least options.min_radius with walls on at least options.min_arc, one after the other by seen arc; the
+/// walls of a circle are taken away before the next is looked for.
+std::vector<WallCircle> findWallCircles(const std::vector<WallCell>& walls, double voxel, const LocateOptions& options);
+
+}  // namespace tank_datum

@@ -1,0 +1,223 @@
+#include "tank_datum/locate/locate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "locate/circle_search.h"
+#include "locate/ring_shape.h"
+#include "locate/wall_map.h"
+#include "locate/wall_sector.h"
+#include "search/voxel_sample.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kMuchMore = 1.25;          // arc seen on a coarser rung that outweighs the finer rung's accuracy
+constexpr double kShortOfRingwall = 0.075;  // half of the way to the face of the narrowest ringwall [m]
+
+struct Sample {
+  Points points;
+  double voxel = 0;
+};
+
+/// A tank needs no more than every n-th point to be found; n is odd, since rows of a scan often have even lengths.
+std::uint64_t strideOf(const Scan& scan) {
+  constexpr std::uint64_t kLookedAt = 2'000'000;
+  return scan.size() / kLookedAt | 1U;
+}
+
+/// The scan thinned to a ladder of voxels, from where the densest surfaces just close (a tenth of the voxels hold two
+/// points) to half of the smallest radius, and at least three rungs. Which rung shows a tank best depends on how much
+/// denser it was scanned than what stands around it.
+std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& options, int threads) {
+  VoxelSample sample(looked_at, options.sample_points, std::max(0.001, options.min_radius / 250.0), threads);
+  std::vector<Sample> samples;
+  for (; sample.size() > 50; sample.coarsen()) {
+    const double share = sample.shareHolding(2);
+    // where most voxels hold several points, one that holds a single one is a stray beam
+    if (share >= 0.1) samples.push_back({sample.points(share >= 0.5 ? 2 : 1), sample.voxel()});
+    if (samples.size() >= 3 && sample.voxel() > 0.25 * options.min_radius) break;
+  }
+  return samples;
+}
+
+/// Of all rows, the not finite ones too.
+double shareNearFoot(const Scan& scan, const Points& looked_at, const Tank& tank) {
+  const RingShape shape(tank, Tank::kNear);
+  const auto near = std::count_if(looked_at.begin(), looked_at.end(), [&](const auto& p) { return shape.holds(p); });
+  return static_cast<double>(near) * static_cast<double>(strideOf(scan)) / static_cast<double>(scan.size());
+}
+
+/// The foot against azimuth. Shells that end above a shadow outnumber, at times, those seen to their foot, but nothing
+/// of a shell lies below it: the fit starts from the lowest fifth, and takes what agrees with it.
+PeriodicFit fitFoot(const std::vector<double>& azimuths, const std::vector<double>& feet, double window) {
+  constexpr double kQuiet = 0.02;  // with a short arc the slope is what little data say, not an extrapolation
+  PeriodicFit fit;
+  fit.coefficients = Eigen::Vector3d(quantile(feet, 0.2), 0, 0);
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    std::vector<double> near_azimuths, near_feet;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      if (std::abs(feet[i] - fit(azimuths[i])) > window) continue;
+      near_azimuths.push_back(azimuths[i]);
+      near_feet.push_back(feet[i]);
+    }
+    if (near_feet.empty()) break;
+    fit = fitHarmonics(near_azimuths, near_feet, {}, 1, true, kQuiet);
+  }
+  return fit;
+}
+
+/// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
+/// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
+Circle fitShell(const Sample& sample, const Circle& circle, const PeriodicFit& foot, double band) {
+  std::vector<Eigen::Vector2d> plan;
+  for (const auto& p : sample.points) {
+    const Eigen::Vector2d arm = p.head<2>() - circle.center;
+    const double above = p.z() - foot(std::atan2(arm.y(), arm.x()));
+    if (above > 2.0 * sample.voxel && std::abs(arm.norm() - circle.radius) <= band) plan.push_back(p.head<2>());
+  }
+  constexpr std::size_t kPlenty = 50'000;
+  const std::size_t stride = plan.size() / kPlenty + 1;
+  std::vector<Eigen::Vector2d> thinned;
+  for (std::size_t i = 0; i < plan.size(); i += stride) thinned.push_back(plan[i]);
+  const Circle fitted = fitCircleRobust(thinned, circle);
+  return fitted.valid() ? fitted : circle;
+}
+
+/// Looks at the sample around a known circle: foot, side, coverage, height.
+Tank describe(const Sample& sample, const Circle& circle, double rms) {
+  Tank tank;
+  tank.circle = circle;
+  tank.rms = rms;
+  tank.resolution = sample.voxel;
+  auto sectors = sectorsOf(sample.points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
+  const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
+  std::vector<double> azimuths, feet, heights;
+  std::vector<char> outside, inside;  // whether a foundation was seen on that side
+  for (std::size_t s = 0; s < sectors.size(); ++s) {
+    double bottom = 0, top = 0;
+    if (!shellRun(sectors[s].shell, sample.voxel, thickness, bottom, top)) continue;
+    azimuths.push_back((static_cast<double>(s) + 0.5) * kTwoPi / static_cast<double>(sectors.size()));
+    feet.push_back(bottom);
+    heights.push_back(top - bottom);
+    outside.push_back(hasFoundation(sectors[s].outside, bottom, sample.voxel, circle.radius));
+    inside.push_back(hasFoundation(sectors[s].inside, bottom, sample.voxel, circle.radius));
+  }
+  tank.coverage = kTwoPi * static_cast<double>(feet.size()) / static_cast<double>(sectors.size());
+  tank.height = median(heights);
+  const auto seen_outside = std::count(outside.begin(), outside.end(), 1);
+  const auto seen_inside = std::count(inside.begin(), inside.end(), 1);
+  tank.side = seen_inside > seen_outside ? Side::Inside : Side::Outside;
+  const auto& foundation = tank.side == Side::Inside ? inside : outside;
+  tank.has_foundation = 4 * std::max(seen_inside, seen_outside) >= static_cast<std::ptrdiff_t>(feet.size());
+  for (std::size_t i = feet.size(); i-- > 0;) {  // a shell that ends above a shadow says nothing of the foot
+    if (foundation[i] || !tank.has_foundation) continue;
+    feet.erase(feet.begin() + static_cast<std::ptrdiff_t>(i));
+    azimuths.erase(azimuths.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  if (!feet.empty()) tank.foot = fitFoot(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
+  if (tank.foot.valid()) tank.circle = fitShell(sample, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
+  return tank;
+}
+
+std::vector<Tank> tanksOf(const Sample& sample, const LocateOptions& options) {
+  std::vector<Tank> tanks;
+  for (const auto& found : findWallCircles(mapWalls(sample.points, sample.voxel), sample.voxel, options)) {
+    Tank tank = describe(sample, found.circle, found.rms);
+    if (tank.coverage >= options.min_arc) tanks.push_back(std::move(tank));
+  }
+  return tanks;
+}
+
+/// Whether the stretches of height over which two shells are seen are mostly the same; a ringwall ends where its shell
+/// begins.
+bool standAtOneHeight(const Tank& a, const Tank& b) {
+  const double foot_a = a.foot.coefficients[0], foot_b = b.foot.coefficients[0];
+  const double shared = std::min(foot_a + a.height, foot_b + b.height) - std::max(foot_a, foot_b);
+  return shared > 0.5 * std::min(a.height, b.height);
+}
+
+/// The one of two nested circles that is no tank, or null when both may be.
+const Tank* impostor(const Tank& a, const Tank& b) {
+  const Tank& outer = a.circle.radius >= b.circle.radius ? a : b;
+  const Tank& inner = &outer == &a ? b : a;
+  const double apart = (outer.circle.center - inner.circle.center).norm();
+  if (apart > outer.circle.radius || !a.foot.valid() || !b.foot.valid()) return nullptr;
+  constexpr double kRingwallWidth = 0.6;  // the widest ringwall beyond the shell [m]
+  const double gap = outer.circle.radius - inner.circle.radius;
+  const double same = std::max(4.0 * outer.resolution, 0.02 * outer.circle.radius);
+  if (apart + gap <= same && standAtOneHeight(outer, inner)) {
+    // one shell found twice: on two rungs, or again from what its tolerance left over
+    const Tank& finer = outer.resolution < inner.resolution ? outer : inner;
+    const Tank& coarser = &finer == &outer ? inner : outer;
+    return coarser.coverage > kMuchMore * finer.coverage ? &finer : &coarser;
+  }
+  if (apart + gap <= kRingwallWidth && outer.foot.coefficients[0] < inner.foot.coefficients[0]) return &outer;
+  return outer.height < inner.height ? &outer : &inner;  // a bund wall round a tank, or a thing inside a tank
+}
+
+void dropNested(std::vector<Tank>& tanks) {
+  for (std::size_t i = 0; i < tanks.size(); ++i) {
+    for (std::size_t j = i + 1; j < tanks.size();) {
+      const Tank* out = impostor(tanks[i], tanks[j]);
+      if (!out) {
+        ++j;
+        continue;
+      }
+      if (out == &tanks[i]) std::swap(tanks[i], tanks[j]);
+      tanks.erase(tanks.begin() + static_cast<std::ptrdiff_t>(j));
+      j = i + 1;
+    }
+  }
+}
+
+}  // namespace
+
+double Tank::azimuthOf(const Eigen::Vector2d& p) const {
+  const double azimuth = std::atan2(p.y() - circle.center.y(), p.x() - circle.center.x());
+  return azimuth < 0 ? azimuth + kTwoPi : azimuth;
+}
+
+std::string firstError(const LocateOptions& options) {
+  char text[96] = "";
+  if (!(options.min_radius > 0.0 && std::isfinite(options.min_radius))) {
+    std::snprintf(text, sizeof text, "locate.min_radius = %g m (must be > 0)", options.min_radius);
+  } else if (!(options.min_arc > 0.0 && options.min_arc <= kTwoPi)) {
+    std::snprintf(text, sizeof text, "locate.min_arc = %g rad (must be > 0 and <= 2 pi)", options.min_arc);
+  } else if (options.sample_points < 10'000) {
+    std::snprintf(text, sizeof text, "locate.sample_points = %zu (must be >= 10000)", options.sample_points);
+  }
+  return text;
+}
+
+std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads) {
+  const Points looked_at = scan.everyNth(strideOf(scan), threads);
+  const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
+  std::vector<std::vector<Tank>> found(samples.size());
+  forEachIndex(samples.size(), threads, [&](std::size_t i) { found[i] = tanksOf(samples[i], options); });
+  std::vector<Tank> tanks;
+  for (auto& of_sample : found) std::move(of_sample.begin(), of_sample.end(), std::back_inserter(tanks));
+  dropNested(tanks);
+  std::sort(tanks.begin(), tanks.end(),
+            [](const Tank& a, const Tank& b) { return a.coverage * a.circle.radius > b.coverage * b.circle.radius; });
+  for (Tank& tank : tanks) tank.near_foot = tank.foot.valid() ? shareNearFoot(scan, looked_at, tank) : 0.0;
+  return tanks;
+}
+
+std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads) {
+  const Points looked_at = scan.everyNth(strideOf(scan), threads);
+  const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
+  if (samples.empty()) return std::nullopt;
+  const Sample& sample = samples.front();
+  Tank tank = describe(sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
+  if (!tank.foot.valid()) return std::nullopt;
+  tank.near_foot = shareNearFoot(scan, looked_at, tank);
+  return tank;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "tank_datum/locate/locate.h"
+
+namespace tank_datum {
+
+/// Which points lie near the foot.
+struct RingShape {
+  Circle circle;
+  double reach, slope_x, slope_y, height;
+  double inner, outer;  ///< squared radii [m2]
+
+  RingShape(const Tank& tank, double reach_of_ring)
+      : circle(tank.circle),
+        reach(reach_of_ring),
+        slope_x(tank.foot.coefficients[1] / tank.circle.radius),
+        slope_y(tank.foot.coefficients[2] / tank.circle.radius),
+        height(tank.foot.coefficients[0]),
+        inner(std::pow(std::max(0.0, circle.radius - reach), 2)),
+        outer(std::pow(circle.radius + reach, 2)) {}
+
+  bool holds(const Eigen::Vector3d& p) const {
+    const Eigen::Vector2d arm = p.head<2>() - circle.center;
+    const double squared = arm.squaredNorm();
+    if (squared < inner || squared > outer) return false;
+    return std::abs(p.z() - (height + slope_x * arm.x() + slope_y * arm.y())) <= reach;
+  }
+};
+
+}  // namespace tank_datum

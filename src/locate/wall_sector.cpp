@@ -1,0 +1,88 @@
+#include "locate/wall_sector.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+/// The line off = at + lean * z of an upright wall, from the medians of its middle and upper third: its lowest third
+/// may be another's.
+struct WallLine {
+  double at, lean;
+
+  explicit WallLine(const std::vector<Hit>& run) {
+    const std::size_t third = run.size() / 3;
+    const auto middle = [&](std::size_t from, std::size_t to, double Hit::*value) {
+      std::vector<double> values;
+      for (std::size_t i = from; i < to; ++i) values.push_back(run[i].*value);
+      return median(values);
+    };
+    const double z = middle(third, 2 * third, &Hit::z), off = middle(third, 2 * third, &Hit::off);
+    const double upper_z = middle(2 * third, run.size(), &Hit::z);
+    lean = upper_z > z ? (middle(2 * third, run.size(), &Hit::off) - off) / (upper_z - z) : 0.0;
+    at = off - lean * z;
+  }
+  double from(const Hit& hit) const { return std::abs(hit.off - at - lean * hit.z); }
+};
+
+/// The longest stretch of heights without a hole.
+std::vector<Hit> longestRun(std::vector<Hit> hits, double voxel) {
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.z < b.z; });
+  std::size_t best_first = 0, best_last = 0;
+  for (std::size_t first = 0, last = 0; first < hits.size(); first = last + 1) {
+    last = first;
+    while (last + 1 < hits.size() && hits[last + 1].z - hits[last].z <= 3.0 * voxel) ++last;
+    if (hits[last].z - hits[first].z > hits[best_last].z - hits[best_first].z) {
+      best_first = first;
+      best_last = last;
+    }
+  }
+  if (hits.empty()) return {};
+  return {hits.begin() + static_cast<std::ptrdiff_t>(best_first),
+          hits.begin() + static_cast<std::ptrdiff_t>(best_last) + 1};
+}
+
+}  // namespace
+
+std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& circle, double band) {
+  constexpr double kWithinRingwall = 0.1;  // on top of the narrowest ringwall or plate beside the shell [m]
+  const double reach = std::max(0.1 * circle.radius, 6.0 * voxel),
+               clear = std::min(0.5 * reach, std::max(kWithinRingwall, 3.0 * voxel));
+  const double count = std::clamp(std::floor(kTwoPi * circle.radius / (3.0 * voxel)), 24.0, 180.0);
+  std::vector<Sector> sectors(static_cast<std::size_t>(count));
+  for (const auto& p : points) {
+    const Eigen::Vector2d arm = p.head<2>() - circle.center;
+    const double off = arm.norm() - circle.radius;
+    if (std::abs(off) > band + reach) continue;
+    const double turn = std::atan2(arm.y(), arm.x()) / kTwoPi;
+    auto& sector = sectors[static_cast<std::size_t>((turn - std::floor(turn)) * count) % sectors.size()];
+    if (std::abs(off) <= band) sector.shell.push_back({p.z(), off});
+    if (std::abs(off) > band + clear) (off > 0 ? sector.outside : sector.inside).push_back(p.z());
+  }
+  return sectors;
+}
+
+bool shellRun(const std::vector<Hit>& hits, double voxel, double thickness, double& bottom, double& top) {
+  std::vector<Hit> run = longestRun(hits, voxel);
+  if (run.size() < 3) return false;
+  const WallLine line(run);
+  run.erase(std::remove_if(run.begin(), run.end(), [&](const Hit& hit) { return line.from(hit) > thickness; }),
+            run.end());
+  run = longestRun(std::move(run), voxel);
+  if (run.empty()) return false;
+  bottom = run.front().z;
+  top = run.back().z;
+  return top - bottom >= 3.0 * voxel;
+}
+
+bool hasFoundation(const std::vector<double>& beside, double foot, double voxel, double radius) {
+  constexpr double kDeepestDrop = 0.5;  // ground below the shell foot at a ringwall or pad shoulder [m]
+  const double drop = std::min(kDeepestDrop, 0.25 * radius) + 4.0 * voxel, rise = 0.02 * radius + 4.0 * voxel;
+  return std::any_of(beside.begin(), beside.end(), [&](double z) { return z > foot - drop && z < foot + rise; });
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,85 @@
+#include "tank_datum/movement/epoch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/units.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+using Json = nlohmann::json;
+
+double numberOr(const Json& value, double otherwise) { return value.is_null() ? otherwise : value.get<double>(); }
+
+Epoch epochFrom(const Json& json, const std::string& path) {
+  Epoch epoch;
+  epoch.name = path;
+  epoch.status = json.at("status").get<std::string>();
+  if (!epoch.usable()) return epoch;
+  epoch.method = json.at("options").at("method").get<std::string>();
+  const Json& surface = json.at("datum").at("surface");
+  if (!surface.is_null()) epoch.surface = surface.get<std::string>();
+  epoch.levelled = json.value("input", Json::object()).value("kind", "scan") == "levelling";
+  const Json& tank = json.at("tank");
+  epoch.circle.center = {tank.at("center").at(0).get<double>(), tank.at("center").at(1).get<double>()};
+  epoch.circle.radius = tank.at("radius").get<double>();
+  for (const Json& station : json.at("stations").get_ref<const Json::array_t&>()) {
+    Elevation e;
+    e.azimuth = toRadians(station.at("azimuth_deg").get<double>());
+    e.direction = toRadians(station.at("direction_deg").get<double>());
+    if (station.at("flag") == nameOf(StationFlag::Measured)) {
+      e.z = numberOr(station.at("z"), kUnknown);
+      e.sigma_z = numberOr(station.at("sigma_z"), kUnknown);
+      e.window = toRadians(numberOr(station.value("window_deg", Json(nullptr)), kUnknown));
+    }
+    epoch.stations.push_back(e);
+  }
+  return epoch;
+}
+
+}  // namespace
+
+std::size_t Epoch::judgeable() const {
+  const auto judged = [](const Elevation& e) { return std::isfinite(e.z) && e.sigma_z > 0.0; };
+  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), judged));
+}
+
+Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
+  Epoch epoch;
+  epoch.name = name;
+  epoch.status = nameOf(datum.status);
+  epoch.method = nameOf(method);
+  if (datum.refined.valid()) epoch.surface = nameOf(datum.refined.profile.surface);
+  epoch.levelled = datum.levelled;
+  epoch.circle = {datum.circle.center + datum.origin.head<2>(), datum.circle.radius};
+  for (const Station& s : datum.stations) {
+    Elevation e;
+    e.azimuth = s.azimuth, e.direction = s.direction;
+    if (s.flag == StationFlag::Measured) e.z = s.z + datum.origin.z(), e.sigma_z = s.sigma_z, e.window = s.window;
+    epoch.stations.push_back(e);
+  }
+  return epoch;
+}
+
+std::string epochFile(const std::string& path) {
+  return std::filesystem::is_directory(path) ? path + "/datum.json" : path;
+}
+
+Epoch readEpoch(const std::string& path) {
+  const std::string file = epochFile(path);
+  std::ifstream in(file);
+  if (!in) throw Error(Error::Kind::File, "epoch", path, "not read", "a datum.json or a folder with one");
+  try {
+    return epochFrom(Json::parse(in), path);
+  } catch (const Json::exception& error) {
+    throw Error(Error::Kind::File, "epoch", file, error.what(), "a datum.json with its stations");
+  }
+}
+
+}  // namespace tank_datum

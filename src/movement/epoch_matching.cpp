@@ -1,0 +1,172 @@
+#include "movement/epoch_matching.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kWidestBracket = 2.0 * kPi / 180.0;  ///< neighbours between which an elevation is interpolated
+/// Neighbours share the shell's fit and the surface's roughness too: with windows of one degree the errors of stations
+/// one degree apart were found correlated by 0.2 to 0.25 [rad].
+constexpr double kLeastShared = 2.0 * kPi / 180.0;
+constexpr double kSamePlace = 1e-6;  ///< [rad], 0.03 mm at 30 m
+
+std::vector<Elevation> byDirection(const Epoch& epoch) {
+  std::vector<Elevation> known;
+  for (Elevation e : epoch.stations) {
+    e.direction = turn(e.direction);
+    if (std::isfinite(e.z) && e.sigma_z > 0.0) known.push_back(e);
+  }
+  std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
+  return known;
+}
+
+/// The known elevation at a direction, or NaN.
+Elevation elevationAt(const std::vector<Elevation>& known, double direction, double& slope) {
+  Elevation at;
+  const auto after = std::upper_bound(known.begin(), known.end(), direction + kSamePlace,
+                                      [](double value, const Elevation& e) { return value < e.direction; });
+  const Elevation& a = after == known.begin() ? known.back() : *(after - 1);
+  const Elevation& b = after == known.end() ? known.front() : *after;
+  const double width = turn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
+  if (std::abs(along) <= kSamePlace) {
+    at = a;
+    slope = width <= kWidestBracket + kSamePlace && width > 0.0 ? (b.z - a.z) / width : 0.0;
+  } else if (width <= kWidestBracket + kSamePlace) {
+    const double share = along / width;
+    slope = (b.z - a.z) / width;
+    at.z = a.z + share * (b.z - a.z);
+    // as if the neighbours' errors were the same one: they share points
+    at.sigma_z = (1.0 - share) * a.sigma_z + share * b.sigma_z;
+    at.window = std::fmax(a.window, b.window) + width;  // fmax passes over what is unknown
+  }
+  return at;
+}
+
+/// Whose stations are compared, and at which turn against the other survey.
+struct Places {
+  const Epoch& epoch;
+  bool of_baseline;
+  double turned;  ///< from their directions to the baseline's [rad]
+};
+
+/// @param other  of the other survey, in the directions that the places are turned to
+std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elevation>& other, double other_turned) {
+  std::vector<MatchedStation> matched;
+  if (other.empty()) return matched;
+  for (std::size_t i = 0; i < places.epoch.stations.size(); ++i) {
+    const Elevation& here = places.epoch.stations[i];
+    if (!std::isfinite(here.z) || !(here.sigma_z > 0.0)) continue;
+    MatchedStation m;
+    m.station = i;
+    m.direction = turn(here.direction + places.turned);
+    const Elevation there = elevationAt(other, turn(m.direction - other_turned), m.slope);
+    if (!std::isfinite(there.z)) continue;
+    m.dz = places.of_baseline ? there.z - here.z : here.z - there.z;
+    m.sigma = std::hypot(here.sigma_z, there.sigma_z);
+    m.sigma_baseline = places.of_baseline ? here.sigma_z : there.sigma_z;
+    m.window = std::fmax(std::fmax(here.window, there.window), kLeastShared);
+    matched.push_back(m);
+  }
+  std::sort(matched.begin(), matched.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
+  return matched;
+}
+
+/// Mean squared standardised difference at a turn; NaN with too few stations.
+double misfitAt(const Epoch& baseline, const Epoch& current, double offset, Removal removal) {
+  Matching matching = matchStations(baseline, current, offset);
+  std::vector<MatchedStation>& matched = matching.stations;
+  const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
+  if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
+  CommonPart(matched, removal).removeFrom(matched);
+  double sum = 0;
+  for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
+  return sum / static_cast<double>(matched.size());
+}
+
+}  // namespace
+
+Matching matchStations(const Epoch& baseline, const Epoch& current, double offset) {
+  Matching at_current{false, matchAt({current, false, offset}, byDirection(baseline), 0.0)};
+  if (at_current.stations.size() == current.judgeable()) return at_current;
+  Matching at_baseline{true, matchAt({baseline, true, 0.0}, byDirection(current), offset)};
+  return at_baseline.stations.size() > at_current.stations.size() ? at_baseline : at_current;
+}
+
+double azimuthIn(const Epoch& epoch, double direction) {
+  const Elevation &first = epoch.stations.front(), &second = epoch.stations[epoch.stations.size() > 1 ? 1 : 0];
+  const double azimuths = std::remainder(second.azimuth - first.azimuth, kTwoPi);
+  const double directions = std::remainder(second.direction - first.direction, kTwoPi);
+  return turn(first.azimuth +
+              (azimuths * directions < 0.0 ? first.direction - direction : direction - first.direction));
+}
+
+CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal removal) {
+  const auto count = static_cast<Eigen::Index>(stations.size());
+  const Eigen::Index terms = removal == Removal::Nothing ? 0 : removal == Removal::Mean ? 1 : 3;
+  rows_.resize(count, terms);
+  Eigen::VectorXd weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const MatchedStation& m = stations[static_cast<std::size_t>(i)];
+    rows_.row(i) = Eigen::RowVector3d(1.0, std::cos(m.direction), std::sin(m.direction)).head(terms);
+    weights[i] = 1.0 / (m.sigma * m.sigma);
+  }
+  if (terms == 0) return;
+  const Eigen::MatrixXd weighted = rows_.transpose() * weights.asDiagonal();
+  fit_ = (weighted * rows_).ldlt().solve(weighted);
+}
+
+void CommonPart::removeFrom(std::vector<MatchedStation>& stations) const {
+  if (rows_.cols() == 0) return;
+  Eigen::VectorXd dz(rows_.rows());
+  for (Eigen::Index i = 0; i < dz.size(); ++i) dz[i] = stations[static_cast<std::size_t>(i)].dz;
+  dz -= rows_ * (fit_ * dz);
+  for (Eigen::Index i = 0; i < dz.size(); ++i) stations[static_cast<std::size_t>(i)].dz = dz[i];
+}
+
+AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  constexpr int kSteps = 720;
+  constexpr double kStep = kTwoPi / kSteps, kElsewhere = 10.0 * kPi / 180.0;
+  const Removal removal = options.removal == Removal::Nothing ? Removal::Mean : options.removal;
+  const auto at = [&](double offset) { return misfitAt(baseline, current, offset, removal); };
+  std::vector<double> misfits;
+  int best = -1;
+  for (int i = 0; i < kSteps; ++i) {
+    misfits.push_back(at(i * kStep));
+    if (std::isfinite(misfits.back()) && (best < 0 || misfits.back() < misfits[static_cast<std::size_t>(best)]))
+      best = i;
+  }
+  double second = std::nan("");
+  for (int i = 0; i < kSteps && best >= 0; ++i) {
+    const double away = std::abs(std::remainder((i - best) * kStep, kTwoPi));
+    if (away > kElsewhere && !(misfits[static_cast<std::size_t>(i)] >= second)) {
+      if (std::isfinite(misfits[static_cast<std::size_t>(i)])) second = misfits[static_cast<std::size_t>(i)];
+    }
+  }
+  // the parabola through three turns two degrees apart
+  constexpr double kReach = 4 * kStep;
+  const double middle = best < 0 ? std::nan("") : misfits[static_cast<std::size_t>(best)];
+  const double before = at(best * kStep - kReach), after = at(best * kStep + kReach);
+  const double curvature = (before - 2.0 * middle + after) / (kReach * kReach);
+  if (!(curvature > 0.0) || !(second > 2.0 * std::max(middle, 1.0))) {
+    throw Error(Error::Kind::Option, "movement", "azimuth offset", "the datum's shape fits more than one turn",
+                "an azimuth offset that is given");
+  }
+  AzimuthOffset offset;
+  offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);
+  // neighbours share points: as many independent differences as their windows fit into the turn
+  std::vector<double> windows;
+  for (const MatchedStation& m : matchStations(baseline, current, offset.value).stations) windows.push_back(m.window);
+  const double shared = options.correlation > 0.0 ? options.correlation : median(windows);
+  const double independent = std::min(static_cast<double>(windows.size()), kTwoPi / std::max(shared, kStep));
+  offset.sigma = std::sqrt(2.0 * std::max(middle, 1.0) / (independent * curvature));
+  return offset;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/units.h"
+#include "tank_datum/movement/movement.h"
+
+namespace tank_datum {
+
+/// The angle in [0, 2 pi).
+inline double turn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
+
+/// A station measured in both surveys.
+struct MatchedStation {
+  std::size_t station = 0;      ///< its index in the survey whose station it is
+  double direction = 0.0;       ///< in the baseline's frame [rad]
+  double dz = 0.0;              ///< current less baseline [m]
+  double sigma = 0.0;           ///< from both sigmas [m]
+  double sigma_baseline = 0.0;  ///< the baseline's part of it [m]
+  double window = 0.0;          ///< the wider of the arcs that the two elevations come from [rad]
+  double slope = 0.0;           ///< of the interpolated elevation along the direction [m/rad]
+};
+
+/// Stations measured in both surveys, by direction.
+struct Matching {
+  bool of_baseline = false;  ///< whose stations they are: the other survey's elevations are interpolated at them
+  std::vector<MatchedStation> stations;
+};
+
+/// Matches the surveys when the current one is turned by `offset` [rad]: at the current survey's stations, or at the
+/// baseline's where that compares more of them.
+Matching matchStations(const Epoch& baseline, const Epoch& current, double offset);
+
+/// Takes a common height or tilt, fitted with weights 1/sigma^2, from dz.
+class CommonPart {
+ public:
+  CommonPart(const std::vector<MatchedStation>& stations, Removal removal);
+  void removeFrom(std::vector<MatchedStation>& stations) const;
+
+ private:
+  Eigen::MatrixXd rows_, fit_;  ///< one row per station; from dz to the coefficients
+};
+
+struct AzimuthOffset {
+  double value = 0.0;  ///< [rad]
+  double sigma = 0.0;  ///< its standard error [rad]
+};
+
+/// A direction as a survey counts azimuths, from where its own zero is and whichever way round [rad].
+double azimuthIn(const Epoch& epoch, double direction);
+
+/// The turn of the current survey at which the shapes agree best.
+/// @throws Error (Option) when the shape does not single out one turn
+AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
+
+}  // namespace tank_datum

@@ -1,0 +1,167 @@
+#include "tank_datum/movement/movement.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "core/refusal.h"
+#include "core/units.h"
+#include "movement/epoch_matching.h"
+#include "movement/movement_significance.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kFewest = 8;  ///< stations in common
+
+std::string text(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& value, const std::string& expected) {
+  throw Error(Error::Kind::Option, "movement", what, value, expected);
+}
+
+/// What one survey's lengths must be multiplied by, if a wrong unit explains the ratio; or nothing.
+std::string unitBehind(double ratio) {
+  if (ratio < 1.0) ratio = 1.0 / ratio;
+  for (const auto& [factor, name] : {std::pair{1000.0, "mm and m"}, {304.8, "mm and ft"}, {1.0 / 0.3048, "ft and m"}}) {
+    if (std::abs(ratio / factor - 1.0) < 0.01) return std::string(" (as ") + name + " taken for each other)";
+  }
+  return {};
+}
+
+void requireSameKind(const Epoch& baseline, const Epoch& current) {
+  for (const Epoch* epoch : {&baseline, &current}) {
+    if (epoch->method == nameOf(Method::Paper)) {
+      refuse("method of " + epoch->name, epoch->method, "refined: the paper's elevations have no standard errors");
+    }
+  }
+  if (baseline.method != current.method) {
+    refuse("method of " + current.name, current.method, "the baseline's, " + baseline.method);
+  }
+  if (!baseline.levelled && !current.levelled && baseline.surface != current.surface) {
+    refuse("foundation surface of " + current.name, current.surface, "the baseline's, " + baseline.surface);
+  }
+}
+
+/// The stations that a matching is of, without their movement.
+std::vector<StationMovement> stationsOf(const Epoch& baseline, const Epoch& current, const Matching& matching,
+                                        double offset) {
+  std::vector<StationMovement> stations;
+  for (const Elevation& e : (matching.of_baseline ? baseline : current).stations) {
+    if (matching.of_baseline) {
+      stations.push_back({azimuthIn(current, e.direction - offset), e.direction});
+    } else {
+      stations.push_back({e.azimuth, e.direction + offset});
+    }
+  }
+  return stations;
+}
+
+void summarise(Movement& movement) {
+  double squares = 0.0;
+  for (const StationMovement& s : movement.stations) {
+    if (!std::isfinite(s.dz)) continue;
+    squares += s.dz * s.dz;
+    movement.significant += s.significant ? 1 : 0;
+    if (!(std::abs(s.dz) <= std::abs(movement.max))) movement.max = s.dz, movement.max_azimuth = s.azimuth;
+  }
+  movement.rms = std::sqrt(squares / static_cast<double>(movement.matched));
+}
+
+}  // namespace
+
+const char* nameOf(Removal removal) {
+  return removal == Removal::Nothing ? "none" : removal == Removal::Mean ? "mean" : "tilt";
+}
+
+std::string firstError(const MovementOptions& options) {
+  const std::pair<const char*, double> lengths[] = {{"movement.registration_error", options.registration_error},
+                                                    {"movement.registration_tilt", options.registration_tilt},
+                                                    {"movement.correlation", options.correlation}};
+  for (const auto& [name, value] : lengths) {
+    if (!(value >= 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be >= 0)";
+  }
+  const std::pair<const char*, double> tolerances[] = {{"movement.radius_difference", options.radius_difference},
+                                                       {"movement.centre_distance", options.centre_distance}};
+  for (const auto& [name, value] : tolerances) {
+    if (!(value > 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be > 0)";
+  }
+  if (!std::isfinite(options.azimuth_offset)) return "movement.azimuth_offset = not finite (must be an angle)";
+  if (options.estimate_offset && options.azimuth_offset != 0.0) {
+    return "movement.azimuth_offset = " + text(options.azimuth_offset) + " (must be 0 when it is estimated)";
+  }
+  return {};
+}
+
+void requireValid(const MovementOptions& options) { refuseFirst(firstError(options)); }
+
+void requireErrors(const Epoch& epoch) {
+  if (epoch.judgeable() > 0) return;
+  refuse("standard errors of " + epoch.name, "none",
+         epoch.levelled ? "a sigma column in the levelling's table: the standard error of each elevation"
+                        : "sigma_z of its measured stations");
+}
+
+void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
+                     const MovementOptions& options) {
+  const double from = baseline.circle.radius, to = circle.radius;
+  if (!(std::abs(to - from) <= options.radius_difference)) {
+    refuse("radius of " + name, text(to) + " m",
+           "within " + text(options.radius_difference) + " m of the baseline's " + text(from) + unitBehind(to / from));
+  }
+  const double apart = (circle.center - baseline.circle.center).norm();
+  const bool elsewhere = baseline.levelled || options.estimate_offset || options.azimuth_offset != 0.0;
+  if (!elsewhere && !(apart <= options.centre_distance)) {
+    refuse("centre of " + name, text(apart) + " m from the baseline's",
+           "within " + text(options.centre_distance) + " m, the same tank in the same frame");
+  }
+}
+
+Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  requireValid(options);
+  Movement movement;
+  movement.baseline = baseline.name;
+  movement.removal = options.removal;
+  movement.registration_error = options.registration_error;
+  movement.registration_tilt = options.registration_tilt;
+  for (const Epoch* epoch : {&baseline, &current}) {
+    if (epoch->usable()) continue;
+    movement.message = epoch->name + " holds no usable datum: " + epoch->status;
+    return movement;
+  }
+  const Eigen::Vector2d center = current.levelled ? baseline.circle.center : current.circle.center;
+  requireSameTank(baseline, current.name, {center, current.circle.radius}, options);
+  requireSameKind(baseline, current);
+  requireErrors(baseline);
+  requireErrors(current);
+  const AzimuthOffset offset =
+      options.estimate_offset ? estimateOffset(baseline, current, options) : AzimuthOffset{options.azimuth_offset, 0.0};
+  movement.azimuth_offset = offset.value;
+  movement.sigma_azimuth_offset = offset.sigma;
+  Matching matching = matchStations(baseline, current, offset.value);
+  std::vector<MatchedStation>& matched = matching.stations;
+  movement.stations = stationsOf(baseline, current, matching, offset.value);
+  movement.matched = matched.size();
+  if (matched.size() < kFewest) {
+    movement.message = "only " + std::to_string(matched.size()) + " stations are measured in both surveys, and " +
+                       std::to_string(kFewest) + " are needed";
+    return movement;
+  }
+  CommonPart(matched, options.removal).removeFrom(matched);
+  const Significance found = findMoved(
+      matched, {options.registration_error, options.registration_tilt * current.circle.radius, offset.sigma}, options);
+  movement.threshold = found.threshold;
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    StationMovement& s = movement.stations[matched[i].station];
+    s.dz = matched[i].dz, s.sigma = found.sigmas[i], s.sigma_baseline = matched[i].sigma_baseline;
+    s.significant = found.moved[i];
+  }
+  summarise(movement);
+  return movement;
+}
+
+}  // namespace tank_datum

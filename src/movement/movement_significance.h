@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "movement/epoch_matching.h"
+
+namespace tank_datum {
+
+/// Errors that all stations share, 1 sigma.
+struct CommonErrors {
+  double height = 0.0;  ///< left after the removal [m]
+  double rim = 0.0;     ///< height at the shell by a tilt about either level axis, left after the removal [m]
+  double turn = 0.0;    ///< of the azimuth offset [rad]
+};
+
+/// Which stations moved, and the threshold that says so.
+struct Significance {
+  double threshold = 0.0;      ///< of |window mean| in its standard deviations
+  std::vector<bool> moved;     ///< one per matched station
+  std::vector<double> sigmas;  ///< standard error of each dz [m]
+};
+
+/// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
+/// standard deviation on an unmoved tank. The threshold is the 97 % point of the largest of them all in 2000 simulated
+/// comparisons with the stations' own sigmas, the correlation of stations that share points, the common errors and the
+/// removal, so that false alarms are at most 5 % for the whole tank: a max-statistic (Westfall and Young,
+/// Resampling-based multiple testing, 1993) over a scan of windows (Naus, JASA 60, 1965).
+/// Windows are judged from narrow to wide. One counts when it has moved without the stations found before too, or when
+/// such stations lie on either side of its middle, so that a movement does not spread over the wide windows it is in.
+/// Single stations that stand out from their neighbours by themselves are taken for errors and not for movement, in the
+/// simulated comparisons as well (Hampel, JASA 69, 1974).
+/// @param stations  by direction, dz after the removal
+Significance findMoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
+                       const MovementOptions& options);
+
+}  // namespace tank_datum

@@ -1,0 +1,126 @@
+#include "tank_datum/movement/trend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/units.h"
+#include "movement/epoch_matching.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kWidestBracket = 2.0 * kPi / 180.0;
+constexpr double kSamePlace = 1e-6;  ///< [rad]
+
+std::vector<StationMovement> byDirection(const Movement& movement) {
+  std::vector<StationMovement> known;
+  for (StationMovement s : movement.stations) {
+    s.direction = turn(s.direction);
+    known.push_back(s);
+  }
+  std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
+  return known;
+}
+
+/// The movement at a direction: that of a station there, seen or not; else between two neighbours that were seen.
+StationMovement movementAt(const std::vector<StationMovement>& known, double direction) {
+  if (known.empty()) return {};
+  const auto after = std::upper_bound(known.begin(), known.end(), direction + kSamePlace,
+                                      [](double value, const StationMovement& s) { return value < s.direction; });
+  const StationMovement& a = after == known.begin() ? known.back() : *(after - 1);
+  const StationMovement& b = after == known.end() ? known.front() : *after;
+  const double width = turn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
+  if (std::abs(along) <= kSamePlace) return a;
+  if (width > kWidestBracket + kSamePlace || !std::isfinite(a.dz) || !std::isfinite(b.dz)) return {};
+  const double share = along / width;
+  const auto between = [share](double from, double to) { return (1.0 - share) * from + share * to; };
+  StationMovement at = share < 0.5 ? a : b;
+  at.dz = between(a.dz, b.dz), at.sigma = between(a.sigma, b.sigma);  // neighbours share points
+  at.sigma_baseline = between(a.sigma_baseline, b.sigma_baseline);
+  return at;
+}
+
+/// Ordinary least squares. The slope is the same of z and of z less the baseline's, whose error counts once.
+void fitRate(StationHistory& history, const std::vector<double>& times) {
+  std::vector<std::size_t> seen;
+  double mean = times.front(), baseline = 0.0;
+  for (std::size_t i = 0; i < history.surveys.size(); ++i) {
+    if (!std::isfinite(history.surveys[i].dz)) continue;
+    seen.push_back(i);
+    mean += times[i + 1];
+    baseline = std::max(baseline, history.surveys[i].sigma_baseline);
+  }
+  if (seen.empty()) return;
+  mean /= static_cast<double>(seen.size() + 1);
+  double spread = (times.front() - mean) * (times.front() - mean);
+  for (const std::size_t i : seen) spread += (times[i + 1] - mean) * (times[i + 1] - mean);
+  double rate = 0.0, variance = std::pow((times.front() - mean) / spread * baseline, 2.0);
+  for (const std::size_t i : seen) {
+    const StationMovement& s = history.surveys[i];
+    const double share = (times[i + 1] - mean) / spread;
+    rate += share * s.dz;
+    variance += share * share * (s.sigma * s.sigma - s.sigma_baseline * s.sigma_baseline);
+  }
+  history.rate = rate, history.sigma_rate = std::sqrt(variance);
+}
+
+void requireTimes(const std::vector<double>& times, std::size_t surveys) {
+  if (times.size() != surveys) {
+    throw Error(Error::Kind::Option, "movement", "dates", std::to_string(times.size()),
+                "one for each of the " + std::to_string(surveys) + " surveys");
+  }
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) continue;
+    throw Error(Error::Kind::Option, "movement", "dates", "number " + std::to_string(i + 1),
+                "one after the date before");
+  }
+}
+
+}  // namespace
+
+std::vector<StationHistory> historiesOf(const std::vector<Movement>& movements, const std::vector<double>& times) {
+  requireTimes(times, movements.size() + 1);
+  std::vector<std::vector<StationMovement>> known;
+  for (const Movement& m : movements) known.push_back(byDirection(m));
+  const auto last =
+      std::find_if(movements.rbegin(), movements.rend(), [](const Movement& m) { return !m.stations.empty(); });
+  std::vector<StationHistory> histories;
+  if (last == movements.rend()) return histories;
+  for (const StationMovement& place : last->stations) {
+    StationHistory history;
+    history.azimuth = place.azimuth, history.direction = turn(place.direction);
+    for (const auto& survey : known) history.surveys.push_back(movementAt(survey, history.direction));
+    fitRate(history, times);
+    histories.push_back(std::move(history));
+  }
+  return histories;
+}
+
+double yearOf(const std::string& date) {
+  const auto refused = [&date] {
+    return Error(Error::Kind::Option, "movement", "date", date, "a date as 2024-05-31 or a year as 2024.41");
+  };
+  int year = 0, month = 0, day = 0, read = 0;
+  if (std::sscanf(date.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &read) == 3) {
+    const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+    const std::array<int, 12> days = {31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    const bool is_month = month >= 1 && month <= 12;
+    if (static_cast<std::size_t>(read) != date.size() || !is_month || day < 1 ||
+        day > days[static_cast<std::size_t>(month - 1)]) {
+      throw refused();
+    }
+    int before = day - 1;
+    for (int m = 0; m < month - 1; ++m) before += days[static_cast<std::size_t>(m)];
+    return year + before / (leap ? 366.0 : 365.0);
+  }
+  char* end = nullptr;
+  const double decimal = std::strtod(date.c_str(), &end);
+  if (date.empty() || *end != '\0' || !(decimal > 1800.0 && decimal < 2200.0)) throw refused();
+  return decimal;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,123 @@
+#include "report/analysis_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json harmonicsJson(const std::vector<Harmonic>& harmonics, double z_origin) {
+  Json all = Json::array();
+  for (const Harmonic& h : harmonics) {
+    all.push_back({{"n", h.n},
+                   {"amplitude", number(h.amplitude + (h.n == 0 ? z_origin : 0.0))},
+                   {"phase_deg", number(toDegrees(h.crest))},
+                   {"sigma", number(h.sigma)}});
+  }
+  return all;
+}
+
+Json placed(const PlacedValue& v) {
+  return {{"value", number(v.value)}, {"sigma", number(v.sigma)}, {"azimuth_deg", number(toDegrees(v.azimuth))}};
+}
+
+Json secondDifferencesJson(const SecondDifferences& d) {
+  PlacedValue worst;
+  for (const PlacedValue& v : d.all) {
+    if (isLarger(worst, v)) worst = v;
+  }
+  return {{"points", d.points},     {"starts", d.starts},     {"spacing", number(d.spacing)},
+          {"worst", placed(worst)}, {"values", d.all.size()}, {"message", d.message}};
+}
+
+Json arcsJson(const std::vector<SettlementArc>& arcs) {
+  Json all = Json::array();
+  for (const SettlementArc& arc : arcs) {
+    Json entry = placed(arc.largest);
+    entry["length"] = number(arc.length);
+    all.push_back(entry);
+  }
+  return all;
+}
+
+/// The limit of the curvature that is judged by, when it could be had.
+Json curvatureLimit(const std::vector<Check>& checks) {
+  const auto found = std::find_if(checks.begin(), checks.end(),
+                                  [](const Check& c) { return c.unit == "1/m" && std::isfinite(c.limit); });
+  return found == checks.end() ? Json(nullptr) : Json(found->limit);
+}
+
+Json outOfPlaneJson(const Analysis& analysis, const std::vector<Station>& stations) {
+  const OutOfPlane& fit = analysis.out_of_plane;
+  Json u_fit = Json::array(), curvature = Json::array();
+  for (const Station& s : stations) {
+    u_fit.push_back(number(s.sigma_u_fit));
+    curvature.push_back(number(s.sigma_curvature));
+  }
+  return {{"order", fit.order},
+          {"message", fit.message},
+          {"adjusted_r2", number(fit.adjusted_r2)},
+          {"rms", number(fit.rms)},
+          {"max_abs_u", number(fit.max_u)},
+          {"max_abs_u_azimuth_deg", number(toDegrees(fit.max_u_azimuth))},
+          {"max_curvature", number(fit.max_curvature)},
+          {"max_curvature_azimuth_deg", number(toDegrees(fit.max_curvature_azimuth))},
+          {"sigma_curvature", number(fit.sigma_curvature)},
+          {"curvature_limit", curvatureLimit(analysis.checks)},
+          {"longest_gap", number(analysis.longest_gap)},
+          {"u_fit_sigma", u_fit},
+          {"curvature_sigma", curvature},
+          {"second_differences", secondDifferencesJson(analysis.second_differences)},
+          {"arcs", arcsJson(analysis.arcs)}};
+}
+
+Json checksJson(const std::vector<Check>& checks) {
+  Json all = Json::array();
+  for (const Check& c : checks) {
+    all.push_back({{"code", c.code},
+                   {"clause", c.clause},
+                   {"name", c.name},
+                   {"value", number(c.value)},
+                   {"sigma", number(c.sigma)},
+                   {"limit", number(c.limit)},
+                   {"unit", c.unit},
+                   {"azimuth_deg", number(toDegrees(c.azimuth))},
+                   {"verdict", nameOf(c.verdict)},
+                   {"source", c.trust},
+                   {"citation", c.citation},
+                   {"note", c.note}});
+  }
+  return all;
+}
+
+}  // namespace
+
+void addAnalysis(Json& json, const Analysis& analysis, const std::vector<Station>& stations, double z_origin) {
+  json["harmonics"] = harmonicsJson(analysis.harmonics, z_origin);
+  json["out_of_plane"] = outOfPlaneJson(analysis, stations);
+  json["foundation"] = {{"level_9m", placed(analysis.level_9m)},
+                        {"level_3m", placed(analysis.level_3m)},
+                        {"level_total", placed(analysis.level_total)}};
+  json["checks"] = checksJson(analysis.checks);
+  json["notes"] = analysis.notes;
+}
+
+Json analysisOptionsJson(const AnalysisOptions& o) {
+  return {{"height", number(o.facts.height)},
+          {"yield_mpa", number(o.facts.yield)},
+          {"modulus_mpa", number(o.facts.modulus)},
+          {"roof", textOrNull(o.facts.roof)},
+          {"foundation", textOrNull(o.facts.foundation)},
+          {"classic_points", o.classic_points},
+          {"limits", textOrNull(o.limits_file)}};
+}
+
+}  // namespace tank_datum

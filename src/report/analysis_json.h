@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "tank_datum/shape/analysis.h"
+
+namespace tank_datum {
+
+/// Adds `harmonics`, `out_of_plane`, `foundation`, `checks` and `notes` to a datum.json. Metres, degrees.
+/// @param z_origin  added to the mean elevation [m]
+void addAnalysis(nlohmann::ordered_json& json, const Analysis& analysis, const std::vector<Station>& stations,
+                 double z_origin);
+
+/// The options of the analysis, as used.
+nlohmann::ordered_json analysisOptionsJson(const AnalysisOptions& options);
+
+}  // namespace tank_datum

@@ -1,0 +1,159 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/units.h"
+#include "report/analysis_json.h"
+#include "report/movement_json.h"
+#include "report/setups_json.h"
+#include "report/shell_report.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/report/report.h"
+#include "tank_datum/version.h"
+
+namespace tank_datum {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json setupOrigins(const SetupOptions& options) {
+  Json origins = Json::object();
+  for (const auto& [name, at] : options.origins) origins[name] = {at.x(), at.y(), at.z()};
+  return origins;
+}
+
+Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
+  Json json;
+  json["method"] = nameOf(o.method);
+  json["locate"] = {{"min_radius", o.locate.min_radius},
+                    {"min_arc_deg", toDegrees(o.locate.min_arc)},
+                    {"sample_points", o.locate.sample_points}};
+  json["crop"] = {{"reach", o.crop.reach}, {"search_points", o.crop.search_points}, {"fit_points", o.crop.fit_points}};
+  json["normals"] = {{"k", o.normals.k}, {"search", nameOf(o.normals.search)}};
+  json["growing"] = {{"angle_deg", toDegrees(o.growing.angle)}};
+  json["centre_filter"] = {{"tolerance", o.centre_filter.tolerance}};
+  json["spline"] = {{"control_points", o.spline.control_points}, {"check_every", o.spline.check_every}};
+  json["setups"] = {{"error", o.setups.error},
+                    {"tilt_arcsec", toArcSeconds(o.setups.tilt)},
+                    {"bad", nameOf(o.setups.bad)},
+                    {"origins", setupOrigins(o.setups)}};
+  json["refine"] = {{"largest_weld", o.refine.largest_weld},
+                    {"widest_band", o.refine.widest_band},
+                    {"widest_window", o.refine.widest_window},
+                    {"wanted_sigma", o.refine.wanted_sigma}};
+  json["stations"] = {{"count", o.stations.count},
+                      {"zero_azimuth_deg", toDegrees(o.stations.zero_azimuth)},
+                      {"clockwise", o.stations.clockwise},
+                      {"longest_bridge_deg", toDegrees(o.stations.longest_bridge)}};
+  json["analysis"] = analysisOptionsJson(o.analysis);
+  json["shell"] = {{"heights", o.shell.heights},
+                   {"step", o.shell.step},
+                   {"half_band", o.shell.half_band},
+                   {"reach", o.shell.reach},
+                   {"cell_points", o.shell.cell_points}};
+  json["pick"] = o.pick;
+  json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
+  json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
+  return json;
+}
+
+Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool levelled) {
+  Json files = Json::array();
+  for (const InputRecord& file : provenance.files) {
+    files.push_back(
+        {{"path", file.path}, {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}, {"points", file.points}});
+  }
+  return {{"files", files},
+          {"kind", levelled ? "levelling" : "scan"},
+          {"units", provenance.units},
+          {"origin", {origin.x(), origin.y(), origin.z()}},
+          {"invalid_points", provenance.invalid_points}};
+}
+
+Json tankJson(const Datum& datum) {
+  if (!datum.tank.circle.valid()) return nullptr;
+  const Circle& circle = datum.circle.valid() ? datum.circle : datum.tank.circle;
+  return {{"center", {circle.center.x() + datum.origin.x(), circle.center.y() + datum.origin.y()}},
+          {"radius", circle.radius},
+          {"sigma_radius", number(datum.refined.sigma_radius)},
+          {"rms", number(datum.levelled ? kUnknown : datum.tank.rms)},
+          {"coverage_deg", datum.levelled ? Json(nullptr) : Json(toDegrees(datum.tank.coverage))},
+          {"side", datum.levelled ? Json(nullptr) : Json(datum.tank.side == Side::Inside ? "inside" : "outside")}};
+}
+
+Json datumSection(const Datum& datum) {
+  const Level& level = datum.level;
+  const double z = datum.origin.z();
+  const bool refined = datum.refined.valid();
+  return {{"surface", refined ? Json(nameOf(datum.refined.profile.surface)) : Json(nullptr)},
+          {"measured", level.measured},
+          {"interpolated", level.interpolated},
+          {"missing", level.missing},
+          {"mean", number(level.mean + z)},
+          {"min", number(level.min + z)},
+          {"max", number(level.max + z)},
+          {"range", number(level.range())},
+          {"min_azimuth_deg", number(toDegrees(level.min_azimuth))},
+          {"max_azimuth_deg", number(toDegrees(level.max_azimuth))},
+          {"curve",
+           {{"degree", 3},
+            {"closed", true},
+            {"control_points", datum.curve.control_points.rows()},
+            {"rms", number(datum.curve.rms)},
+            {"max_residual", number(datum.curve.max_residual)},
+            {"check_points", datum.curve.check_points}}}};
+}
+
+Json tiltJson(const Tilt& tilt) {
+  if (!tilt.valid()) return nullptr;
+  return {{"slope", tilt.slope()},
+          {"angle_arcsec", toArcSeconds(std::atan(tilt.slope()))},
+          {"direction_deg", toDegrees(tilt.direction)},
+          {"sigma_slope", number(tilt.sigma_slope)},
+          {"standard_error", number(tilt.standard_error)},
+          {"r2", number(tilt.r2)},
+          {"p_value", number(tilt.p_value)}};
+}
+
+/// The paper's inclination, and its table: h of every diameter.
+Json antipodalJson(const Datum& datum) {
+  const Antipodal& antipodal = datum.antipodal;
+  Json heights = Json::array();
+  for (const double h : antipodalHeights(datum.stations)) heights.push_back(number(h));
+  return {{"max_h", number(antipodal.max_h)},
+          {"diameter", number(antipodal.diameter)},
+          {"angle_deg", number(toDegrees(antipodal.angle()))},
+          {"angle_arcsec", number(toArcSeconds(antipodal.angle()))},
+          {"azimuth_deg", number(toDegrees(antipodal.azimuth))},
+          {"h", heights}};
+}
+
+}  // namespace
+
+std::string datumJson(const Datum& datum, const Provenance& provenance) {
+  Json json;
+  json["schema"] = 1;
+  json["version"] = kVersion;
+  json["input"] = inputJson(provenance, datum.origin, datum.levelled);
+  json["options"] = optionsJson(provenance.options, provenance);
+  json["status"] = nameOf(datum.status);
+  json["message"] = datum.message;
+  json["tank"] = tankJson(datum);
+  if (datum.usable()) {
+    json["datum"] = datumSection(datum);
+    json["tilt"] = tiltJson(datum.tilt);
+    json["antipodal"] = antipodalJson(datum);
+    if (datum.analysis.valid()) addAnalysis(json, datum.analysis, datum.stations, datum.origin.z());
+    json["setups"] = setupsSection(datum);
+    json["agreement"] = agreementSection(datum);
+    json["covariance"] = covarianceSection(datum);
+    json["stations"] = stationsSection(datum);
+    if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
+    if (datum.shell.valid()) json["shell"] = shellJson(datum.shell);
+  }
+  // a path that is no UTF-8 must not lose the result
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tank_datum

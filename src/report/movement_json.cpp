@@ -1,0 +1,77 @@
+#include "report/movement_json.h"
+
+#include <cmath>
+
+#include "core/units.h"
+#include "tank_datum/report/report.h"
+
+namespace tank_datum {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+}  // namespace
+
+Json stationsSection(const Datum& datum) {
+  Json stations = Json::array();
+  for (const Station& s : datum.stations) {
+    stations.push_back({{"azimuth_deg", toDegrees(s.azimuth)},
+                        {"direction_deg", toDegrees(s.direction)},
+                        {"z", number(s.z + datum.origin.z())},
+                        {"sigma_z", number(s.sigma_z)},
+                        {"window_deg", number(toDegrees(s.window))},
+                        {"flag", nameOf(s.flag)}});
+  }
+  return stations;
+}
+
+Json movementOptionsSection(const std::string& baseline, const MovementOptions& o) {
+  return {{"baseline", baseline.empty() ? Json(nullptr) : Json(baseline)},
+          {"remove", nameOf(o.removal)},
+          {"registration_error", o.registration_error},
+          {"registration_tilt_arcsec", toArcSeconds(o.registration_tilt)},
+          {"azimuth_offset_deg", toDegrees(o.azimuth_offset)},
+          {"estimate_azimuth_offset", o.estimate_offset},
+          {"correlation_deg", toDegrees(o.correlation)},
+          {"radius_difference", o.radius_difference},
+          {"centre_distance", o.centre_distance}};
+}
+
+Json movementSection(const Movement& movement) {
+  Json stations = Json::array();
+  for (const StationMovement& s : movement.stations) {
+    stations.push_back({{"azimuth_deg", toDegrees(s.azimuth)},
+                        {"dz", number(s.dz)},
+                        {"lod95", number(s.lod95())},
+                        {"significant", s.significant}});
+  }
+  return {{"baseline", movement.baseline},
+          {"removed", nameOf(movement.removal)},
+          {"registration_error", movement.registration_error},
+          {"registration_tilt_arcsec", toArcSeconds(movement.registration_tilt)},
+          {"azimuth_offset_deg", toDegrees(movement.azimuth_offset)},
+          {"sigma_azimuth_offset_deg", toDegrees(movement.sigma_azimuth_offset)},
+          {"message", movement.message},
+          {"matched", movement.matched},
+          {"significant", movement.significant},
+          {"threshold", number(movement.threshold)},
+          {"max", number(movement.max)},
+          {"max_azimuth_deg", number(toDegrees(movement.max_azimuth))},
+          {"rms", number(movement.rms)},
+          {"stations", stations}};
+}
+
+std::string movementOptionsJson(const MovementOptions& options) {
+  Json json = movementOptionsSection("", options);
+  json.erase("baseline");
+  return json.dump(2) + "\n";
+}
+
+std::string movementJson(const Movement& movement) {
+  return movementSection(movement).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,92 @@
+#include "tank_datum/report/report.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include "core/units.h"
+#include "io/pcd_writer.h"
+#include "report/shell_report.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+/// The shortest text that reads back as the same double; empty when unknown.
+std::string text(double value) {
+  if (!std::isfinite(value)) return {};
+  char buffer[32];
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+}
+
+std::string text(const std::optional<std::size_t>& count) { return count ? std::to_string(*count) : std::string(); }
+
+void writeText(const std::string& path, const std::string& content) {
+  std::ofstream out(path, std::ios::binary);
+  out << content;
+  out.close();
+  if (!out)
+    throw Error(Error::Kind::File, "report", path, std::strerror(errno), "a writable folder with room for the results");
+}
+
+void writeCloud(const std::string& path, const Points& points, const Eigen::Vector3d& origin) {
+  PcdWriter writer(path, {{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}});
+  std::vector<double> rows;
+  rows.reserve(3 * points.size());
+  for (const auto& p : points) {
+    const Eigen::Vector3d absolute = p + origin;
+    rows.insert(rows.end(), absolute.data(), absolute.data() + 3);
+  }
+  writer.append(rows);
+  writer.commit();
+}
+
+}  // namespace
+
+std::string stationsCsv(const Datum& datum) {
+  std::string csv =
+      "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,z_paper,z_tilt,u,u_fit,"
+      "curvature,n_setups,sigma_setup\n";
+  const Eigen::Vector3d& o = datum.origin;
+  for (std::size_t i = 0; i < datum.stations.size(); ++i) {
+    const Station& s = datum.stations[i];
+    const std::string cells[] = {text(toDegrees(s.azimuth)),
+                                 text(s.x + o.x()),
+                                 text(s.y + o.y()),
+                                 text(s.z + o.z()),
+                                 text(s.sigma_z),
+                                 text(s.radius),
+                                 text(s.sigma_radius),
+                                 text(s.n_shell),
+                                 text(s.n_foundation),
+                                 nameOf(s.flag),
+                                 text(s.z_paper + o.z()),
+                                 text(s.z_tilt + o.z()),
+                                 text(s.u),
+                                 text(s.u_fit),
+                                 text(s.curvature),
+                                 text(s.n_setups),
+                                 text(s.sigma_setup)};
+    csv += std::to_string(i);
+    for (const std::string& cell : cells) csv += "," + cell;
+    csv += "\n";
+  }
+  return csv;
+}
+
+void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance) {
+  writeText(folder + "/datum.json", datumJson(datum, provenance));
+  writeText(folder + "/stations.csv", stationsCsv(datum));
+  writeText(folder + "/shell.csv", shellCsv(datum.shell));
+  if (!datum.usable()) return;
+  Points curve;
+  for (const Station& s : datum.stations) {
+    if (s.flag != StationFlag::Missing) curve.emplace_back(s.x, s.y, s.z);
+  }
+  if (!datum.levelled) writeCloud(folder + "/datum_points.pcd", datum.edge_points, datum.origin);
+  writeCloud(folder + "/datum_curve.pcd", curve, datum.origin);
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,74 @@
+#include "tank_datum/report/report_page.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "report/report_template.h"
+#include "report/section_json.h"
+#include "report/shell_report.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+
+std::string escapedForScript(const std::string& json) {
+  std::string escaped;
+  escaped.reserve(json.size());
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    const bool separator = json.compare(i, 3, "\xE2\x80\xA8") == 0 || json.compare(i, 3, "\xE2\x80\xA9") == 0;
+    if (c == '<') {
+      escaped += "\\u003c";
+    } else if (c == '>') {
+      escaped += "\\u003e";
+    } else if (c == '&') {
+      escaped += "\\u0026";
+    } else if (separator) {
+      escaped += json[i + 2] == '\xA8' ? "\\u2028" : "\\u2029";
+      i += 2;
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string pageWith(const std::vector<PageData>& data) {
+  std::string page(kPageBeforeData);
+  for (const PageData& part : data) {
+    const bool json = part.type == "application/json";
+    if (!json && part.content.find('<') != std::string::npos) {
+      throw Error(Error::Kind::Option, "report", part.id, "'<'", "a table of numbers and plain words");
+    }
+    page += "<script type=\"" + part.type + "\" id=\"data-" + part.id + "\">";
+    page += json ? escapedForScript(part.content) : part.content;
+    page += "</script>\n";
+  }
+  return page + std::string(kPageAfterData);
+}
+
+std::string reportPage(const Datum& datum, const Provenance& provenance) {
+  std::vector<PageData> data = {{"datum", "application/json", datumJson(datum, provenance)},
+                                {"stations", "text/csv", stationsCsv(datum)}};
+  if (datum.shell.valid()) data.push_back({"shell", "text/csv", shellCsv(datum.shell)});
+  if (!datum.refined.sections.empty() && datum.usable()) {
+    data.push_back({"sections", "application/json", sectionsJson(datum)});
+  }
+  return pageWith(data);
+}
+
+std::string trendPage(const std::string& movement_json, const std::string& movement_csv) {
+  return pageWith({{"trend", "application/json", movement_json}, {"movements", "text/csv", movement_csv}});
+}
+
+void writeReportPage(const std::string& folder, const std::string& page) {
+  const std::string path = folder + "/report.html";
+  std::ofstream out(path, std::ios::binary);
+  out << page;
+  out.close();
+  if (!out) {
+    throw Error(Error::Kind::File, "report", path, std::strerror(errno), "a writable folder with room for the results");
+  }
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "report/shell_report.h"
+#include "report/sparkline.h"
+#include "tank_datum/report/report.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kSparklineColumns = 48;  ///< three bytes each, within the buffer of a line
+
+template <typename... Values>
+std::string line(const char* title, const char* format, Values... values) {
+  char titled[20], text[240];
+  std::snprintf(titled, sizeof titled, "%-14s ", title);
+  std::snprintf(text, sizeof text, format, values...);
+  return std::string(titled) + text + "\n";
+}
+
+double medianSigma(const std::vector<Station>& stations) {
+  std::vector<double> sigmas;
+  for (const Station& s : stations) {
+    if (s.flag == StationFlag::Measured) sigmas.push_back(s.sigma_z);
+  }
+  return median(std::move(sigmas));
+}
+
+std::string tankLine(const Datum& datum) {
+  if (datum.levelled) return line("tank", "radius %.3f m as given", datum.circle.radius);
+  return line("tank", "radius %.3f m, centre %.3f, %.3f, shell seen over %.0f deg", datum.circle.radius,
+              datum.circle.center.x() + datum.origin.x(), datum.circle.center.y() + datum.origin.y(),
+              toDegrees(datum.tank.coverage));
+}
+
+std::string methodLines(const Datum& datum) {
+  if (datum.levelled) return line("method", "elevations typed in from a levelling survey");
+  const std::string curve =
+      line("paper's curve", "RMS %.1f mm, largest %.1f mm over %zu points not used in the fit (%td control points)",
+           1e3 * datum.curve.rms, 1e3 * datum.curve.max_residual, datum.curve.check_points,
+           datum.curve.control_points.rows());
+  if (!datum.refined.valid()) {
+    return line("method", "the paper's curve through edge points: expect millimetres of bias") + curve;
+  }
+  return line("method", "shell and %s intersected, standard error %.2f mm (median)",
+              nameOf(datum.refined.profile.surface), 1e3 * medianSigma(datum.stations)) +
+         curve;
+}
+
+/// The plane and what departs from it.
+std::string tiltLine(const Datum& datum) {
+  if (!datum.tilt.valid()) return {};
+  char bending[80] = "";
+  const OutOfPlane& rest = datum.analysis.out_of_plane;
+  if (std::isfinite(rest.max_u)) {
+    std::snprintf(bending, sizeof bending, "; out of plane at most %.1f mm at %.0f deg", 1e3 * rest.max_u,
+                  toDegrees(rest.max_u_azimuth));
+  }
+  return line("tilt", "%.1f arc-seconds towards %.0f deg%s", toArcSeconds(std::atan(datum.tilt.slope())),
+              toDegrees(datum.tilt.direction), bending);
+}
+
+std::string antipodalLine(const Antipodal& across) {
+  if (!std::isfinite(across.max_h)) return {};
+  return line("antipodal", "h %.1f mm over D %.3f m: %.5f deg, %.1f arc-seconds, azimuth %.0f deg", 1e3 * across.max_h,
+              across.diameter, toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
+}
+
+/// A value with its limit as people say it: lengths in millimetres.
+std::string figures(const Check& check) {
+  char text[80];
+  if (check.unit == "m") {
+    std::snprintf(text, sizeof text, "%.1f mm, limit %.1f mm", 1e3 * check.value, 1e3 * check.limit);
+  } else {
+    std::snprintf(text, sizeof text, "%.2g, limit %.2g %s", check.value, check.limit, check.unit.c_str());
+  }
+  return text;
+}
+
+/// How many checks ended how, then those that failed, the furthest beyond its limit first; without any, the undecided
+/// one nearest to it.
+std::string checkLines(const std::vector<Check>& checks) {
+  if (checks.empty()) return {};
+  int counts[4] = {};
+  std::vector<const Check*> failed, undecided;
+  for (const Check& c : checks) {
+    ++counts[static_cast<int>(c.verdict)];
+    if (c.verdict == Verdict::Fail) failed.push_back(&c);
+    if (c.verdict == Verdict::Undecided) undecided.push_back(&c);
+  }
+  const auto graver = [](const Check* a, const Check* b) { return a->value / a->limit > b->value / b->limit; };
+  std::stable_sort(failed.begin(), failed.end(), graver);
+  std::stable_sort(undecided.begin(), undecided.end(), graver);
+  if (undecided.size() > 1) undecided.resize(1);
+  std::string lines =
+      line("checks", "%d pass, %d fail, %d undecided, %d not applicable (screening, no code evaluation)", counts[0],
+           counts[1], counts[2], counts[3]);
+  for (const Check* c : failed.empty() ? undecided : failed) {
+    lines += line(nameOf(c->verdict), "%s %s: %s", c->code.c_str(), c->name.c_str(), figures(*c).c_str());
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string summary(const Datum& datum, bool blocks) {
+  std::string text = line("status", "%s", nameOf(datum.status));
+  if (!datum.message.empty()) text += "               " + datum.message + "\n";
+  if (!datum.usable()) return text;
+  const Level& level = datum.level;
+  const double z = datum.origin.z();
+  text += tankLine(datum);
+  text += line("stations", "%zu measured, %zu interpolated, %zu missing", level.measured, level.interpolated,
+               level.missing);
+  text += line("datum", "mean %.4f m, range %.1f mm: lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg",
+               level.mean + z, 1e3 * level.range(), level.min + z, toDegrees(level.min_azimuth), level.max + z,
+               toDegrees(level.max_azimuth));
+  if (blocks) {
+    text += line("elevation", "%s from station 0 round", sparkline(datum.stations, kSparklineColumns).c_str());
+  }
+  return text + methodLines(datum) + tiltLine(datum) + antipodalLine(datum.antipodal) + shellSummary(datum.shell) +
+         checkLines(datum.analysis.checks);
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,126 @@
+#include "search/voxel_sample.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/bucket_sort.h"
+#include "core/fast_floor.h"
+#include "core/morton_code.h"
+#include "core/point_hash.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kHalfRange = double(1 << 20) - 1;  // voxels on each side of the origin that 21 bits can number
+constexpr std::size_t kMostDoublings = 20;          // then there are the octants about the origin only
+
+/// The largest distance of a point from the origin along an axis.
+double reachOf(const Points& points) {
+  double reach = 0.0;
+  for (const auto& p : points) reach = std::max(reach, p.cwiseAbs().maxCoeff());
+  return reach;
+}
+
+std::uint64_t indexOf(double coordinate, double voxel) {
+  return static_cast<std::uint64_t>(static_cast<std::int64_t>(fastFloor(coordinate / voxel)) + (1 << 20));
+}
+
+/// A point on the Morton curve of the smallest voxels.
+struct Place {
+  std::uint64_t code;
+  std::uint32_t rank, index;
+};
+
+using Places = std::vector<Place, DefaultInitAllocator<Place>>;
+
+Places sortedPlaces(const Points& points, double voxel, int threads) {
+  constexpr std::size_t kParts = 64, kBuckets = 4096;
+  Places places(points.size());
+  forEachIndex(kParts, threads, [&](std::size_t part) {
+    for (std::size_t i = points.size() * part / kParts; i < points.size() * (part + 1) / kParts; ++i) {
+      const Eigen::Vector3d& p = points[i];
+      places[i] = {mortonCode(indexOf(p.x(), voxel), indexOf(p.y(), voxel), indexOf(p.z(), voxel)), pointHash(p),
+                   static_cast<std::uint32_t>(i)};
+    }
+  });
+  const auto by_code = [](const Place& a, const Place& b) { return a.code < b.code; };
+  const auto [low, high] = std::minmax_element(places.begin(), places.end(), by_code);
+  const std::uint64_t lowest = low->code, span = high->code - lowest;
+  int shift = 0;
+  while (span >> shift >= kBuckets) ++shift;
+  const auto bucket_of = [&](const Place& p) { return static_cast<std::size_t>((p.code - lowest) >> shift); };
+  sortByBuckets(places, kBuckets, bucket_of, by_code, threads);
+  return places;
+}
+
+/// How often the voxels must be doubled for at most so many to hold all places; they are counted on all levels at once.
+std::size_t doublingsFor(const Places& places, std::size_t max_voxels) {
+  // how many neighbours on the curve so many doublings bring together
+  std::array<std::size_t, kMostDoublings + 2> parted{};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const std::uint64_t apart = places[i].code ^ places[i - 1].code;
+    if (apart == 0) continue;
+    const auto bits = static_cast<std::size_t>(64 - __builtin_clzll(apart));
+    ++parted[std::min((bits + 2) / 3, kMostDoublings + 1)];
+  }
+  std::size_t voxels = 1, doublings = kMostDoublings + 1;
+  while (doublings > 0 && voxels + parted[doublings] <= max_voxels) voxels += parted[doublings--];
+  return std::min(doublings, kMostDoublings);
+}
+
+}  // namespace
+
+VoxelSample::VoxelSample(const Points& points, std::size_t max_points, double voxel, int threads)
+    : voxel_(voxel), doublings_left_(kMostDoublings) {
+  if (points.empty()) return;
+  const double reach = reachOf(points);
+  while (!(reach / voxel_ < kHalfRange)) voxel_ *= 2.0;
+  const Places places = sortedPlaces(points, voxel_, threads);
+  const std::size_t doublings = doublingsFor(places, max_points), bits = 3 * doublings;
+  for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
+    std::size_t lowest = first;
+    for (; end < places.size() && places[end].code >> bits == places[first].code >> bits; ++end) {
+      if (places[end].rank < places[lowest].rank) lowest = end;
+    }
+    voxels_.push_back({places[first].code >> bits, places[lowest].rank, static_cast<std::uint32_t>(end - first),
+                       points[places[lowest].index]});
+  }
+  doublings_left_ -= doublings;
+  voxel_ = std::ldexp(voxel_, static_cast<int>(doublings));
+}
+
+void VoxelSample::coarsen() {
+  voxel_ *= 2.0;
+  if (doublings_left_ == 0) return;
+  --doublings_left_;
+  std::size_t merged = 0;
+  for (Voxel& voxel : voxels_) {
+    voxel.code >>= 3;
+    if (merged == 0 || voxels_[merged - 1].code != voxel.code) {
+      voxels_[merged++] = voxel;
+      continue;
+    }
+    Voxel& held = voxels_[merged - 1];
+    held.count += voxel.count;
+    if (voxel.rank < held.rank) held.rank = voxel.rank, held.point = voxel.point;
+  }
+  voxels_.resize(merged);
+}
+
+double VoxelSample::shareHolding(std::uint32_t count) const {
+  const auto holding =
+      std::count_if(voxels_.begin(), voxels_.end(), [count](const Voxel& voxel) { return voxel.count >= count; });
+  return static_cast<double>(holding) / static_cast<double>(std::max<std::size_t>(1, size()));
+}
+
+Points VoxelSample::points(std::uint32_t count) const {
+  Points result;
+  result.reserve(size());
+  for (const Voxel& voxel : voxels_) {
+    if (voxel.count >= count) result.push_back(voxel.point);
+  }
+  return result;
+}
+
+}  // namespace tank_datum

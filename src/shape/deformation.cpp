@@ -1,0 +1,113 @@
+#include "tank_datum/shape/deformation.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "shape/datum_waves.h"
+#include "shape/partial_ring_tilt.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+bool known(const Station& station) { return station.flag != StationFlag::Missing && std::isfinite(station.z); }
+
+}  // namespace
+
+double Antipodal::angle() const { return std::atan(max_h / diameter); }
+
+Level levelOf(const std::vector<Station>& stations) {
+  Level level;
+  double sum = 0;
+  for (const Station& s : stations) {
+    (s.flag == StationFlag::Measured       ? level.measured
+     : s.flag == StationFlag::Interpolated ? level.interpolated
+                                           : level.missing)++;
+    if (!known(s)) continue;
+    sum += s.z;
+    if (!(s.z >= level.min)) level.min = s.z, level.min_azimuth = s.azimuth;
+    if (!(s.z <= level.max)) level.max = s.z, level.max_azimuth = s.azimuth;
+  }
+  level.mean = sum / static_cast<double>(level.measured + level.interpolated);
+  return level;
+}
+
+std::vector<double> antipodalHeights(const std::vector<Station>& stations) {
+  std::vector<double> heights;
+  if (stations.size() % 2 == 1) return heights;
+  const std::size_t half = stations.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    const Station &a = stations[i], &b = stations[i + half];
+    const bool opposite = std::abs(std::remainder(b.azimuth - a.azimuth - kPi, kTwoPi)) < 1e-6;
+    heights.push_back(opposite && known(a) && known(b) ? a.z - b.z : kUnknown);
+  }
+  return heights;
+}
+
+Antipodal antipodalOf(const std::vector<Station>& stations) {
+  Antipodal result;
+  const std::vector<double> heights = antipodalHeights(stations);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (std::isnan(heights[i]) || std::abs(heights[i]) <= result.max_h) continue;
+    const Station &a = stations[i], &b = stations[i + heights.size()];
+    result.max_h = std::abs(heights[i]);
+    result.diameter = std::hypot(a.x - b.x, a.y - b.y);
+    result.azimuth = heights[i] >= 0.0 ? a.azimuth : b.azimuth;
+  }
+  return result;
+}
+
+Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options) {
+  Tilt tilt;
+  const std::vector<double> weights = waveData(stations, 1).weights;
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
+  double sum = 0, total_weight = 0;
+  auto weight = weights.begin();
+  for (const Station& s : stations) {
+    if (s.flag != StationFlag::Measured) continue;
+    const Eigen::Vector3d row(1.0, s.x - center.x(), s.y - center.y());
+    normal += *weight * row * row.transpose();
+    rhs += *weight * s.z * row;
+    sum += *weight * s.z;
+    total_weight += *weight++;
+  }
+  const auto n = static_cast<double>(weights.size());
+  const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
+  if (n < 4 || !lu.isInvertible()) return tilt;
+  PlaneFit fit{lu.solve(rhs), lu.inverse()};
+  const bool gap = hasTiltingGap(stations);
+  if (gap) fit = fitPlaneBesideWaves(stations, center);
+  const Eigen::Vector3d& plane = fit.plane;
+  tilt.mean = plane[0];
+  tilt.gradient = plane.tail<2>();
+
+  double residual = 0, total = 0;
+  weight = weights.begin();
+  for (Station& s : stations) {
+    if (!known(s)) continue;
+    s.z_tilt = plane[0] + plane[1] * (s.x - center.x()) + plane[2] * (s.y - center.y());
+    s.u = s.z - s.z_tilt;
+    if (s.flag != StationFlag::Measured) continue;
+    residual += *weight * s.u * s.u;
+    total += *weight++ * std::pow(s.z - sum / total_weight, 2);
+  }
+  const double up = std::atan2(plane[2], plane[1]);
+  const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
+  tilt.direction = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
+  if (!gap) fit.covariance *= residual / (n - 3.0);
+  const Eigen::Matrix2d covariance = fit.covariance.bottomRightCorner<2, 2>();
+  const Eigen::Vector2d along(std::cos(up), std::sin(up));
+  tilt.sigma_slope = std::sqrt(along.dot(covariance * along));
+  tilt.standard_error = std::sqrt(residual / (n - 3.0) * n / total_weight);
+  constexpr double kNanometre = 1e-9;  // a datum level to within rounding has no variance to explain
+  tilt.r2 = total > total_weight * kNanometre * kNanometre ? std::max(0.0, 1.0 - residual / total) : kUnknown;
+  // P(F > f) for 2 and m degrees of freedom is (1 + 2 f / m)^(-m/2), and f = (r2/2) / ((1-r2)/m), hence:
+  tilt.p_value = std::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
+  if (gap) tilt.p_value = std::exp(-0.5 * tilt.gradient.dot(covariance.inverse() * tilt.gradient));  // chi-square of 2
+  return tilt;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,117 @@
+#include "shell/shell_bands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/approx_azimuth.h"
+#include "core/point_hash.h"
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kSectors = 720;
+constexpr double kPerMetre = 100.0;
+constexpr double kOneFoot = 0.3;    // API 650 7.5.3: radii are measured 1 ft above the bottom's weld [m]
+constexpr double kTallest = 60.0;   // no storage tank's shell is as high [m]
+constexpr double kSteepest = 0.01;  // of a leaning shell [m/m]
+constexpr double kUneven = 0.1;     // of a datum about the coarse plane of its foot [m]
+
+constexpr auto lowerHash = [](const auto& a, const auto& b) { return a.hash < b.hash; };
+
+std::vector<double> heightsOf(const ShellOptions& options) {
+  if (!options.heights.empty()) return options.heights;
+  std::vector<double> heights;
+  for (int i = 0; kOneFoot + i * options.step < kTallest; ++i) heights.push_back(kOneFoot + i * options.step);
+  return heights;
+}
+
+}  // namespace
+
+ShellBands::ShellBands(const Tank& tank, const ShellOptions& options, std::uint64_t points)
+    : foot_(tank.circle.center.x(), tank.circle.center.y(), tank.foot.coefficients[0]),
+      slope_(tank.foot.coefficients[1] / tank.circle.radius, tank.foot.coefficients[2] / tank.circle.radius),
+      radius_(tank.circle.radius),
+      reach_(std::min(options.reach, 0.5 * tank.circle.radius) + 2.0 * tank.resolution),
+      half_(options.half_band + kUneven + 2.0 * tank.resolution),
+      capacity_(static_cast<std::size_t>(static_cast<double>(options.cell_points) * half_ / options.half_band)),
+      stride_(points / kPointsLookedAt | 1U),
+      heights_(heightsOf(options)),
+      bands_(heights_.size()) {
+  const double widest = reach_ + kSteepest * heights_.back();
+  inner_ = std::pow(std::max(0.0, radius_ - widest), 2);
+  outer_ = std::pow(radius_ + widest, 2);
+  const double lowest = heights_.front() - half_;
+  const double centimetres = std::ceil((heights_.back() + half_ - lowest) * kPerMetre);
+  for (double i = 0.0; i <= centimetres; i += 1.0) {
+    const auto band = std::lower_bound(heights_.begin(), heights_.end(), lowest + i / kPerMetre - half_);
+    first_band_.push_back(static_cast<std::size_t>(band - heights_.begin()));
+  }
+}
+
+bool ShellBands::placeOf(const Eigen::Vector3d& p, Place& place) const {
+  const Eigen::Vector3d arm = p - foot_;
+  const double squared = arm.head<2>().squaredNorm();
+  if (squared < inner_ || squared > outer_) return false;
+  const double height = arm.z() - slope_.dot(arm.head<2>());
+  const double above = (height - heights_.front() + half_) * kPerMetre;
+  if (!(above >= 0.0 && above < static_cast<double>(first_band_.size()))) return false;
+  std::size_t band = first_band_[static_cast<std::size_t>(above)];
+  while (band < heights_.size() && heights_[band] < height - half_) ++band;
+  if (band == heights_.size() || heights_[band] > height + half_) return false;
+  const double widest = reach_ + kSteepest * std::abs(height);
+  if (squared > (radius_ + widest) * (radius_ + widest)) return false;
+  if (widest < radius_ && squared < (radius_ - widest) * (radius_ - widest)) return false;
+  place.first = place.end = band;
+  while (place.end < heights_.size() && heights_[place.end] <= height + half_) ++place.end;
+  place.sector = static_cast<std::size_t>(approxTurn(arm.x(), arm.y()) * kSectors);
+  place.hash = pointHash(p);
+  return true;
+}
+
+bool ShellBands::wants(const Place& place) const {
+  for (std::size_t k = place.first; k < place.end; ++k) {
+    if (bands_[k].empty() || place.hash < bands_[k][place.sector].limit) return true;
+  }
+  return false;
+}
+
+void ShellBands::mark(std::uint64_t n, const Points& block, std::vector<char>& wanted) const {
+  Place place;
+  for (std::size_t i = n % stride_; i < block.size(); i += stride_)
+    wanted[i] = placeOf(block[i], place) && wants(place);
+}
+
+void ShellBands::add(const Points& block) {
+  Place place;
+  for (const auto& p : block) {
+    if (!placeOf(p, place)) continue;
+    for (std::size_t k = place.first; k < place.end; ++k) {
+      if (bands_[k].empty()) bands_[k].resize(kSectors);
+      Cell& cell = bands_[k][place.sector];
+      if (place.hash < cell.limit) put(cell, {place.hash, (p - foot_).cast<float>()});
+    }
+  }
+}
+
+void ShellBands::put(Cell& cell, const Kept& kept) const {
+  cell.kept.push_back(kept);
+  if (cell.kept.size() < 2 * capacity_) return;
+  const auto last = cell.kept.begin() + static_cast<std::ptrdiff_t>(capacity_);
+  std::nth_element(cell.kept.begin(), last, cell.kept.end(), lowerHash);
+  cell.limit = last->hash;
+  cell.kept.erase(last, cell.kept.end());
+}
+
+Points ShellBands::points(std::size_t height) const {
+  Points all;
+  for (const Cell& cell : bands_[height]) {
+    std::vector<Kept> sorted = cell.kept;
+    std::sort(sorted.begin(), sorted.end(), lowerHash);
+    sorted.resize(std::min(sorted.size(), capacity_));
+    for (const Kept& kept : sorted) all.push_back(kept.point.cast<double>() + foot_);
+  }
+  return all;
+}
+
+}  // namespace tank_datum

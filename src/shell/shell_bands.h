@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "tank_datum/locate/crop.h"
+#include "tank_datum/shell/shell_survey.h"
+
+namespace tank_datum {
+
+/// The points of a scan at the heights of a shell survey, gathered block by block in bounded memory: of every half
+/// degree and height those of the lowest hashes, all of them where they are few. The same points are kept in whatever
+/// order they come.
+class ShellBands {
+ public:
+  /// @param points  of the scan: of more than kPointsLookedAt every n-th one is looked at
+  ShellBands(const Tank& tank, const ShellOptions& options, std::uint64_t points = 0);
+
+  /// Marks the points of the scan's n-th block that lie near the shell, at about one of the heights, and would be kept
+  /// so far. May be asked from several threads while nothing is added.
+  void mark(std::uint64_t n, const Points& block, std::vector<char>& wanted) const;
+
+  /// Takes those of a block that it wants.
+  void add(const Points& block);
+
+  /// Above the datum, also those that nothing was seen at [m].
+  const std::vector<double>& heights() const { return heights_; }
+  /// What was kept of one of them, relative to the scan's origin.
+  Points points(std::size_t height) const;
+
+ private:
+  struct Kept {
+    std::uint32_t hash;
+    Eigen::Vector3f point;  ///< about the centre of the foot: micrometres in 4 bytes
+  };
+  struct Cell {
+    std::uint64_t limit = std::uint64_t{1} << 32;  ///< hashes from here on are not kept
+    std::vector<Kept> kept;                        ///< at most twice the capacity
+  };
+  /// Where a point belongs: the bands first ... end - 1 of a sector.
+  struct Place {
+    std::size_t first, end, sector;
+    std::uint32_t hash;
+  };
+  bool placeOf(const Eigen::Vector3d& p, Place& place) const;
+  bool wants(const Place& place) const;
+  void put(Cell& cell, const Kept& kept) const;
+
+  Eigen::Vector3d foot_;              ///< centre [m]
+  Eigen::Vector2d slope_;             ///< of the foot [m/m]
+  double inner_ = 0.0, outer_ = 0.0;  ///< squared distances from the centre beyond which there is no shell [m2]
+  double radius_, reach_;             ///< of the circle, and about it [m]
+  double half_;                       ///< of a band, enlarged by what the coarse foot may be off [m]
+  std::size_t capacity_;              ///< of a cell
+  std::uint64_t stride_;              ///< odd, since rows of a scan often have even lengths
+  std::vector<double> heights_;
+  std::vector<std::size_t> first_band_;   ///< by centimetres above the lowest band
+  std::vector<std::vector<Cell>> bands_;  ///< by height and sector; empty until a point is seen at the height
+};
+
+}  // namespace tank_datum

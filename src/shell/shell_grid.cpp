@@ -1,0 +1,161 @@
+#include "shell/shell_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "fit/circular_series.h"
+#include "foot/polar_ring.h"
+#include "foot/shell_line.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kPlenty = 40;       // points for four unknowns
+constexpr double kWantedSigma = 0.00025;  // a cell borrows points from its neighbours until it is this good [m]
+constexpr double kWidestArc = 0.4;        // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
+constexpr double kSteepest = 0.2;         // of a shell; a roof is flatter [m/m]
+
+/// The standard error of a line's radius with its noise drawn towards that of a wider window: few points that happen
+/// to agree are not as good as they look, and a window must not stop growing on their word.
+double sigmaOf(const ShellLine& line, double usual_noise) {
+  constexpr double kWorth = 80.0;  // points that the wider window's noise counts for
+  const auto points = static_cast<double>(line.points);
+  const double ratio = usual_noise / line.noise;
+  return line.sigma_radius * std::sqrt((points + kWorth * ratio * ratio) / (points + kWorth));
+}
+
+/// Coarse stations look at a degree of the shell as fine ones do.
+ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, double direction, double z, double step,
+                  double radius, double half_band) {
+  const double own = std::min(step, kTwoPi / 360.0), widest = std::max(own, kWidestArc / radius);
+  const ShellLine wide = fitShellLine(ring, outline, direction, widest, z, -half_band, half_band);
+  ShellCell cell;
+  if (wide.points < kPlenty) return cell;
+  for (double half = 0.5 * own;; half *= 1.5) {
+    const ShellLine line = fitShellLine(ring, outline, direction, half, z, -half_band, half_band);
+    const bool stands = line.standsWithin(own * radius) && std::abs(line.lean) < kSteepest;
+    if (line.points >= kPlenty && stands) {
+      cell = {line.radius, sigmaOf(line, wide.noise), std::max(1.0, 2.0 * half / step), line.points};
+    }
+    if (cell.sigma < kWantedSigma || 1.5 * half > widest) return cell;
+  }
+}
+
+/// Takes out the cells whose points do not agree on a surface as the others' do: seen past the edge of something.
+void dropPoor(std::vector<ShellCell>& row) {
+  constexpr double kPoor = 4.0;                 // times the usual standard error
+  constexpr double kGood = 2.0 * kWantedSigma;  // whatever the others are
+  std::vector<double> sigmas;
+  for (const ShellCell& cell : row) {
+    if (cell.seen()) sigmas.push_back(cell.sigma);
+  }
+  const double worst = std::max(kGood, kPoor * median(std::move(sigmas)));
+  for (ShellCell& cell : row) {
+    if (cell.sigma > worst) cell = {};
+  }
+}
+
+/// What two places of one shell may differ by [m], at most.
+double mayDiffer(const ShellCell& a, const ShellCell& b, double bend) {
+  return bend + 4.0 * std::hypot(a.sigma, b.sigma);
+}
+
+/// Along the shell: a lobe of +-50 mm over 3 m turns it by 0.1; an oval by a few thousandths over any arc.
+double bendAlong(double arc) { return 0.15 * std::min(arc, 0.5) + 0.005 * arc; }
+
+/// With height: plates are bent by some centimetres within a course.
+double bendUp(double rise) { return 0.02 + 0.02 * std::min(rise, 2.0); }
+
+/// Sets of cells that are joined (union-find).
+class Parts {
+ public:
+  explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t of(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[of(b)] = of(a); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+void joinAlong(const std::vector<ShellCell>& row, std::size_t first, double step, Parts& parts) {
+  const std::size_t count = row.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t next = i + 1;
+    while (next < i + count && !row[next % count].seen()) ++next;
+    const ShellCell &a = row[i], &b = row[next % count];
+    if (!a.seen() || next == i + count) continue;
+    const double arc = static_cast<double>(next - i) * step;
+    if (std::abs(a.radius - b.radius) <= mayDiffer(a, b, bendAlong(arc))) parts.join(first + i, first + next % count);
+  }
+}
+
+void joinUp(const ShellGrid& grid, std::size_t station, Parts& parts) {
+  const std::size_t count = grid.cells.front().size();
+  std::size_t below = grid.heights.size();  // none yet
+  for (std::size_t k = 0; k < grid.heights.size(); ++k) {
+    const ShellCell& cell = grid.cells[k][station];
+    if (!cell.seen()) continue;
+    if (below < k) {
+      const ShellCell& under = grid.cells[below][station];
+      const double bend = bendUp(grid.heights[k] - grid.heights[below]);
+      if (std::abs(cell.radius - under.radius) <= mayDiffer(cell, under, bend)) {
+        parts.join(below * count + station, k * count + station);
+      }
+    }
+    below = k;
+  }
+}
+
+}  // namespace
+
+ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stations, const Circle& circle,
+                       const ShellOptions& options) {
+  ShellGrid grid;
+  const double step = kTwoPi / static_cast<double>(stations.size());
+  grid.step = step * circle.radius;
+  std::vector<double> elevations;
+  for (const Station& s : stations) elevations.push_back(s.z);
+  elevations = filledUp(elevations);
+  std::vector<std::vector<ShellCell>> rows(bands.heights().size());
+  forEachIndex(rows.size(), 0, [&](std::size_t k) {
+    const Points points = bands.points(k);
+    if (points.size() < kPlenty) return;
+    const PolarRing ring(points, circle.center);
+    const ShellOutline outline = outlineBand(ring, circle.radius);
+    rows[k].resize(stations.size());
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      rows[k][i] = fitCell(ring, outline, stations[i].direction, elevations[i] + bands.heights()[k], step,
+                           circle.radius, options.half_band);
+    }
+    dropPoor(rows[k]);
+  });
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (std::none_of(rows[k].begin(), rows[k].end(), [](const ShellCell& cell) { return cell.seen(); })) continue;
+    grid.heights.push_back(bands.heights()[k]);
+    grid.cells.push_back(std::move(rows[k]));
+  }
+  return grid;
+}
+
+void keepConnected(ShellGrid& grid) {
+  if (grid.cells.empty()) return;
+  const std::size_t count = grid.cells.front().size();
+  Parts parts(grid.cells.size() * count);
+  for (std::size_t k = 0; k < grid.cells.size(); ++k) joinAlong(grid.cells[k], k * count, grid.step, parts);
+  for (std::size_t i = 0; i < count; ++i) joinUp(grid, i, parts);
+  std::vector<std::size_t> sizes(grid.cells.size() * count, 0);
+  for (std::size_t c = 0; c < sizes.size(); ++c) sizes[parts.of(c)] += grid.cells[c / count][c % count].seen();
+  const auto largest = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  for (std::size_t c = 0; c < sizes.size(); ++c) {
+    if (parts.of(c) != largest) grid.cells[c / count][c % count] = {};
+  }
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,45 @@
+#include "shell/shell_measures.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace tank_datum {
+namespace {
+
+constexpr double kWidestGap = 6.096;  // 20 ft [m]
+constexpr double kNearlyAll = 0.9;    // of the shell's height
+
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[120];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+Measure radiusMeasure(const char* quantity, const Roundness& r) {
+  Measure measure;
+  measure.quantity = quantity;
+  measure.worst = {r.largest(), r.sigma, r.azimuth};
+  measure.whole_ring = r.widest_gap <= kWidestGap;
+  measure.note = formatted("%.2f m above the datum", r.height);
+  return measure;
+}
+
+}  // namespace
+
+std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& facts) {
+  std::vector<Measure> measures;
+  if (const Roundness* foot = survey.foot()) measures.push_back(radiusMeasure("roundness_foot", *foot));
+  if (const Roundness* above = survey.worstAbove()) measures.push_back(radiusMeasure("roundness_above", *above));
+  if (const Plumbness* plumb = survey.worstPlumbness()) {
+    Measure measure;
+    measure.quantity = "plumbness";
+    measure.worst = {std::abs(plumb->offset), plumb->sigma, plumb->azimuth};
+    measure.note = formatted("over %.1f m of height", plumb->height);
+    measure.whole_ring = !(plumb->height < kNearlyAll * facts.height);
+    measures.push_back(measure);
+  }
+  return measures;
+}
+
+}  // namespace tank_datum

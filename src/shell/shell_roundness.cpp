@@ -1,0 +1,123 @@
+#include "shell/shell_roundness.h"
+
+#include <cmath>
+
+#include "core/units.h"
+#include "fit/adaptive_smooth.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/fit/harmonics.h"
+#include "tank_datum/limits/limits.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kWidestGap = 120.0 * kPi / 180.0;  // of a circle that the rest still determines [rad]
+constexpr int kOrder = 8;               // harmonics that fill gaps; half as many tell how well they can be filled
+constexpr std::size_t kFewest = 8;      // stations
+constexpr double kWidestSmooth = 15.0;  // half the arc that extremes are smoothed over [deg]
+constexpr double kUnseen = 6.096;       // a gap of 20 ft may hide what would fail [m]
+
+/// The most steps from a seen station to the next.
+std::size_t widestGap(const std::vector<ShellCell>& row) {
+  std::size_t widest = 0, unseen = 0;
+  for (std::size_t i = 0; i < 2 * row.size(); ++i) {
+    unseen = row[i % row.size()].seen() ? 0 : unseen + 1;
+    widest = std::max(widest, unseen);
+  }
+  return widest + 1;
+}
+
+/// Where the shell stands at a radius [m].
+Eigen::Vector2d placeOf(const Circle& datum_circle, const Station& station, double radius) {
+  return datum_circle.center + radius * Eigen::Vector2d(std::cos(station.direction), std::sin(station.direction));
+}
+
+/// The circle of least squares through the shell all round. What is not seen is taken from the harmonics of the rest:
+/// without them an oval seen in part would pass for a larger circle, and a wave behind a nozzle for a smaller one.
+Circle circleThrough(const std::vector<ShellCell>& row, const std::vector<Station>& stations,
+                     const Circle& datum_circle, int order) {
+  constexpr double kQuiet = 1e-3;
+  std::vector<double> directions, radii;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (!row[i].seen()) continue;
+    directions.push_back(stations[i].direction);
+    radii.push_back(row[i].radius);
+  }
+  order = std::min(order, static_cast<int>(radii.size() / 3));
+  const PeriodicFit shape = fitHarmonics(directions, radii, {}, order, false, kQuiet);
+  std::vector<Eigen::Vector2d> plan;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double radius = row[i].seen() ? row[i].radius : shape(stations[i].direction);
+    plan.push_back(placeOf(datum_circle, stations[i], radius));
+  }
+  return fitCircle(plan, {}, datum_circle);
+}
+
+/// Undecided where the tolerance lies within the 95 % interval, or where what passes was not all seen.
+Verdict verdictOf(const Roundness& r) {
+  constexpr double k95 = 1.96;
+  if (r.largest() - k95 * r.sigma > r.tolerance) return Verdict::Fail;
+  return r.largest() + k95 * r.sigma <= r.tolerance && r.widest_gap <= kUnseen ? Verdict::Pass : Verdict::Undecided;
+}
+
+/// Returns the station of the larger one.
+std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<double>& deviations,
+                         const std::vector<Station>& stations, Roundness& roundness) {
+  std::vector<SeriesValue> series;
+  for (std::size_t i = 0; i < row.size(); ++i) series.push_back({deviations[i], row[i].sigma, row[i].shared});
+  const auto widest = static_cast<std::size_t>(kWidestSmooth / 360.0 * static_cast<double>(row.size()));
+  series = smoothed(series, widest);
+  double largest = -1.0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double value = series[i].value;
+    if (!std::isfinite(value)) continue;
+    if (!(value <= roundness.max_deviation)) roundness.max_deviation = value;
+    if (!(value >= roundness.min_deviation)) roundness.min_deviation = value;
+    if (std::abs(value) <= largest) continue;
+    largest = std::abs(value);
+    worst = i;
+  }
+  roundness.azimuth = stations[worst].azimuth;
+  roundness.sigma = series[worst].sigma;
+  return worst;
+}
+
+}  // namespace
+
+bool isAtFoot(double height) { return height <= 0.305; }
+
+double radiusTolerance(double diameter, double height) {
+  const char* quantity = isAtFoot(height) ? "roundness_foot" : "roundness_above";
+  for (const Limit& limit : standardLimits()) {
+    if (limit.quantity == quantity && limit.diameter.holds(diameter)) return limit.formula.at({}).value();
+  }
+  return kUnknown;
+}
+
+Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
+                      const Circle& datum_circle, std::vector<double>& deviations) {
+  Roundness roundness;
+  roundness.height = height;
+  deviations.assign(row.size(), kUnknown);
+  roundness.stations = static_cast<std::size_t>(
+      std::count_if(row.begin(), row.end(), [](const ShellCell& cell) { return cell.seen(); }));
+  const double gap = static_cast<double>(widestGap(row)) * kTwoPi / static_cast<double>(row.size());
+  if (roundness.stations < kFewest || 2 * roundness.stations < row.size() || gap > kWidestGap) return roundness;
+  roundness.widest_gap = gap * datum_circle.radius;
+  const Circle circle = circleThrough(row, stations, datum_circle, kOrder);
+  const Circle plainer = circleThrough(row, stations, datum_circle, kOrder / 2);
+  if (!circle.valid() || !plainer.valid()) return roundness;
+  roundness.circle = circle;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i].seen()) deviations[i] = circle.residual(placeOf(datum_circle, stations[i], row[i].radius));
+  }
+  const std::size_t worst = findExtremes(row, deviations, stations, roundness);
+  const Eigen::Vector2d place = placeOf(datum_circle, stations[worst], row[worst].radius);
+  roundness.sigma = std::hypot(roundness.sigma, circle.residual(place) - plainer.residual(place));
+  roundness.tolerance = radiusTolerance(2.0 * datum_circle.radius, height);
+  roundness.verdict = verdictOf(roundness);
+  return roundness;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "shell/shell_grid.h"
+#include "tank_datum/shell/shell_survey.h"
+#include "tank_datum/stations/stations.h"
+
+namespace tank_datum {
+
+/// The radius tolerance of API 650 7.5.3 (API 653 10.5.3) for a diameter, at a height above the bottom [m].
+double radiusTolerance(double diameter, double height);
+
+/// Whether a height counts as the one foot at which radii are measured.
+bool isAtFoot(double height);
+
+/// The shell at one height against its own circle, and the deviation of every station, NaN where it is not seen.
+/// @param datum_circle  about whose centre the radii are [m]
+/// @return without a valid circle where less than half of the shell is seen, or a gap is wider than 120 degrees
+Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
+                      const Circle& datum_circle, std::vector<double>& deviations);
+
+}  // namespace tank_datum

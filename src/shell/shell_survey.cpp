@@ -1,0 +1,105 @@
+#include "tank_datum/shell/shell_survey.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "shell/shell_plumbness.h"
+#include "shell/shell_roundness.h"
+#include "shell/shell_survey_impl.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+std::string refused(const char* name, const char* text, const char* must) {
+  return std::string("shell.") + name + " = " + text + " (must be " + must + ")";
+}
+
+std::string refused(const char* name, double value, const char* must) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return refused(name, text, must);
+}
+
+/// The radii of all heights, with their offset from the lowest one seen at the same station.
+std::vector<ShellPoint> pointsOf(const ShellGrid& grid, const std::vector<std::vector<double>>& deviations,
+                                 const std::vector<Station>& stations) {
+  std::vector<ShellPoint> points;
+  std::vector<double> lowest(stations.size(), kUnknown);
+  for (std::size_t k = 0; k < grid.heights.size(); ++k) {
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const ShellCell& cell = grid.cells[k][i];
+      if (!cell.seen()) continue;
+      if (std::isnan(lowest[i])) lowest[i] = cell.radius;
+      points.push_back({stations[i].azimuth, grid.heights[k], cell.radius, deviations[k][i], cell.radius - lowest[i],
+                        cell.sigma, cell.points});
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::string firstError(const ShellOptions& options) {
+  double below = 0.0;
+  for (const double height : options.heights) {
+    if (!(height > below && std::isfinite(height))) return refused("heights", height, "> 0 and above the one before");
+    below = height;
+  }
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (!positive(options.step) || options.step < 0.1) return refused("step", options.step, ">= 0.1 m");
+  if (!positive(options.half_band)) return refused("half_band", options.half_band, "> 0 m");
+  if (!positive(options.reach)) return refused("reach", options.reach, "> 0 m");
+  if (options.cell_points < 50) {
+    return refused("cell_points", std::to_string(options.cell_points).c_str(), ">= 50");
+  }
+  return {};
+}
+
+const Roundness* ShellSurvey::foot() const {
+  const Roundness* found = nullptr;
+  for (const Roundness& r : roundness) {
+    if (isAtFoot(r.height)) found = &r;
+  }
+  return found;
+}
+
+const Roundness* ShellSurvey::worstAbove() const {
+  const Roundness* worst = nullptr;
+  for (const Roundness& r : roundness) {
+    if (!isAtFoot(r.height) && (!worst || r.largest() > worst->largest())) worst = &r;
+  }
+  return worst;
+}
+
+const Plumbness* ShellSurvey::worstPlumbness() const {
+  const auto surely = [](const Plumbness& p) { return std::abs(p.offset) - 1.96 * p.sigma; };
+  const Plumbness* worst = nullptr;
+  for (const Plumbness& p : plumbness) {
+    if (!worst || surely(p) > surely(*worst)) worst = &p;
+  }
+  return worst;
+}
+
+ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& stations, const Circle& circle,
+                        const ShellOptions& options, const StationOptions& station_options) {
+  ShellSurvey survey;
+  ShellGrid grid = fitShellGrid(bands, stations, circle, options);
+  keepConnected(grid);
+  std::vector<std::vector<double>> deviations(grid.heights.size());
+  for (std::size_t k = 0; k < grid.heights.size(); ++k) {
+    const Roundness roundness = roundnessOf(grid.cells[k], grid.heights[k], stations, circle, deviations[k]);
+    if (roundness.circle.valid()) survey.roundness.push_back(roundness);
+  }
+  survey.plumbness = plumbnessOf(grid, stations);
+  survey.lean = leanOf(survey.plumbness, station_options);
+  survey.points = pointsOf(grid, deviations, stations);
+  if (!survey.valid()) {
+    char text[96];
+    std::snprintf(text, sizeof text, "the scan holds no shell %g m or more above the datum", bands.heights().front());
+    survey.message = text;
+  }
+  return survey;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/made_datums.h"
+#include "tank_datum/core/unknown.h"
+#include "view/scene.h"
+
+namespace tank_datum::view {
+namespace {
+
+/// The octagon about (1, 2), R 10 m, whose elevations are 0.5 m + 1 mm a station; station 6 is missing.
+ViewedResult octagon() {
+  const Datum datum = made_datums::octagon();
+  ViewedResult result;
+  result.usable = true;
+  result.origin = datum.origin;
+  result.circle = datum.circle;
+  result.stations = datum.stations;
+  result.edge_points = datum.edge_points;
+  return result;
+}
+
+/// The same with all stations, on a plane rising 1 mm/m towards +x, 0.5 m high at the centre.
+ViewedResult tilted() {
+  ViewedResult result = octagon();
+  for (Station& s : result.stations) {
+    s.flag = StationFlag::Measured;
+    s.x = 1.0 + 10.0 * std::cos(s.direction), s.y = 2.0 + 10.0 * std::sin(s.direction);
+    s.z = 0.5 + 0.001 * (s.x - 1.0);
+  }
+  return result;
+}
+
+TEST(SceneOptions, AreRefusedByName) {
+  EXPECT_EQ(firstError(SceneOptions()), "");
+  SceneOptions o;
+  o.range = -1.0;
+  EXPECT_EQ(firstError(o), "range = -1 (must be >= 0)");
+  o = {}, o.exaggeration = 0.5;
+  EXPECT_EQ(firstError(o), "exaggeration = 0.5 (must be >= 1)");
+  o = {}, o.exaggeration = NAN;
+  EXPECT_NE(firstError(o), "");
+  o = {}, o.points = 999;
+  EXPECT_EQ(firstError(o), "points = 999 (must be >= 1000)");
+  o = {}, o.label_every = -1;
+  EXPECT_EQ(firstError(o), "labels = -1 (must be >= 0)");
+}
+
+TEST(Colouring, ByHeightIsAboveTheMean) {
+  const Colouring c = colouringOf({{0, 0, 0.5}, {0, 0, 0.7}, {0, 0, 0.4}}, tilted(), Colour::Height, 0.0);
+  EXPECT_NEAR(c.values[0], 0.0, 1e-6);
+  EXPECT_NEAR(c.values[1], 0.2, 1e-6);
+  EXPECT_NEAR(c.low, -0.1, 1e-6);
+  const Colouring set = colouringOf({{0, 0, 0.5}}, tilted(), Colour::Height, 0.3);
+  EXPECT_EQ(set.low, -0.3);
+  EXPECT_EQ(set.high, 0.3);
+}
+
+TEST(Colouring, ByHeightEndsWhere98PercentDo) {
+  Points cloud;
+  for (int i = 0; i <= 1000; ++i) cloud.emplace_back(0, 0, 0.5 + i);
+  const Colouring c = colouringOf(cloud, tilted(), Colour::Height, 0.0);
+  EXPECT_NEAR(c.low, 10.0, 1e-3);
+  EXPECT_NEAR(c.high, 990.0, 1e-3);
+}
+
+TEST(Colouring, RadialIsPositiveOutside) {
+  const Colouring c = colouringOf({{11.02, 2, 0}, {1, 11.97, 9}}, tilted(), Colour::Radial, 0.0);
+  EXPECT_NEAR(c.values[0], 0.02, 1e-6);
+  EXPECT_NEAR(c.values[1], -0.03, 1e-6);
+  EXPECT_EQ(c.low, -0.05);
+  EXPECT_EQ(c.high, 0.05);
+  EXPECT_EQ(colouringOf({}, tilted(), Colour::Radial, 0.2).low, -0.2);
+}
+
+TEST(Colouring, DistanceIsToTheLineBetweenStations) {
+  const Points cloud = {{11.03, 2, 0.51 + 0.04}, {1, 12, 0.7}, {1 - 10, 2, 0.49}};
+  const Colouring c = colouringOf(cloud, tilted(), Colour::Distance, 0.0);
+  EXPECT_NEAR(c.values[0], 0.05, 1e-6);
+  EXPECT_NEAR(c.values[1], 0.2, 1e-6);
+  EXPECT_NEAR(c.values[2], 0.0, 1e-6);
+  EXPECT_EQ(c.low, 0.0);
+  EXPECT_EQ(c.high, 1.0);
+  // half way between stations 7 and 0: across the zero of directions
+  const double a = -22.5 * made_datums::kDegree, z = 0.5 * (octagon().stations[7].z + octagon().stations[0].z);
+  const Colouring wrap =
+      colouringOf({{1 + 10 * std::cos(a), 2 + 10 * std::sin(a), z + 0.02}}, octagon(), Colour::Distance, 0.0);
+  EXPECT_NEAR(wrap.values[0], 0.02, 1e-6);
+}
+
+TEST(Colouring, DistanceIsUnknownInAGap) {
+  EXPECT_TRUE(std::isnan(colouringOf({{1, -8, 0.5}}, octagon(), Colour::Distance, 0.0).values[0]));  // station 6
+}
+
+TEST(CurvePieces, AreClosedWithoutGaps) {
+  const auto pieces = curvePieces(tilted(), 10.0);
+  ASSERT_EQ(pieces.size(), 1U);
+  ASSERT_EQ(pieces[0].size(), 9U);
+  EXPECT_EQ(pieces[0].front(), pieces[0].back());
+  EXPECT_NEAR(pieces[0][0].z(), 0.5 + 10.0 * 0.01, 1e-9);
+  EXPECT_NEAR(curvePieces(tilted(), 1.0)[0][4].z(), 0.5 - 0.01, 1e-9);
+}
+
+TEST(CurvePieces, BreakAtMissingStations) {
+  ViewedResult result = octagon();
+  auto pieces = curvePieces(result, 1.0);
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_EQ(pieces[0].size(), 7U);
+  EXPECT_NEAR(pieces[0].front().z(), result.stations[7].z, 1e-12);  // from behind the gap, through 0
+  EXPECT_NEAR(pieces[0].back().z(), result.stations[5].z, 1e-12);
+  result.stations[2].z = kUnknown;
+  pieces = curvePieces(result, 1.0);
+  ASSERT_EQ(pieces.size(), 2U);
+  EXPECT_EQ(pieces[0].size() + pieces[1].size(), 6U);
+  for (Station& s : result.stations) s.z = kUnknown;
+  EXPECT_TRUE(curvePieces(result, 1.0).empty());
+}
+
+TEST(TiltPlane, GoesThroughATiltedRing) {
+  const Points plane = tiltPlane(tilted(), 10.0);
+  ASSERT_GE(plane.size(), 36U);
+  for (const auto& p : plane) {
+    EXPECT_NEAR((p.head<2>() - Eigen::Vector2d(1, 2)).norm(), 10.5, 1e-9);
+    EXPECT_NEAR(p.z(), 0.5 + 10.0 * 0.001 * (p.x() - 1.0), 1e-9);
+  }
+  ViewedResult few = tilted();
+  few.stations.resize(3);
+  EXPECT_TRUE(tiltPlane(few, 10.0).empty());
+}
+
+TEST(Describe, IsInTheScansFrame) {
+  const std::string text = describe(octagon(), 2);
+  for (const char* part : {"station 2, azimuth 90 deg", "z 100.6270 m +- 0.25 mm", "x 500001.500 m, y 4000012.250 m",
+                           "radius 10.0000 m", "out of plane", "measured"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+  EXPECT_NE(describe(octagon(), 5).find("interpolated"), std::string::npos);
+  EXPECT_EQ(describe(octagon(), 6), "station 6, azimuth 270 deg\nmissing");
+}
+
+TEST(NearestMark, IsWithinReachAndKnown) {
+  const double unknown = kUnknown;
+  const std::vector<Eigen::Vector2d> marks = {{0, 0}, {10, 0}, {unknown, unknown}, {13, 0}};
+  EXPECT_EQ(nearestMark(marks, {9, 1}, 12.0), 1);
+  EXPECT_EQ(nearestMark(marks, {12, 0}, 12.0), 3);
+  EXPECT_EQ(nearestMark(marks, {40, 0}, 12.0), -1);
+  EXPECT_EQ(nearestMark({}, {0, 0}, 12.0), -1);
+}
+
+}  // namespace
+}  // namespace tank_datum::view

@@ -1,0 +1,115 @@
+#include "view/viewed_result.h"
+
+#include <gtest/gtest.h>
+
+#include "io/pcd_writer.h"
+#include "support/made_datums.h"
+#include "support/pcd_files.h"
+
+namespace tank_datum::view {
+namespace {
+
+using made_datums::octagon;
+using pcd_files::Folder;
+
+/// A row of points 1 cm apart from (500000, 4000000, 100) on.
+std::string writeScan(const std::string& path, int points) {
+  PcdWriter writer(path, {{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}});
+  for (int i = 0; i < points; ++i) writer.append({500000.0 + 0.01 * i, 4000000.0, 100.0});
+  writer.commit();
+  return path;
+}
+
+/// Results of the octagon whose scan is `scan`.
+std::string writeOctagon(const Folder& folder, const std::string& scan) {
+  std::filesystem::create_directory(folder.path("out"));
+  Provenance from;
+  from.files = {{scan, "abc", 3}};
+  writeResults(folder.path("out"), octagon(), from);
+  return folder.path("out");
+}
+
+std::string refusalOf(const std::string& folder) {
+  try {
+    readResult(folder, {});
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::File);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ReadResult, GivesBackWhatWasWritten) {
+  const Folder folder;
+  const std::string scan = writeScan(folder.path("a.pcd"), 3);
+  const ViewedResult result = readResult(writeOctagon(folder, scan), {});
+  const Datum datum = octagon();
+  EXPECT_TRUE(result.usable);
+  EXPECT_EQ(result.status, "partial");
+  EXPECT_EQ(result.scans, std::vector<std::string>{scan});
+  EXPECT_EQ(result.origin, datum.origin);
+  EXPECT_NEAR((result.circle.center - datum.circle.center).norm(), 0.0, 1e-8);
+  EXPECT_EQ(result.circle.radius, 10.0);
+  EXPECT_EQ(result.stations.size(), 8U);
+  ASSERT_EQ(result.edge_points.size(), 2U);
+  EXPECT_NEAR((result.edge_points[1] - datum.edge_points[1]).norm(), 0.0, 1e-8);
+}
+
+TEST(ReadResult, LooksForTheScanBesideTheFolderAndWhereItIsTold) {
+  const Folder folder;
+  const std::string out = writeOctagon(folder, "/gone/a.pcd");
+  EXPECT_NE(refusalOf(out).find("/gone/a.pcd"), std::string::npos);
+  EXPECT_EQ(readResult(out, {"other.pcd"}).scans, std::vector<std::string>{"other.pcd"});
+  const std::string scan = writeScan(folder.path("a.pcd"), 3);
+  EXPECT_EQ(readResult(out, {}).scans, std::vector<std::string>{scan});
+}
+
+TEST(ReadResult, OfNothingUsableSaysWhy) {
+  const Folder folder;
+  Datum none;
+  none.status = Status::NoTank;
+  none.message = "nothing stands there";
+  writeResults(folder.path(""), none, Provenance());
+  const ViewedResult result = readResult(folder.path(""), {});
+  EXPECT_FALSE(result.usable);
+  EXPECT_EQ(result.status, "no_tank");
+  EXPECT_EQ(result.message, "nothing stands there");
+}
+
+TEST(ReadResult, NamesAFileThatIsNoResult) {
+  const Folder folder;
+  EXPECT_NE(refusalOf(folder.path("")).find("datum.json"), std::string::npos);
+  for (const char* text : {"{", "[]", "{\"status\": 3}", "{\"status\": \"ok\", \"message\": \"\", \"datum\": {}}"}) {
+    folder.file("datum.json", text);
+    EXPECT_NE(refusalOf(folder.path("")).find("datum.json"), std::string::npos) << text;
+  }
+}
+
+TEST(ThinnedCloud, IsInTheResultsFrameAndWithinTheBudget) {
+  const Folder folder;
+  const std::string scan = writeScan(folder.path("a.pcd"), 5000);
+  const ViewedResult result = readResult(writeOctagon(folder, scan), {});
+  const Points all = thinnedCloud(result, 10'000);
+  ASSERT_EQ(all.size(), 5000U);
+  EXPECT_NEAR((all.front() + result.origin - Eigen::Vector3d(500000, 4000000, 100)).norm(), 0.0, 1e-8);
+  const Points thin = thinnedCloud(result, 1000);
+  EXPECT_LE(thin.size(), 1000U);
+  EXPECT_GE(thin.size(), 250U);
+}
+
+TEST(ThinnedCloud, HasTheUnitsOfTheScan) {
+  const Folder folder;
+  ViewedResult result = readResult(writeOctagon(folder, writeScan(folder.path("a.pcd"), 3)), {});
+  result.metres_per_unit = 0.001;
+  EXPECT_NEAR((thinnedCloud(result, 1000).front() + result.origin - Eigen::Vector3d(500, 4000, 0.1)).norm(), 0.0, 1e-6);
+}
+
+TEST(ExtractResult, OfNoTankSaysSo) {
+  const Folder folder;
+  const ViewedResult result = extractResult(writeScan(folder.path("a.pcd"), 5000), 1.0);
+  EXPECT_FALSE(result.usable);
+  EXPECT_EQ(result.status, "no_tank");
+}
+
+}  // namespace
+}  // namespace tank_datum::view

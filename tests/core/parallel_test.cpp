@@ -1,0 +1,90 @@
+#include "tank_datum/core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace tank_datum {
+namespace {
+
+TEST(ForEachIndex, DoesEachOnce) {
+  for (const int threads : {0, 1, 3}) {
+    std::vector<int> done(1000, 0);
+    forEachIndex(done.size(), threads, [&](std::size_t i) { ++done[i]; });
+    EXPECT_EQ(done, std::vector<int>(1000, 1));
+  }
+  forEachIndex(0, 0, [](std::size_t) { ADD_FAILURE(); });
+}
+
+TEST(ForEachIndex, UsesAsManyThreadsAsItIsTold) {
+  for (const int threads : {1, 3}) {
+    std::mutex mutex;
+    std::condition_variable another;
+    std::set<std::thread::id> seen;
+    forEachIndex(300, threads, [&](std::size_t) {  // nobody goes on before all have come
+      std::unique_lock lock(mutex);
+      seen.insert(std::this_thread::get_id());
+      another.notify_all();
+      const auto all = [&] { return seen.size() >= static_cast<std::size_t>(threads); };
+      EXPECT_TRUE(another.wait_for(lock, std::chrono::seconds(20), all));
+    });
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(threads));
+  }
+}
+
+TEST(ForEachIndex, ThrowsWhatTheWorkThrowsAndStops) {
+  std::atomic<int> calls{0};
+  const auto work = [&](std::size_t i) {
+    ++calls;
+    if (i == 3) throw std::out_of_range("three");
+  };
+  EXPECT_THROW(forEachIndex(1000, 1, work), std::out_of_range);
+  EXPECT_EQ(calls, 4);
+  EXPECT_THROW(forEachIndex(1000, 2, work), std::out_of_range);
+}
+
+TEST(ForEachIndex, OneThreadIsTheCallers) {
+  const auto caller = std::this_thread::get_id();
+  forEachIndex(100, 1, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+}
+
+TEST(ForEachRun, GivesEachIndexOnceInRunsThatAreNotEmpty) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{1000}}) {
+    for (const int threads : {1, 3}) {
+      std::vector<int> done(count, 0);
+      forEachRun(count, threads, [&](std::size_t begin, std::size_t end) {
+        EXPECT_LT(begin, end);
+        for (std::size_t i = begin; i < end; ++i) ++done[i];
+      });
+      EXPECT_EQ(done, std::vector<int>(count, 1));
+    }
+  }
+}
+
+TEST(ThreadScope, IsWhatNoNumberMeansUntilItEnds) {
+  const int cores = threadCount(0);
+  {
+    const ThreadScope outer(3);
+    EXPECT_EQ(threadCount(0), 3);
+    EXPECT_EQ(threadCount(5), 5);
+    {
+      const ThreadScope inner(1);
+      const auto caller = std::this_thread::get_id();
+      forEachIndex(100, 0, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+      const ThreadScope none(0);
+      EXPECT_EQ(threadCount(0), 1);
+    }
+    EXPECT_EQ(threadCount(0), 3);
+  }
+  EXPECT_EQ(threadCount(0), cores);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,66 @@
+#include "core/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tank_datum {
+namespace {
+
+TEST(Median, IsTheMiddleOfAnOddCount) {
+  EXPECT_EQ(median({7}), 7);
+  EXPECT_EQ(median({9, -4, 2}), 2);
+}
+
+TEST(Median, IsTheMeanOfTheTwoMiddleOnesOfAnEvenCount) {
+  EXPECT_EQ(median({1, 3}), 2);
+  EXPECT_EQ(median({100, 2, 3, -50}), 2.5);
+}
+
+TEST(Median, OfNothingIsUnknown) { EXPECT_TRUE(std::isnan(median({}))); }
+
+TEST(Median, TakesEqualValues) { EXPECT_EQ(median({5, 5, 5, 5}), 5); }
+
+TEST(Quantile, IsTheNearestRankOfFourValues) {
+  const std::vector<double> values = {40, 10, 30, 20};
+  EXPECT_EQ(quantile(values, 0.0), 10);
+  EXPECT_EQ(quantile(values, 0.24), 10);
+  EXPECT_EQ(quantile(values, 0.25), 20);
+  EXPECT_EQ(quantile(values, 0.5), 30);
+  EXPECT_EQ(quantile(values, 0.99), 40);
+  EXPECT_EQ(quantile(values, 1.0), 40);
+}
+
+TEST(Quantile, OfNothingIsUnknown) { EXPECT_TRUE(std::isnan(quantile({}, 0.5))); }
+
+TEST(RobustSigma, IsTheScaledMedianOfTheDeviationsFromTheGivenCentre) {
+  EXPECT_DOUBLE_EQ(robustSigma({-1, 0, 2}, 0.0), 1.4826);
+  EXPECT_DOUBLE_EQ(robustSigma({9, 10, 12}, 10.0), 1.4826);
+  EXPECT_DOUBLE_EQ(robustSigma({9, 10, 12}, 0.0), 14.826);
+  EXPECT_EQ(robustSigma({3, 3, 3}, 3.0), 0.0);
+  EXPECT_TRUE(std::isnan(robustSigma({}, 0.0)));
+}
+
+TEST(RobustSigma, IsTheStandardDeviationOfNormalErrorsAndIgnoresAFewGrossOnes) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0.0, 2.0);
+  std::vector<double> values(20'000);
+  for (double& v : values) v = normal(random);
+  EXPECT_NEAR(robustSigma(values, 0.0), 2.0, 0.05);
+  for (std::size_t i = 0; i < 200; ++i) values[i] = 1e6;
+  EXPECT_NEAR(robustSigma(values, 0.0), 2.0, 0.08);
+}
+
+TEST(TukeyWeight, IsOneInTheMiddleAndNothingFrom4Point685SigmasOn) {
+  EXPECT_EQ(tukeyWeight(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(tukeyWeight(4.685 / 2), 0.5625);  // (1 - 1/4)^2
+  EXPECT_GT(tukeyWeight(4.68), 0.0);
+  EXPECT_EQ(tukeyWeight(4.685), 0.0);
+  EXPECT_EQ(tukeyWeight(100.0), 0.0);
+}
+
+TEST(TukeyWeight, DoesNotAskForTheSign) { EXPECT_EQ(tukeyWeight(-1.5), tukeyWeight(1.5)); }
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,235 @@
+#include "foot/foot_check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/made_clouds.h"
+
+namespace tank_datum {
+namespace {
+
+using made_clouds::kTurn;
+using made_clouds::uniform;
+
+constexpr double kNoise = 0.0005;
+constexpr double kStep = 0.5;  // arc between 360 stations of a tank of 29 m radius [m]
+
+/// The section of a plate of 65 mm on a ringwall 10 mm lower.
+FootProfile plateProfile() {
+  FootProfile profile;
+  profile.bin = 0.003;
+  for (int i = 0; i < 100; ++i) profile.height.push_back(0.003 * (i + 0.5) < 0.065 ? 0.0 : -0.010);
+  profile.spread.assign(100, kNoise);
+  profile.error.assign(100, 0.1 * kNoise);
+  profile.spread[21] = 0.005;  // the plate's edge
+  profile.band_from = 0.015, profile.band_to = 0.06, profile.edge = 0.066;
+  profile.blur = 0.006;
+  profile.noise = kNoise;
+  profile.surface = Surface::AnnularPlate;
+  return profile;
+}
+
+FootFit fitOf(double z, double sigma = 0.0002) {
+  FootFit fit;
+  fit.z = z, fit.sigma = sigma;
+  fit.slope = 0.0, fit.sigma_slope = 0.001;
+  fit.noise = kNoise;
+  fit.points = 100;
+  return fit;
+}
+
+/// A station's points: on a plate at z = 2, and beyond it on a ringwall this much lower.
+std::vector<FootPoint> stationWith(double drop) {
+  std::vector<FootPoint> points;
+  for (double d = 0.001; d < 0.299; d += 0.002) points.push_back({0.0, d, d < 0.065 ? 2.0 : 2.0 - drop});
+  return points;
+}
+
+TEST(IsSameSurface, OfTheSameSectionIsTrue) {
+  EXPECT_TRUE(isSameSurface(stationWith(0.010), fitOf(2.0), 0.0, plateProfile()));
+}
+
+TEST(IsSameSurface, AnotherSlopeIsAnotherSurface) {
+  FootFit fit = fitOf(2.0);
+  for (const double sign : {-1.0, 1.0}) {
+    fit.slope = sign * 0.025;
+    EXPECT_TRUE(isSameSurface(stationWith(0.010), fit, 0.0, plateProfile()));
+    fit.slope = sign * 0.040;
+    EXPECT_FALSE(isSameSurface(stationWith(0.010), fit, 0.0, plateProfile()));
+    EXPECT_TRUE(isSameSurface(stationWith(0.010), fit, fit.slope, plateProfile()));
+    fit.sigma_slope = 0.010;  // cannot tell
+    EXPECT_TRUE(isSameSurface(stationWith(0.010), fit, 0.0, plateProfile()));
+    fit.sigma_slope = 0.001;
+  }
+}
+
+TEST(IsSameSurface, ARougherOneIsAnotherSurface) {
+  FootFit fit = fitOf(2.0);
+  fit.noise = 2.9 * kNoise;
+  EXPECT_TRUE(isSameSurface(stationWith(0.010), fit, 0.0, plateProfile()));
+  fit.noise = 3.1 * kNoise;
+  EXPECT_FALSE(isSameSurface(stationWith(0.010), fit, 0.0, plateProfile()));
+}
+
+TEST(IsSameSurface, TheSectionBeyondGoesOnAsElsewhere) {
+  EXPECT_TRUE(isSameSurface(stationWith(0.015), fitOf(2.0), 0.0, plateProfile()));
+  EXPECT_FALSE(isSameSurface(stationWith(0.025), fitOf(2.0), 0.0, plateProfile()));   // lies on 15 mm of soil
+  EXPECT_FALSE(isSameSurface(stationWith(-0.005), fitOf(2.0), 0.0, plateProfile()));  // soil on the ringwall
+  EXPECT_TRUE(isSameSurface(stationWith(0.025), fitOf(2.0, 0.003), 0.0, plateProfile()));
+}
+
+TEST(IsSameSurface, IsMeasuredFromTheBandsOffset) {
+  FootProfile profile = plateProfile();
+  profile.offset = 0.020;
+  for (double& z : profile.height) z += 0.020;
+  EXPECT_TRUE(isSameSurface(stationWith(0.010), fitOf(2.0), 0.0, profile));
+}
+
+TEST(IsSameSurface, UprightFacesAndTooFewPointsBeyondSayNothing) {
+  FootProfile profile = plateProfile();
+  const auto off = stationWith(0.040);
+  EXPECT_FALSE(isSameSurface(off, fitOf(2.0), 0.0, profile));
+  EXPECT_TRUE(isSameSurface({off.begin(), off.begin() + 40}, fitOf(2.0), 0.0, profile));  // ends 80 mm out
+  std::fill(profile.spread.begin() + 22, profile.spread.end(), 0.005);
+  EXPECT_TRUE(isSameSurface(off, fitOf(2.0), 0.0, profile));
+}
+
+/// 360 stations on a smooth datum: a tilt of 50 mm and an oval of 20 mm amplitude.
+std::vector<FootFit> smoothRing() {
+  std::vector<FootFit> fits;
+  for (int i = 0; i < 360; ++i) {
+    const double a = kTurn * i / 360;
+    fits.push_back(fitOf(2.0 + 0.05 * std::cos(a) + 0.02 * std::cos(2 * a) + 0.004 * std::cos(8 * a)));
+  }
+  return fits;
+}
+
+void raise(std::vector<FootFit>& fits, std::size_t first, std::size_t count, double by) {
+  for (std::size_t i = 0; i < count; ++i) fits[(first + i) % fits.size()].z += by;
+}
+
+/// Which stations are dropped.
+std::vector<std::size_t> droppedOf(const std::vector<FootFit>& fits, double step = kStep) {
+  const std::vector<bool> dropped = findSteps(fits, step);
+  EXPECT_EQ(dropped.size(), fits.size());
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    if (dropped[i]) which.push_back(i);
+  }
+  return which;
+}
+
+TEST(FindSteps, SmoothHarmonicsAreKept) { EXPECT_TRUE(droppedOf(smoothRing()).empty()); }
+
+TEST(FindSteps, SoilUnderThirtyDegreesIsDropped) {
+  auto fits = smoothRing();
+  raise(fits, 100, 30, 0.030);
+  const auto dropped = droppedOf(fits);
+  ASSERT_EQ(dropped.size(), 30U);
+  EXPECT_EQ(dropped.front(), 100U);
+  EXPECT_EQ(dropped.back(), 129U);
+}
+
+TEST(FindSteps, AcrossTheSeamToo) {
+  auto fits = smoothRing();
+  raise(fits, 350, 20, 0.030);
+  EXPECT_EQ(droppedOf(fits).size(), 20U);
+  EXPECT_EQ(droppedOf(fits)[10], 350U);
+}
+
+TEST(FindSteps, TheGreaterPartIsKept) {
+  auto fits = smoothRing();
+  raise(fits, 100, 250, 0.030);
+  const auto dropped = droppedOf(fits);
+  ASSERT_EQ(dropped.size(), 110U);
+  EXPECT_EQ(dropped.front(), 0U);
+  EXPECT_EQ(dropped.back(), 359U);
+}
+
+TEST(FindSteps, TwoHeapsAndALoneStation) {
+  auto fits = smoothRing();
+  raise(fits, 40, 30, 0.060);
+  raise(fits, 200, 15, 0.030);
+  raise(fits, 300, 1, -0.020);
+  EXPECT_EQ(droppedOf(fits).size(), 46U);
+}
+
+TEST(FindSteps, AcrossAGapTheArcIsThatOfTheGap) {
+  auto fits = smoothRing();
+  for (std::size_t i = 0; i < 360; ++i) fits[i].z += 0.4 * std::cos(kTurn * static_cast<double>(i) / 360);
+  for (const std::size_t first : {85, 265}) {  // 70 mm in 5 m, down and up again
+    for (std::size_t i = first; i < first + 10; ++i) fits[i] = {};
+  }
+  EXPECT_TRUE(droppedOf(fits).empty());
+}
+
+TEST(FindSteps, AStepIsAQuestionOfArcAndOfSigma) {
+  auto fits = smoothRing();
+  raise(fits, 100, 30, 0.030);
+  EXPECT_TRUE(droppedOf(fits, 2.0).empty());  // 40 mm in 2 m is what a shell may do
+  for (FootFit& fit : fits) fit.sigma = 0.010;
+  EXPECT_TRUE(droppedOf(fits).empty());
+}
+
+TEST(FindSteps, OfNothingDropNothing) {
+  EXPECT_TRUE(findSteps({}, kStep).empty());
+  EXPECT_TRUE(droppedOf(std::vector<FootFit>(360)).empty());
+  EXPECT_TRUE(droppedOf({fitOf(2.0)}).empty());
+}
+
+/// A level ring, measured with errors `truth` and standard errors `said`.
+std::vector<FootFit> noisyRing(double truth, double said) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  std::vector<FootFit> fits(360, fitOf(2.0));
+  for (FootFit& fit : fits) {
+    fit.z += truth * normal(random);
+    fit.sigma = said;
+  }
+  return fits;
+}
+
+TEST(CommonSigma, IsNextToNothingForHonestSigmas) {
+  EXPECT_LT(commonSigma(noisyRing(0.0002, 0.0002), 1), 0.0001);
+  EXPECT_LT(commonSigma(noisyRing(0.0002, 0.0002), 3), 0.0001);
+}
+
+TEST(CommonSigma, IsWhatTheSigmasLeaveOut) {
+  EXPECT_NEAR(commonSigma(noisyRing(0.0005, 0.0003), 1), 0.0004, 0.00006);
+  EXPECT_NEAR(commonSigma(noisyRing(0.0005, 0.0003), 3), 0.0004, 0.00008);
+}
+
+TEST(CommonSigma, IsTheSameForSharpAndForBluntStations) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  std::vector<FootFit> fits(360, fitOf(2.0));
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    fits[i].sigma = i < 180 ? 0.0001 : 0.0004;
+    fits[i].z += std::hypot(fits[i].sigma, 0.0003) * normal(random);
+  }
+  EXPECT_NEAR(commonSigma(fits, 1), 0.0003, 0.00006);
+}
+
+TEST(CommonSigma, IsNothingForSigmasTooLarge) { EXPECT_EQ(commonSigma(noisyRing(0.0001, 0.0004), 1), 0.0); }
+
+TEST(CommonSigma, ComparesWindowsThatShareNoPoints) {
+  auto fits = noisyRing(0.0, 0.0002);  // neighbours that share their points err alike
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < 360; i += 5) raise(fits, i, 5, 0.0006 * normal(random));
+  EXPECT_NEAR(commonSigma(fits, 5), 0.00057, 0.0001);
+  EXPECT_LT(commonSigma(fits, 1), 0.5 * commonSigma(fits, 5));
+}
+
+TEST(CommonSigma, IsNothingWhereThereIsTooLittleToTell) {
+  auto fits = noisyRing(0.0008, 0.0002);
+  for (std::size_t i = 12; i < 360; ++i) fits[i] = {};
+  EXPECT_EQ(commonSigma(fits, 1), 0.0);
+  EXPECT_EQ(commonSigma({}, 1), 0.0);
+  EXPECT_EQ(commonSigma(noisyRing(0.0008, 0.0002), 90), 0.0);  // three windows round the tank
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,232 @@
+#include "foot/foot_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/statistics.h"
+#include "support/made_clouds.h"
+
+namespace tank_datum {
+namespace {
+
+using made_clouds::kTurn;
+using made_clouds::uniform;
+
+constexpr double kNoise = 0.0005;
+
+/// A pad of 300 mm with a weld.
+FootProfile padProfile() {
+  FootProfile profile;
+  profile.bin = 0.003;
+  profile.band_from = 0.015, profile.band_to = profile.edge = 0.3;
+  profile.blur = 0.006;
+  profile.noise = kNoise;
+  profile.surface = Surface::Foundation;
+  return profile;
+}
+
+FootPrior priorOf(double slope = 0.0, double sigma_slope = 0.1, double sigma_bend = 0.003) {
+  FootPrior prior;
+  prior.slope.coefficients = Eigen::Vector3d(slope, 0, 0);
+  prior.sigma_slope = sigma_slope;
+  prior.sigma_bend = sigma_bend;
+  return prior;
+}
+
+using Surface2 = std::function<double(double d, double t)>;
+
+/// Points at random places of a window half a metre wide.
+std::vector<FootPoint> pointsOn(const Surface2& height, int count, double noise = 0.0, std::uint64_t seed = 1) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<FootPoint> points;
+  for (int i = 0; i < count; ++i) {
+    const double d = 0.3 * uniform(random), t = 0.5 * (uniform(random) - 0.5);
+    points.push_back({t, d, height(d, t) + noise * normal(random)});
+  }
+  return points;
+}
+
+FootFit fitted(const std::vector<FootPoint>& points, const FootPrior& prior = priorOf(), double slope = 0.0) {
+  return fitFoot(points, padProfile(), 2.0, slope, prior);
+}
+
+TEST(FitFoot, OfAnExactPlaneIsItsElevationAtTheShell) {
+  const FootFit fit = fitted(pointsOn([](double d, double t) { return 2.0 + 0.01 * d + 0.001 * t; }, 200));
+  ASSERT_TRUE(fit.valid());
+  EXPECT_NEAR(fit.z, 2.0, 2e-6);
+  EXPECT_NEAR(fit.slope, 0.01, 2e-5);
+  EXPECT_LT(fit.sigma, 5e-5);
+  EXPECT_LT(fit.noise, 0.3 * kNoise);
+}
+
+TEST(FitFoot, OfABentDatumIsItsElevationInTheMiddle) {
+  const auto bent = pointsOn([](double, double t) { return 2.0 + 0.01 * t * t; }, 200);
+  EXPECT_NEAR(fitted(bent, priorOf(0, 0.1, 0.05)).z, 2.0, 1e-5);
+  EXPECT_GT(fitted(bent, priorOf(0, 0.1, 1e-6)).z, 2.0001);  // told that the datum is straight
+}
+
+TEST(FitFoot, FewerThanFourPointsAreNotEnough) {
+  const std::vector<FootPoint> three = {{0, 0.05, 2.0}, {0.1, 0.15, 2.0}, {0, 0.29, 2.0}, {0, 0.295, 2.0}};
+  EXPECT_FALSE(fitted(three).valid());  // the last two are in the blur of where the surface ends
+  EXPECT_TRUE(std::isnan(fitted(three).z));
+  EXPECT_FALSE(fitted({}).valid());
+}
+
+TEST(FitFoot, UsesWhatIsInTheBandAndNearTheSurface) {
+  std::vector<FootPoint> points = pointsOn([](double, double) { return 2.0; }, 300);
+  const std::size_t used = fitted(points).points;
+  EXPECT_GT(used, 250U);
+  EXPECT_LT(used, 300U);
+  for (int i = 0; i < 100; ++i) {
+    points.push_back({0.0, 0.010, 2.005});  // weld
+    points.push_back({0.0, 0.310, 2.005});  // beyond
+    points.push_back({0.0, 0.100, 2.030});  // a thing lying there
+    points.push_back({0.0, 0.100, 1.970});
+  }
+  const FootFit fit = fitted(points);
+  EXPECT_EQ(fit.points, used);
+  EXPECT_NEAR(fit.z, 2.0, 1e-6);
+}
+
+TEST(FitFoot, AShadowMovesTheEndOfTheSurface) {
+  auto points = pointsOn([](double, double) { return 2.0; }, 400);
+  points.erase(std::remove_if(points.begin(), points.end(), [](const FootPoint& p) { return p.d > 0.1; }),
+               points.end());
+  for (FootPoint& p : points) {
+    if (p.d > 0.096) p.z -= 0.002;  // beams that straddle the shadow's edge
+  }
+  EXPECT_NEAR(fitted(points).z, 2.0, 1e-5);
+}
+
+TEST(FitFoot, WithFewPointsThePriorWinsAndSigmaSaysSo) {
+  const std::vector<FootPoint> far = {{-0.1, 0.24, 2.0}, {0.1, 0.25, 2.0}, {-0.1, 0.26, 2.0},
+                                      {0.1, 0.25, 2.0},  {0, 0.25, 2.0},   {0, 0.29, 2.0}};
+  const FootFit told = fitted(far, priorOf(0.04, 0.002), 0.04);
+  EXPECT_NEAR(told.slope, 0.04, 0.003);
+  EXPECT_NEAR(told.z, 2.0 - 0.25 * 0.04, 0.001);
+  EXPECT_GT(told.sigma, 0.8 * 0.25 * 0.002);
+  EXPECT_LT(told.sigma, 1.5 * 0.25 * 0.002);
+  EXPECT_NEAR(told.sigma_slope, 0.002, 0.0002);
+  EXPECT_GT(fitted(far, priorOf(0.04, 0.1), 0.04).sigma, 3.0 * told.sigma);
+}
+
+TEST(FitFoot, WithManyPointsTheDataWin) {
+  const auto points = pointsOn([](double d, double) { return 2.0 + 0.02 * d; }, 2000, kNoise);
+  const FootFit fit = fitted(points, priorOf(0.0, 0.01));
+  EXPECT_NEAR(fit.slope, 0.02, 0.001);
+  EXPECT_NEAR(fit.z, 2.0, 4.0 * fit.sigma);
+  EXPECT_LT(fit.sigma, 0.00005);
+  EXPECT_NEAR(fit.noise, kNoise, 0.1 * kNoise);
+}
+
+TEST(FitFoot, OutliersDoNotMoveIt) {
+  auto points = pointsOn([](double, double) { return 2.0; }, 400, kNoise);
+  for (std::size_t i = 0; i < points.size(); i += 4) points[i].z += 0.004;  // gravel
+  const FootFit fit = fitted(points);
+  EXPECT_NEAR(fit.z, 2.0, 0.0002);
+  EXPECT_LT(fit.noise, 2.0 * kNoise);
+}
+
+TEST(FitFoot, SigmaIsTheSpreadOfRepeatedScans) {
+  for (const int count : {25, 200}) {
+    std::vector<double> sigmas, slope_sigmas;
+    double squares = 0, slope_squares = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+      const FootFit fit = fitted(pointsOn([](double d, double) { return 2.0 + 0.01 * d; }, count, kNoise, seed));
+      ASSERT_TRUE(fit.valid());
+      squares += (fit.z - 2.0) * (fit.z - 2.0) / 300;
+      slope_squares += (fit.slope - 0.01) * (fit.slope - 0.01) / 300;
+      sigmas.push_back(fit.sigma);
+      slope_sigmas.push_back(fit.sigma_slope);
+    }
+    EXPECT_NEAR(std::sqrt(squares) / median(sigmas), 1.0, 0.15) << count;
+    EXPECT_NEAR(std::sqrt(slope_squares) / median(slope_sigmas), 1.0, 0.15) << count;
+  }
+}
+
+/// A shell of 10 m radius and points at given azimuth, distance outside and elevation.
+struct RingOf {
+  ShellModel shell{std::vector<ShellLine>(360, line()), 0.0};
+  Points points;
+
+  static ShellLine line() {
+    ShellLine one;
+    one.radius = 10.0;
+    one.points = 1;
+    return one;
+  }
+  RingOf& add(double azimuth, double off, double z) {
+    points.emplace_back((10.0 + off) * std::cos(azimuth), (10.0 + off) * std::sin(azimuth), z);
+    return *this;
+  }
+  FootRing ring(double side = 1.0, double reach = 0.5) const { return {PolarRing(points, {0, 0}), shell, side, reach}; }
+};
+
+TEST(FootRing, SeesArcDistanceAndElevation) {
+  const auto points = RingOf().add(1.02, 0.2, 3.0).ring().around(1.0, 0.05, 3.1, 0.5);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_NEAR(points[0].t, 0.2, 1e-9);
+  EXPECT_NEAR(points[0].d, 0.2, 1e-9);
+  EXPECT_NEAR(points[0].z, 3.0, 1e-12);
+}
+
+TEST(FootRing, LooksOutwardsOrInwards) {
+  RingOf both;
+  both.add(1.0, 0.2, 3.0).add(1.0, -0.3, 3.0);
+  ASSERT_EQ(both.ring(1.0).around(1.0, 0.05, 3.0, 0.5).size(), 1U);
+  EXPECT_NEAR(both.ring(1.0).around(1.0, 0.05, 3.0, 0.5)[0].d, 0.2, 1e-9);
+  ASSERT_EQ(both.ring(-1.0).around(1.0, 0.05, 3.0, 0.5).size(), 1U);
+  EXPECT_NEAR(both.ring(-1.0).around(1.0, 0.05, 3.0, 0.5)[0].d, 0.3, 1e-9);
+}
+
+TEST(FootRing, EndsAtTheReachTheWindowAndTheHeight) {
+  RingOf ring;
+  ring.add(1.0, 0.4, 3.0).add(1.04, 0.1, 3.0).add(1.0, 0.1, 3.3).add(1.0, -0.01, 3.0);
+  EXPECT_EQ(ring.ring().around(1.0, 0.05, 3.0, 0.5).size(), 4U);
+  EXPECT_EQ(ring.ring(1.0, 0.3).around(1.0, 0.05, 3.0, 0.5).size(), 3U);
+  EXPECT_EQ(ring.ring().around(1.0, 0.03, 3.0, 0.5).size(), 3U);
+  EXPECT_EQ(ring.ring().around(1.0, 0.05, 3.0, 0.2).size(), 3U);
+}
+
+TEST(FootRing, WindowsGoRoundTheSeam) {
+  RingOf ring;
+  ring.add(0.02, 0.1, 3.0).add(-0.02, 0.1, 3.0);
+  for (const double azimuth : {0.0, kTurn - 0.01, 0.01}) {
+    const auto points = ring.ring().around(azimuth, 0.05, 3.0, 0.5);
+    ASSERT_EQ(points.size(), 2U) << azimuth;
+    EXPECT_NEAR(std::abs(points[0].t - points[1].t), 0.4, 1e-9);
+  }
+}
+
+TEST(FootRing, LeavesOutWhereTheShellIsUnknown) {
+  RingOf ring;
+  ring.shell = ShellModel(std::vector<ShellLine>(360), 0.0);
+  EXPECT_TRUE(ring.add(1.0, 0.1, 3.0).ring().around(1.0, 0.1, 3.0, 0.5).empty());
+}
+
+/// One row of a grazing scan at a distance from the shell: range noise moves its points along the beam.
+std::vector<FootPoint> rowAt(double distance, double spread, double beam_slope) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 200; ++i) {
+    const double along = spread * normal(random);
+    points.push_back({0.5 * (uniform(random) - 0.5), distance + along, 2.0 + beam_slope * along});
+  }
+  return points;
+}
+
+TEST(FitFoot, ARowCutByTheBandIsLessSureThanItsNoise) {
+  const FootFit cut = fitted(rowAt(0.017, 0.006, 0.08), priorOf(0.0, 0.003));
+  ASSERT_TRUE(cut.valid());
+  EXPECT_GT(cut.z - 2.0, 0.0001);  // only what the noise moved outwards, and so up, is in the band
+  EXPECT_LT(cut.z - 2.0, 2.0 * cut.sigma);
+  EXPECT_GT(cut.sigma, 2.0 * cut.noise / std::sqrt(static_cast<double>(cut.points)));
+}
+
+}  // namespace
+}  // namespace tank_datum

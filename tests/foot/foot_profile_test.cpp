@@ -1,0 +1,196 @@
+#include "tank_datum/foot/foot_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "support/made_clouds.h"
+
+namespace tank_datum {
+namespace {
+
+using made_clouds::uniform;
+
+constexpr double kNoise = 0.0005;
+const FootScales kScales{0.3, 0.0015, 0.013};
+
+/// The foot of 60 stations with an oval datum, by its height above the datum against the distance from the shell.
+struct Foot {
+  std::vector<std::vector<FootPoint>> stations;
+  std::vector<double> datum;
+
+  explicit Foot(const std::function<double(double)>& section, int points = 400, double noise = kNoise) {
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> normal;
+    for (int s = 0; s < 60; ++s) {
+      datum.push_back(5.0 + 0.02 * std::cos(0.2 * s));
+      stations.emplace_back();
+      for (int i = 0; i < points; ++i) {
+        const double d = -0.02 + 0.34 * uniform(random), t = uniform(random) - 0.5;
+        stations.back().push_back({t, d, datum.back() + section(d) + noise * normal(random)});
+      }
+    }
+  }
+  FootProfile profile(const FootScales& scales = kScales) const { return stackProfile(stations, datum, scales); }
+};
+
+double flat(double) { return 0.0; }
+double plateOnRingwall(double d) { return d < 0.065 ? 0.0 : -0.010; }
+double crown(double d) { return d < 0.065 ? 0.0 : d < 0.100 ? -0.010 : d < 0.180 ? 0.015 : -0.035; }
+
+TEST(StackProfile, OfAFlatPadIsLevelToTheEndOfTheSection) {
+  const FootProfile profile = Foot(flat).profile();
+  ASSERT_TRUE(profile.valid());
+  EXPECT_EQ(profile.surface, Surface::Foundation);
+  EXPECT_NEAR(profile.slope, 0.0, 0.001);
+  EXPECT_NEAR(profile.offset, 0.0, 0.0001);
+  EXPECT_NEAR(profile.edge, 0.3, 0.003);
+  EXPECT_NEAR(profile.noise, kNoise, 0.1 * kNoise);
+  EXPECT_LT(profile.misfit, 0.00005);
+  EXPECT_GE(profile.band_from, kScales.weld);
+  EXPECT_LE(profile.band_to, profile.edge);
+  EXPECT_GT(profile.band_to - profile.band_from, 0.1);
+}
+
+TEST(StackProfile, OfASlopedPadHasItsSlopeAndMeetsTheShellAtTheDatum) {
+  for (const double slope : {-0.05, 0.02}) {
+    const FootProfile profile = Foot([&](double d) { return slope * d; }).profile();
+    ASSERT_TRUE(profile.valid());
+    EXPECT_EQ(profile.surface, Surface::Foundation);
+    EXPECT_NEAR(profile.slope, slope, 0.001);
+    EXPECT_NEAR(profile.offset, 0.0, 0.0002);
+  }
+}
+
+TEST(StackProfile, IsRelativeToEachStationsDatum) {
+  Foot foot(flat);
+  for (double& z : foot.datum) z -= 0.003;
+  EXPECT_NEAR(foot.profile().offset, 0.003, 0.0001);
+}
+
+TEST(StackProfile, LeavesOutStationsWithoutADatum) {
+  Foot foot(flat);
+  for (std::size_t s = 0; s < 40; ++s) {
+    for (FootPoint& p : foot.stations[s]) p.z += 0.02;
+    foot.datum[s] = NAN;
+  }
+  EXPECT_NEAR(foot.profile().offset, 0.0, 0.0002);
+}
+
+TEST(StackProfile, APlateOnARingwallIsAnAnnularPlateAndTheBandLiesOnIt) {
+  const FootProfile profile = Foot(plateOnRingwall).profile();
+  ASSERT_TRUE(profile.valid());
+  EXPECT_EQ(profile.surface, Surface::AnnularPlate);
+  EXPECT_NEAR(profile.edge, 0.065, 2.0 * profile.bin);
+  EXPECT_GE(profile.band_from, kScales.weld);
+  EXPECT_LE(profile.band_to, 0.065);
+  EXPECT_NEAR(profile.offset, 0.0, 0.0002);
+  EXPECT_NEAR(profile.slope, 0.0, 0.001);
+}
+
+TEST(StackProfile, ThePlateHasTheSlopeOfTheRingwallBelowIt) {
+  const auto sloped = [](double d) { return plateOnRingwall(d) - 0.03 * d; };
+  EXPECT_NEAR(Foot(sloped).profile().slope, -0.03, 0.002);
+  const auto soil = [](double d) { return d < 0.065 ? 0.0 : -0.10 - 0.05 * d; };  // too deep to carry the plate
+  EXPECT_EQ(Foot(soil).profile().surface, Surface::AnnularPlate);
+  EXPECT_EQ(Foot(soil).profile().slope, 0.0);
+}
+
+TEST(StackProfile, ThePlateMayEndBelowAHigherThing) {
+  const FootProfile profile = Foot([](double d) { return d < 0.065 ? 0.0 : 0.012; }).profile();
+  EXPECT_EQ(profile.surface, Surface::AnnularPlate);
+  EXPECT_LE(profile.band_to, 0.065);
+}
+
+TEST(StackProfile, AWideSurfaceThatEndsInADropIsARingwall) {
+  const FootProfile profile = Foot([](double d) { return d < 0.2 ? 0.0 : -0.25; }).profile();
+  ASSERT_TRUE(profile.valid());
+  EXPECT_EQ(profile.surface, Surface::Ringwall);
+  EXPECT_NEAR(profile.edge, 0.2, 2.0 * profile.bin);
+  EXPECT_LE(profile.band_to, 0.2);
+  EXPECT_NEAR(profile.offset, 0.0, 0.0002);
+}
+
+TEST(StackProfile, ACrownHigherThanThePlateDoesNotCarryIt) {
+  const FootProfile profile = Foot(crown).profile();
+  ASSERT_TRUE(profile.valid());
+  EXPECT_EQ(profile.surface, Surface::AnnularPlate);
+  EXPECT_LE(profile.band_to, 0.065);
+  EXPECT_NEAR(profile.offset, 0.0, 0.0002);
+  EXPECT_NEAR(profile.slope, 0.0, 0.003);
+}
+
+TEST(StackProfile, ADripRingAboveThePlateIsIgnored) {
+  Foot foot(plateOnRingwall);
+  std::mt19937_64 random(6);
+  for (std::size_t s = 0; s < foot.stations.size(); ++s) {
+    for (int i = 0; i < 120; ++i) {  // twice as dense as the plate below it
+      const double d = 0.05 * uniform(random);
+      foot.stations[s].push_back({0.0, d, foot.datum[s] + 0.060});
+    }
+  }
+  const FootProfile profile = foot.profile();
+  ASSERT_TRUE(profile.valid());
+  EXPECT_EQ(profile.surface, Surface::AnnularPlate);
+  EXPECT_NEAR(profile.offset, 0.0, 0.0002);
+  EXPECT_NEAR(profile.height[10], 0.0, 0.0005);
+}
+
+TEST(StackProfile, AStrayPointBelowIsNoLayer) {
+  Foot foot(flat);
+  for (std::size_t s = 0; s < foot.stations.size(); s += 4)
+    foot.stations[s].push_back({0.0, 0.0305, foot.datum[s] - 0.05});
+  EXPECT_NEAR(foot.profile().height[10], 0.0, 0.0003);
+}
+
+TEST(StackProfile, ABendBesideTheShellIsOutsideTheBandAndTold) {
+  const auto blended = [](double d) { return 0.004 * std::exp(-std::max(0.0, d) / 0.010); };  // as mixed pixels lift it
+  const FootProfile profile = Foot(blended).profile(), plain = Foot(flat).profile();
+  ASSERT_TRUE(profile.valid());
+  EXPECT_LT(blended(profile.band_from), 0.0004);
+  EXPECT_GT(profile.band_from, plain.band_from);
+  EXPECT_NEAR(profile.offset, 0.0, 0.0002);
+  EXPECT_GT(profile.misfit, plain.misfit + 0.00005);
+}
+
+TEST(StackProfile, TheWeldIsKeptOut) {
+  const auto weld = [](double d) { return std::max(0.0, 0.010 - std::max(0.0, d)); };
+  EXPECT_NEAR(Foot(weld).profile().offset, 0.0, 0.0002);
+  FootScales wider = kScales;
+  wider.weld = 0.05;
+  EXPECT_GE(Foot(weld).profile(wider).band_from, 0.05);
+  EXPECT_LT(Foot(flat).profile().band_from, 0.05);
+}
+
+TEST(StackProfile, ScalesWithTheReachAndTheNoiseOfTheShell) {
+  FootScales scales = kScales;
+  scales.reach = 0.2;
+  EXPECT_NEAR(Foot(flat).profile(scales).edge, 0.2, 0.003);
+  EXPECT_NEAR(Foot(flat).profile(scales).bin, 0.002, 1e-12);
+  scales.shell_noise = 0.004;
+  EXPECT_NEAR(Foot(flat).profile(scales).bin, 0.004, 1e-12);
+  EXPECT_NEAR(Foot(flat).profile(scales).blur, 0.016, 1e-12);
+}
+
+TEST(StackProfile, OfTooLittleIsNotValid) {
+  EXPECT_FALSE(stackProfile({}, {}, kScales).valid());
+  EXPECT_FALSE(stackProfile({{{0, 0.1, 5}}}, {5.0}, kScales).valid());
+  EXPECT_FALSE(Foot([](double d) { return d < 0.02 ? 0.0 : -1.0; }).profile().valid());  // nothing to stand on
+}
+
+TEST(FootProfile, SaysThatNothingIsKnownYet) {
+  EXPECT_FALSE(FootProfile().valid());
+  EXPECT_EQ(FootProfile().surface, Surface::Unknown);
+}
+
+TEST(Surface, NamesAreThoseOfTheFiles) {
+  EXPECT_STREQ(nameOf(Surface::Unknown), "unknown");
+  EXPECT_STREQ(nameOf(Surface::Foundation), "foundation");
+  EXPECT_STREQ(nameOf(Surface::AnnularPlate), "annular_plate");
+  EXPECT_STREQ(nameOf(Surface::Ringwall), "ringwall");
+}
+
+}  // namespace
+}  // namespace tank_datum

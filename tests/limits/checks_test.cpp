@@ -1,0 +1,140 @@
+#include "tank_datum/limits/checks.h"
+
+#include <gtest/gtest.h>
+
+namespace tank_datum {
+namespace {
+
+const std::string kHeader =
+    "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation\n";
+
+std::vector<Limit> limits(const std::string& rows) { return parseLimits(kHeader + rows, "test"); }
+
+Measure measure(const char* quantity, double value, double sigma) {
+  Measure m;
+  m.quantity = quantity;
+  m.worst = {value, sigma, 1.5};
+  return m;
+}
+
+Check one(const std::string& rows, const std::vector<Measure>& measures, const TankFacts& facts = {}, double d = 20) {
+  const auto checks = judge(limits(rows), measures, facts, d);
+  EXPECT_EQ(checks.size(), 1U);
+  return checks.at(0);
+}
+
+const std::string kTilt = "A,1,tilt,tilt_slope,judge,0.01,,m/m,,,,verified,c\n";
+
+TEST(Judge, ByTheNinetyFivePercentInterval) {
+  EXPECT_EQ(one(kTilt, {measure("tilt_slope", 0.0060, 0.002)}).verdict, Verdict::Pass);
+  EXPECT_EQ(one(kTilt, {measure("tilt_slope", 0.0062, 0.002)}).verdict, Verdict::Undecided);
+  EXPECT_EQ(one(kTilt, {measure("tilt_slope", 0.0138, 0.002)}).verdict, Verdict::Undecided);
+  EXPECT_EQ(one(kTilt, {measure("tilt_slope", 0.0140, 0.002)}).verdict, Verdict::Fail);
+  EXPECT_EQ(one(kTilt, {measure("tilt_slope", 0.0101, NAN)}).verdict, Verdict::Fail);
+  EXPECT_EQ(one(kTilt, {measure("tilt_slope", 0.0099, NAN)}).verdict, Verdict::Pass);
+}
+
+TEST(Judge, AGapLeavesAPassUndecidedAndAFailAFail) {
+  Measure m = measure("tilt_slope", 0.001, 0.0001);
+  m.whole_ring = false;
+  EXPECT_EQ(one(kTilt, {m}).verdict, Verdict::Undecided);
+  EXPECT_NE(one(kTilt, {m}).note.find("what was not seen could be worse"), std::string::npos);
+  m.worst.value = 0.02;
+  EXPECT_EQ(one(kTilt, {m}).verdict, Verdict::Fail);
+}
+
+TEST(Judge, SaysWhatIsNotGiven) {
+  const std::string rule = "A,1,curve,curvature,judge,11 * Y / E / H,,1/m,,,,verified,c\n";
+  TankFacts facts;
+  facts.height = 16;
+  const Check check = one(rule, {measure("curvature", 1e-4, 1e-6)}, facts);
+  EXPECT_EQ(check.verdict, Verdict::NotApplicable);
+  EXPECT_EQ(check.note, "not given: yield strength (--yield-mpa), elastic modulus (--modulus-mpa)");
+  EXPECT_TRUE(std::isnan(check.limit));
+  EXPECT_EQ(check.value, 1e-4);
+  facts.yield = 235;
+  facts.modulus = 206000;
+  EXPECT_NEAR(one(rule, {measure("curvature", 1e-4, 1e-6)}, facts).limit, 7.843e-4, 1e-7);
+  EXPECT_EQ(one(rule, {measure("curvature", 1e-4, 1e-6)}, facts).verdict, Verdict::Pass);
+}
+
+TEST(Judge, TakesTheRowForTheTank) {
+  const std::string table =
+      "A,1,t,tilt_height,judge,0.1,,m,\"(0,20]\",open,,verified,c\n"
+      "A,1,t,tilt_height,judge,0.2,,m,\"(20,40]\",open,,secondary,c2\n"
+      "A,1,t,tilt_height,judge,0.3,,m,\"(0,40]\",fixed,,unverified,c3\n";
+  TankFacts open, fixed;
+  open.roof = "open";
+  fixed.roof = "fixed";
+  const std::vector<Measure> m = {measure("tilt_height", 0.01, 0.001)};
+  EXPECT_EQ(one(table, m, open, 20).limit, 0.1);
+  EXPECT_EQ(one(table, m, open, 20.1).limit, 0.2);
+  EXPECT_EQ(one(table, m, open, 20.1).trust, "secondary");
+  EXPECT_EQ(one(table, m, fixed, 30).limit, 0.3);
+  EXPECT_NE(one(table, m, {}, 30).note.find("--roof"), std::string::npos);
+  EXPECT_EQ(one(table, m, open, 50).note, "the rule has no limit for such a tank");
+  EXPECT_EQ(one(table, m, open, 50).verdict, Verdict::NotApplicable);
+  const std::string wall = "A,1,l,level_total,judge,0.006,,m,,,ringwall,verified,c\n";
+  EXPECT_NE(one(wall, {measure("level_total", 0.001, 0.0001)}).note.find("--foundation"), std::string::npos);
+}
+
+TEST(Judge, OfSeveralFiguresTheOneNearestItsLimit) {
+  const std::string rule = "A,1,arc,settlement_arc,judge,0.001 * S,0.05,m,,,,verified,c\n";
+  Measure large = measure("settlement_arc", 0.03, 0.001), small = measure("settlement_arc", 0.009, 0.0001);
+  large.arc = 40;
+  small.arc = 10;
+  const Check check = one(rule, {large, small});
+  EXPECT_EQ(check.value, 0.009);
+  EXPECT_EQ(check.limit, 0.01);
+  large.arc = 500;
+  EXPECT_EQ(one(rule, {large}).limit, 0.05);
+}
+
+TEST(Judge, CountsTheShareBeyondTheLimit) {
+  Measure m = measure("tilt_slope", 0.04, 0.0001);
+  for (const double v : {0.001, 0.002, 0.02, 0.04}) m.all.push_back({v, 0.0001, 0.0});
+  EXPECT_NE(one(kTilt, {m}).note.find("50 % of 4 values exceed the limit"), std::string::npos);
+}
+
+TEST(Judge, WhatIsShownIsNotJudged) {
+  const Check check = one("A,1,t,tilt_slope,show,0.01,,m/m,,,,verified,c\n", {measure("tilt_slope", 0.5, 0.0)});
+  EXPECT_EQ(check.verdict, Verdict::NotApplicable);
+  EXPECT_EQ(check.limit, 0.01);
+}
+
+TEST(Judge, WhatCouldNotBeHadIsNotApplicable) {
+  EXPECT_EQ(one(kTilt, {}).note, "the survey does not hold it");
+  Measure m = measure("tilt_slope", NAN, NAN);
+  m.unavailable = "too few stations";
+  EXPECT_EQ(one(kTilt, {m}).note, "too few stations");
+  EXPECT_EQ(one(kTilt, {m}).verdict, Verdict::NotApplicable);
+}
+
+TEST(TankFacts, AreRefusedByName) {
+  EXPECT_EQ(firstError(TankFacts{}), "");
+  TankFacts facts;
+  facts.height = -3;
+  EXPECT_EQ(firstError(facts), "facts.height = -3 (must be in m, > 0 and at most 100)");
+  facts = {};
+  facts.yield = 0;
+  EXPECT_EQ(firstError(facts), "facts.yield = 0 (must be in MPa, > 50 and at most 2000)");
+  facts.yield = 36000;  // psi
+  EXPECT_EQ(firstError(facts), "facts.yield = 36000 (must be in MPa, > 50 and at most 2000)");
+  facts = {};
+  facts.modulus = INFINITY;
+  EXPECT_EQ(firstError(facts), "facts.modulus = inf (must be in MPa, > 50000 and at most 500000)");
+  facts.modulus = 206;  // GPa
+  EXPECT_EQ(firstError(facts), "facts.modulus = 206 (must be in MPa, > 50000 and at most 500000)");
+  facts = {};
+  facts.height = 16000;  // mm
+  EXPECT_EQ(firstError(facts), "facts.height = 16000 (must be in m, > 0 and at most 100)");
+  facts = {};
+  facts.roof = "dome";
+  EXPECT_EQ(firstError(facts), "facts.roof = dome (must be open or fixed)");
+  facts = {};
+  facts.foundation = "sand";
+  EXPECT_EQ(firstError(facts), "facts.foundation = sand (must be ringwall or earth)");
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,88 @@
+#include "locate/wall_sector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kVoxel = 0.1;
+constexpr double kThickness = 0.075;
+
+/// A wall from `from` to `to`, `off` outside of the circle, a hit every half voxel.
+void stack(std::vector<Hit>& hits, double from, double to, double off, double lean = 0.0) {
+  const int count = static_cast<int>(std::lround((to - from) / (0.5 * kVoxel)));
+  for (int i = 0; i < count; ++i) {
+    const double z = from + 0.5 * kVoxel * i;
+    hits.push_back({z, off + lean * z});
+  }
+}
+
+struct Stretch {
+  bool wall = false;
+  double bottom = 0, top = 0;
+};
+
+Stretch runOf(const std::vector<Hit>& hits) {
+  Stretch run;
+  run.wall = shellRun(hits, kVoxel, kThickness, run.bottom, run.top);
+  return run;
+}
+
+TEST(ShellRun, IsTheLongestStretchWithoutAHole) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.0, 0.0);
+  stack(hits, 2.0, 5.0, 0.0);
+  const Stretch run = runOf(hits);
+  ASSERT_TRUE(run.wall);
+  EXPECT_NEAR(run.bottom, 2.0, 1e-9);
+  EXPECT_NEAR(run.top, 4.95, 1e-9);
+}
+
+TEST(ShellRun, LeavesOutTheFaceOfARingwallBelowTheShell) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 0.7, 0.15);
+  stack(hits, 0.7, 4.0, 0.0);
+  const Stretch run = runOf(hits);
+  ASSERT_TRUE(run.wall);
+  EXPECT_NEAR(run.bottom, 0.7, 1e-9);
+}
+
+TEST(ShellRun, FollowsAShellThatLeans) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 10.0, -0.1, 0.02);
+  const Stretch run = runOf(hits);
+  ASSERT_TRUE(run.wall);
+  EXPECT_NEAR(run.bottom, 0.0, 1e-9);
+}
+
+TEST(ShellRun, IsNoWallBelowThreeVoxels) {
+  std::vector<Hit> hits;
+  EXPECT_FALSE(runOf(hits).wall);
+  stack(hits, 0.0, 0.25, 0.0);
+  EXPECT_FALSE(runOf(hits).wall);
+}
+
+TEST(SectorsOf, TellsTheShellFromWhatLiesBesideIt) {
+  const Circle circle{{1.0, 2.0}, 10.0};
+  const Points points = {{11.05, 2.0, 3.0}, {11.9, 2.0, 0.5}, {10.1, 2.0, 0.25}, {14.0, 2.0, 9.0}};
+  const auto sectors = sectorsOf(points, kVoxel, circle, 0.15);
+  EXPECT_GE(sectors.size(), 24U);
+  ASSERT_EQ(sectors[0].shell.size(), 1U);
+  EXPECT_NEAR(sectors[0].shell[0].z, 3.0, 1e-12);
+  EXPECT_NEAR(sectors[0].shell[0].off, 0.05, 1e-12);
+  EXPECT_EQ(sectors[0].outside, std::vector<double>{0.5});
+  EXPECT_EQ(sectors[0].inside, std::vector<double>{0.25});
+}
+
+TEST(HasFoundation, IsWhatLiesAboutAsHighAsTheFoot) {
+  EXPECT_TRUE(hasFoundation({3.0, -0.2}, 0.0, kVoxel, 10.0));
+  EXPECT_FALSE(hasFoundation({3.0, -2.0}, 0.0, kVoxel, 10.0));
+  EXPECT_FALSE(hasFoundation({}, 0.0, kVoxel, 10.0));
+}
+
+}  // namespace
+}  // namespace tank_datum

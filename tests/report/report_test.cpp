@@ -1,0 +1,161 @@
+#include "tank_datum/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "support/made_datums.h"
+#include "support/pcd_files.h"
+
+namespace tank_datum {
+namespace {
+
+using made_datums::octagon;
+using made_datums::provenance;
+using pcd_files::Folder;
+using pcd_files::readAll;
+
+std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream cells(line + ",");
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+TEST(Names, AreThoseOfTheFiles) {
+  EXPECT_STREQ(nameOf(StationFlag::Measured), "measured");
+  EXPECT_STREQ(nameOf(StationFlag::Interpolated), "interpolated");
+  EXPECT_STREQ(nameOf(StationFlag::Missing), "missing");
+  EXPECT_STREQ(nameOf(Status::NotRun), "not_run");
+  EXPECT_STREQ(nameOf(Status::Ok), "ok");
+  EXPECT_STREQ(nameOf(Status::Partial), "partial");
+  EXPECT_STREQ(nameOf(Status::NoTank), "no_tank");
+  EXPECT_STREQ(nameOf(Status::NoCrease), "no_crease");
+  EXPECT_STREQ(nameOf(Status::TooFewPoints), "too_few_points");
+  EXPECT_STREQ(nameOf(Status::FitFailed), "fit_failed");
+  EXPECT_STREQ(nameOf(Method::Refined), "refined");
+  EXPECT_STREQ(nameOf(Method::Paper), "paper");
+}
+
+TEST(StationsCsv, HasTheContractsHeaderAndARowPerStation) {
+  const std::string csv = stationsCsv(octagon());
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,z_paper,z_tilt,u,u_fit,"
+            "curvature");
+  const auto rows = rowsOf(csv);
+  ASSERT_EQ(rows.size(), 9U);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 16U);
+  EXPECT_EQ(csv.back(), '\n');
+}
+
+TEST(StationsCsv, IsInTheScansFrameInMetresAndDegrees) {
+  const Datum datum = octagon();
+  const auto row = rowsOf(stationsCsv(datum))[3];
+  EXPECT_EQ(row[0], "2");
+  EXPECT_EQ(std::stod(row[1]), 90.0);
+  EXPECT_EQ(std::stod(row[2]), datum.stations[2].x + 500000.5);  // reads back as the same double
+  EXPECT_EQ(std::stod(row[3]), datum.stations[2].y + 4000000.25);
+  EXPECT_EQ(std::stod(row[4]), datum.stations[2].z + 100.125);
+  EXPECT_EQ(std::stod(row[5]), 0.00025);
+  EXPECT_EQ(std::stod(row[6]), 10.0);
+  EXPECT_EQ(std::stod(row[7]), 0.0005);
+  EXPECT_EQ(row[8], "102");
+  EXPECT_EQ(row[9], "52");
+  EXPECT_EQ(row[10], "measured");
+  EXPECT_EQ(std::stod(row[11]), datum.stations[2].z_paper + 100.125);
+  EXPECT_NEAR(std::stod(row[4]) - std::stod(row[12]), std::stod(row[13]), 1e-10);
+}
+
+TEST(StationsCsv, WhatIsUnknownIsEmpty) {
+  const auto rows = rowsOf(stationsCsv(octagon()));
+  EXPECT_EQ(rows[6][10], "interpolated");
+  EXPECT_NE(rows[6][4], "");
+  EXPECT_EQ(rows[7][0], "6");
+  EXPECT_EQ(rows[7][1], "270");
+  EXPECT_EQ(rows[7][10], "missing");
+  for (const std::size_t cell : {2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13}) EXPECT_EQ(rows[7][cell], "") << cell;
+  EXPECT_EQ(stationsCsv(Datum()), stationsCsv(octagon()).substr(0, stationsCsv(octagon()).find('\n') + 1));
+}
+
+TEST(Summary, IsShortAndSaysWhatCounts) {
+  const std::string text = summary(octagon());
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 15);
+  for (const char* part :
+       {"partial", "1 of 8 stations are missing", "radius 10.000 m", "500001.500, 4000002.250",
+        "6 measured, 1 interpolated, 1 missing", "annular_plate", "0.25 mm", "7.0 mm", "tilt", "antipodal"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+  Datum paper = octagon();
+  paper.refined = {};
+  EXPECT_NE(summary(paper).find("millimetres of bias"), std::string::npos);
+}
+
+TEST(Summary, DrawsTheElevationsWhereBlocksShow) {
+  EXPECT_EQ(summary(octagon()).find("elevation"), std::string::npos);
+  const std::string text = summary(octagon(), true);
+  EXPECT_NE(text.find("elevation      ▁▂▃▄▅▆ █ from station 0 round\n"), std::string::npos) << text;
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 15);
+  Datum many = octagon();
+  const auto eight = many.stations;
+  while (many.stations.size() < 360) many.stations.insert(many.stations.end(), eight.begin(), eight.end());
+  EXPECT_NE(summary(many, true).find(" from station 0 round\n"), std::string::npos);  // not cut by the line's buffer
+}
+
+TEST(Summary, OfNothingUsableSaysWhy) {
+  Datum none;
+  none.status = Status::NoTank;
+  none.message = "nothing stands there";
+  EXPECT_NE(summary(none).find("no_tank"), std::string::npos);
+  EXPECT_NE(summary(none).find("nothing stands there"), std::string::npos);
+  EXPECT_EQ(summary(none).find("radius"), std::string::npos);
+}
+
+TEST(WriteResults, AreReadBackInTheScansFrame) {
+  const Folder folder;
+  const Datum datum = octagon();
+  writeResults(folder.path(""), datum, provenance());
+  EXPECT_EQ(folder.entries(), 5U);
+  EXPECT_EQ(readAll(folder.path("shell.csv")), "azimuth_deg,height,radius,deviation,sigma,n,offset\n");
+  EXPECT_EQ(readAll(folder.path("datum.json")), datumJson(datum, provenance()));
+  EXPECT_EQ(readAll(folder.path("stations.csv")), stationsCsv(datum));
+  for (const auto& [name, wanted] :
+       {std::pair<std::string, Points>{"datum_points.pcd", datum.edge_points}, {"datum_curve.pcd", {}}}) {
+    Points read;
+    const Scan scan = Scan::open({folder.path(name)});
+    scan.forEachBlock([&](const Points& block) {
+      for (const auto& p : block) read.push_back(p + scan.origin() - datum.origin);
+    });
+    if (name == "datum_curve.pcd") {
+      ASSERT_EQ(read.size(), 7U);
+      EXPECT_NEAR((read[6] - Eigen::Vector3d(datum.stations[7].x, datum.stations[7].y, 0.507)).norm(), 0.0, 1e-8);
+    } else {
+      ASSERT_EQ(read.size(), wanted.size());
+      for (std::size_t i = 0; i < read.size(); ++i) EXPECT_NEAR((read[i] - wanted[i]).norm(), 0.0, 1e-8);
+    }
+  }
+}
+
+TEST(WriteResults, OfNothingUsableWritesNoClouds) {
+  const Folder folder;
+  writeResults(folder.path(""), Datum(), provenance());
+  EXPECT_EQ(folder.entries(), 3U);
+}
+
+TEST(WriteResults, IntoNoFolderThrowsNamingThePath) {
+  try {
+    writeResults("/nowhere/at/all", octagon(), provenance());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::File);
+    EXPECT_NE(std::string(error.what()).find("/nowhere/at/all"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace tank_datum

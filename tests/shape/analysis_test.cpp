@@ -1,0 +1,116 @@
+#include "tank_datum/shape/analysis.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/made_surveys.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_surveys;
+
+/// R 30 m, H 16 m, 235 MPa, 206 GPa: 11 Y / (E H) = 7.843e-4 1/m.
+AnalysisOptions sixtyMetreTank() {
+  AnalysisOptions options;
+  options.facts = {16.0, 235.0, 206000.0, "open", "ringwall"};
+  return options;
+}
+
+constexpr double kLimit = 11.0 * 235.0 / 206000.0 / 16.0;
+
+Analysis analysed(const std::vector<double>& z, double sigma, const AnalysisOptions& options) {
+  auto stations = survey(z, 30.0, sigma);
+  const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
+  return analyse(stations, tilt, 30.0, options);
+}
+
+const Check& named(const Analysis& analysis, const std::string& name) {
+  return *std::find_if(analysis.checks.begin(), analysis.checks.end(), [&](const Check& c) { return c.name == name; });
+}
+
+/// A tank whose n = 3 wave bends it to `share` of the limit.
+std::vector<double> bent(double share) {
+  return wave(360, [share](double a) { return 0.02 * std::cos(a) + share * kLimit * 900 / 9 * std::cos(3 * a); });
+}
+
+TEST(Analyse, TheCurvatureDecides) {
+  const auto verdict = [](double share) {
+    return named(analysed(noisy(bent(share), 0.001, 1), 0.001, sixtyMetreTank()),
+                 "curvature by trigonometric regression")
+        .verdict;
+  };
+  EXPECT_EQ(verdict(0.5), Verdict::Pass);
+  EXPECT_EQ(verdict(2.0), Verdict::Fail);
+}
+
+TEST(Analyse, TheClassicRuleAtOneDegreeIsExplainedAndNotJudged) {
+  AnalysisOptions options = sixtyMetreTank();
+  options.classic_points = 360;
+  const Check& check = named(analysed(bent(0.5), 0.001, options), "out-of-plane settlement S_i");
+  EXPECT_EQ(check.verdict, Verdict::NotApplicable);
+  EXPECT_NE(check.note.find("judges noise"), std::string::npos);
+  EXPECT_TRUE(std::isnan(check.value));
+  EXPECT_EQ(named(analysed(bent(0.2), 1e-4, sixtyMetreTank()), "out-of-plane settlement S_i").verdict, Verdict::Pass);
+}
+
+TEST(Analyse, AWideGapLeavesTheShapeUndecided) {
+  std::vector<double> z = bent(0.2);
+  for (std::size_t i = 10; i < 30; ++i) z[i] = NAN;  // 11 m
+  const Analysis analysis = analysed(z, 1e-4, sixtyMetreTank());
+  EXPECT_EQ(named(analysis, "curvature by trigonometric regression").verdict, Verdict::Undecided);
+  EXPECT_TRUE(std::any_of(analysis.notes.begin(), analysis.notes.end(),
+                          [](const std::string& n) { return n.find("gap of 11.0 m") != std::string::npos; }));
+  std::vector<double> narrow = bent(0.2);
+  for (std::size_t i = 10; i < 20; ++i) narrow[i] = NAN;  // 5.8 m
+  EXPECT_EQ(named(analysed(narrow, 1e-4, sixtyMetreTank()), "curvature by trigonometric regression").verdict,
+            Verdict::Pass);
+}
+
+TEST(Analyse, EveryReportSaysWhatItIsNot) {
+  const Analysis analysis = analysed(bent(0.5), 0.001, sixtyMetreTank());
+  const auto says = [&](const char* words) {
+    return std::any_of(analysis.notes.begin(), analysis.notes.end(),
+                       [&](const std::string& n) { return n.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("not a code evaluation"));
+  EXPECT_TRUE(says("levels of the instrument"));
+  EXPECT_FALSE(says("no standard errors"));
+  auto levelled = survey(bent(0.5), 30.0);
+  const Analysis plain = analyse(levelled, fitTilt(levelled, {0.0, 0.0}, {}), 30.0, sixtyMetreTank());
+  EXPECT_NE(plain.notes.back().find("no standard errors"), std::string::npos);
+}
+
+TEST(Analyse, JudgesTheFoundationByItsKind) {
+  std::vector<double> z(360, 0.0);
+  for (std::size_t i = 0; i < 8; ++i) z[i] = 0.010;
+  AnalysisOptions ring = sixtyMetreTank(), earth = sixtyMetreTank();
+  earth.facts.foundation = "earth";
+  const Analysis on_ring = analysed(z, 1e-4, ring), on_earth = analysed(z, 1e-4, earth);
+  EXPECT_EQ(named(on_ring, "foundation level within 9 m").verdict, Verdict::Fail);
+  EXPECT_EQ(named(on_ring, "foundation level over the circumference").limit, 0.006);
+  EXPECT_EQ(named(on_earth, "foundation level over the circumference").verdict, Verdict::Pass);
+  EXPECT_EQ(named(on_earth, "foundation level within 9 m").verdict, Verdict::NotApplicable);
+}
+
+TEST(Analyse, ShellFiguresGoToTheLimitsToo) {
+  auto stations = survey(bent(0.1), 30.0, 1e-4);
+  Measure shell;
+  shell.quantity = "roundness_foot";
+  shell.worst = {0.020, 0.0005, 0.0};
+  const Analysis analysis = analyse(stations, fitTilt(stations, {0, 0}, {}), 30.0, sixtyMetreTank(), {shell});
+  EXPECT_EQ(named(analysis, "radius 0.3 m above the bottom weld").verdict, Verdict::Pass);
+  EXPECT_EQ(named(analysis, "radius higher up").verdict, Verdict::NotApplicable);
+}
+
+TEST(AnalysisOptions, AreRefusedByName) {
+  AnalysisOptions options;
+  options.classic_points = -1;
+  EXPECT_EQ(firstError(options), "analysis.classic_points = -1 (must be >= 0)");
+  options.facts.height = 0;
+  EXPECT_EQ(firstError(options), "facts.height = 0 (must be in m, > 0 and at most 100)");
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,259 @@
+#include "tank_datum/shape/deformation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tank_datum {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kTurn = 6.283185307179586;
+const Eigen::Vector2d kCenter(50.0, -20.0);
+
+/// Measured stations of a tank about kCenter with these elevations.
+std::vector<Station> survey(const std::vector<double>& z, double radius, StationOptions options = {}) {
+  options.count = static_cast<int>(z.size());
+  std::vector<Station> stations = emptyStations(options);
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    Station& s = stations[i];
+    s.z = z[i];
+    s.radius = radius;
+    s.x = kCenter.x() + radius * std::cos(s.direction);
+    s.y = kCenter.y() + radius * std::sin(s.direction);
+    s.flag = std::isnan(z[i]) ? StationFlag::Missing : StationFlag::Measured;
+  }
+  return stations;
+}
+
+std::vector<double> wave(std::size_t count, double (*z)(double)) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(z(kTurn * static_cast<double>(i) / static_cast<double>(count)));
+  return values;
+}
+
+double tilted(double a) { return 2.0 + 0.03 * std::cos(a) + 0.04 * std::sin(a); }
+
+TEST(FitTilt, OfSixteenStationsOfThePemyPaper) {  // STANDARDS 4.1, elevations in inches
+  auto stations = survey(
+      {-1.10, -1.42, -1.70, -1.73, -1.84, -1.63, -1.50, -0.80, 0.00, -0.54, -0.97, -0.90, -0.80, -1.05, -1.20, -1.17},
+      60.0);
+  const Tilt tilt = fitTilt(stations, kCenter, {});
+  EXPECT_NEAR(tilt.mean, -1.1469, 5e-5);
+  EXPECT_NEAR(60 * tilt.gradient.x(), -0.3318, 5e-5);
+  EXPECT_NEAR(60 * tilt.gradient.y(), -0.4083, 5e-5);
+  EXPECT_NEAR(60 * tilt.slope(), 0.5261, 5e-5);
+  EXPECT_NEAR(tilt.r2, 0.6167, 5e-5);
+  EXPECT_NEAR(tilt.p_value, 0.00196, 5e-5);
+  EXPECT_NEAR(60 * tilt.sigma_slope, 0.3254 * std::sqrt(2.0 / 16), 5e-5);
+}
+
+TEST(FitTilt, OfFourteenStationsOfAnInspectionReport) {  // STANDARDS 4.2
+  auto stations =
+      survey({1.050, 1.030, 1.040, 0.980, 0.940, 0.940, 0.980, 1.040, 1.060, 1.065, 1.090, 1.120, 1.090, 1.060}, 21.03);
+  const Tilt tilt = fitTilt(stations, kCenter, {});
+  EXPECT_NEAR(21.03 * tilt.slope(), 0.07005, 5e-6);
+  EXPECT_NEAR(tilt.r2, 0.862, 5e-4);
+}
+
+/// A 30 m tank seen over an arc, with waves of two to four lobes and noise; its tilt is 0.0004 towards 53 degrees.
+std::vector<Station> seenOver(double arc_deg, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const double radius = 30.0, tilt = 0.0004 * radius;
+  double waves[6];
+  for (int i = 0; i < 6; ++i) waves[i] = 0.5 * radius / 2000.0 * 4.0 / std::pow(2 + i / 2, 2) * normal(random);
+  std::vector<double> z;
+  for (int i = 0; i < 360; ++i) {
+    const double a = i * kDegree;
+    double height = tilt * (0.6 * std::cos(a) + 0.8 * std::sin(a)) + 0.0005 * normal(random);
+    for (int n = 2; n <= 4; ++n) height += waves[2 * n - 4] * std::cos(n * a) + waves[2 * n - 3] * std::sin(n * a);
+    z.push_back(i < arc_deg ? height : NAN);
+  }
+  std::vector<Station> stations = survey(z, radius);
+  for (Station& s : stations) s.sigma_z = 0.0005;
+  return stations;
+}
+
+TEST(FitTilt, BesideAGapKnowsWhatWavesMayHide) {
+  std::mt19937_64 random(1);
+  const Eigen::Vector2d truth(0.6 * 0.0004, 0.8 * 0.0004);
+  for (const double arc : {90.0, 150.0, 240.0, 320.0}) {
+    int within = 0;
+    double sigma = 0.0;
+    for (int run = 0; run < 200; ++run) {
+      auto stations = seenOver(arc, random);
+      const Tilt tilt = fitTilt(stations, kCenter, {});
+      const Eigen::Vector2d along = tilt.gradient.normalized();
+      within += std::abs(along.dot(tilt.gradient - truth)) <= 2.0 * tilt.sigma_slope;
+      sigma += tilt.sigma_slope / 200;
+    }
+    EXPECT_GE(within, 180) << arc;
+    EXPECT_GT(sigma, arc < 100.0 ? 1e-4 : 0.0) << arc;   // nothing is said of the tilt from a quarter of the ring
+    EXPECT_LT(sigma, arc > 200.0 ? 4e-5 : 2e-3) << arc;  // and much from two thirds
+  }
+}
+
+TEST(FitTilt, OfFewStationsAllRoundIsThePlainRegression) {
+  auto eight = survey({1.05, 1.03, 1.04, 0.98, 0.94, 0.95, 0.98, 1.04}, 10.0);
+  const Tilt tilt = fitTilt(eight, kCenter, {});
+  double x = 0.0;
+  for (const Station& s : eight) x += s.z * (s.x - kCenter.x()) / (4.0 * 100.0);
+  EXPECT_NEAR(tilt.gradient.x(), x, 1e-12);
+}
+
+TEST(FitTilt, FindsAnExactPlane) {
+  auto stations = survey(wave(36, tilted), 10.0);
+  const Tilt tilt = fitTilt(stations, kCenter, {});
+  ASSERT_TRUE(tilt.valid());
+  EXPECT_NEAR(tilt.mean, 2.0, 1e-12);
+  EXPECT_NEAR(tilt.slope(), 0.005, 1e-12);
+  EXPECT_NEAR(tilt.direction, std::atan2(4, 3), 1e-9);
+  EXPECT_NEAR(tilt.r2, 1.0, 1e-12);
+  EXPECT_NEAR(tilt.p_value, 0.0, 1e-12);
+  EXPECT_NEAR(tilt.sigma_slope, 0.0, 1e-9);
+  for (const Station& s : stations) {
+    EXPECT_NEAR(s.z_tilt, s.z, 1e-12);
+    EXPECT_NEAR(s.u, 0.0, 1e-12);
+  }
+}
+
+TEST(FitTilt, LeavesHigherWavesToU) {
+  auto stations = survey(wave(72, [](double a) { return tilted(a) + 0.01 * std::cos(3 * a); }), 10.0);
+  EXPECT_NEAR(fitTilt(stations, kCenter, {}).slope(), 0.005, 1e-12);
+  for (const Station& s : stations) EXPECT_NEAR(s.u, 0.01 * std::cos(3 * s.direction), 1e-12);
+}
+
+TEST(FitTilt, DirectionIsCountedAsTheStationsAre) {
+  StationOptions north;
+  north.zero_azimuth = 90 * kDegree;
+  north.clockwise = true;
+  std::vector<double> z;
+  for (const Station& s : emptyStations(north)) z.push_back(0.02 * std::cos(s.direction));  // high in the east
+  auto stations = survey(z, 10.0, north);
+  EXPECT_NEAR(fitTilt(stations, kCenter, north).direction, 90 * kDegree, 1e-9);
+  EXPECT_NEAR(std::remainder(fitTilt(stations, kCenter, {}).direction, kTurn), 0.0, 1e-9);
+}
+
+TEST(FitTilt, UsesMeasuredStationsOnlyAndDescribesInterpolatedOnes) {
+  auto stations = survey(wave(36, tilted), 10.0);
+  stations[5].flag = StationFlag::Interpolated;
+  stations[5].z += 1.0;
+  stations[9].flag = StationFlag::Missing;
+  stations[9].z = NAN;
+  EXPECT_NEAR(fitTilt(stations, kCenter, {}).slope(), 0.005, 1e-12);
+  EXPECT_NEAR(stations[5].u, 1.0, 1e-12);
+  EXPECT_TRUE(std::isnan(stations[9].u));
+  EXPECT_TRUE(std::isnan(stations[9].z_tilt));
+}
+
+TEST(FitTilt, StandardErrorForetellsItsScatter) {
+  double squares = 0, foretold = 0;
+  unsigned state = 1;
+  const auto uniform = [&] { return ((state = state * 1664525U + 1013904223U) >> 8) * 0x1.0p-24 - 0.5; };
+  for (int run = 0; run < 500; ++run) {
+    std::vector<double> z = wave(36, tilted);
+    for (double& v : z) v += 0.01 * uniform();
+    auto stations = survey(z, 10.0);
+    const Tilt tilt = fitTilt(stations, kCenter, {});
+    squares += std::pow(tilt.slope() - 0.005, 2) / 500;
+    foretold += tilt.sigma_slope / 500;
+  }
+  EXPECT_NEAR(std::sqrt(squares) / foretold, 1.0, 0.1);
+}
+
+TEST(FitTilt, NeedsFourMeasuredStations) {
+  std::vector<double> z(12, NAN);
+  z[0] = z[4] = z[8] = 1.0;
+  auto three = survey(z, 10.0);
+  EXPECT_FALSE(fitTilt(three, kCenter, {}).valid());
+  EXPECT_TRUE(std::isnan(three[0].u));
+  z[2] = 1.1;
+  auto four = survey(z, 10.0);
+  EXPECT_TRUE(fitTilt(four, kCenter, {}).valid());
+  std::vector<Station> none;
+  EXPECT_FALSE(fitTilt(none, kCenter, {}).valid());
+}
+
+TEST(FitTilt, OfALevelDatumHasNoSlopeAndNoSignificance) {
+  for (const double level : {0.0, 0.1, 100.3}) {
+    auto stations = survey(std::vector<double>(360, level), 10.0);
+    const Tilt tilt = fitTilt(stations, kCenter, {});
+    EXPECT_NEAR(tilt.slope(), 0.0, 1e-12);
+    EXPECT_FALSE(tilt.r2 < 0.0 || tilt.r2 > 1.0) << level << " " << tilt.r2;
+    EXPECT_FALSE(tilt.p_value < 0.5 || tilt.p_value > 1.0) << level << " " << tilt.p_value;
+  }
+}
+
+TEST(FitTilt, ExplainsNothingOfAnOval) {
+  for (int order = 2; order < 9; ++order) {
+    auto stations = survey(wave(360, [](double) { return 0.3; }), 10.0);
+    for (Station& s : stations) s.z += 0.01 * std::cos(order * s.direction);
+    const Tilt tilt = fitTilt(stations, kCenter, {});
+    EXPECT_GE(tilt.r2, 0.0) << order;
+    EXPECT_LT(tilt.r2, 1e-9) << order;
+    EXPECT_LE(tilt.p_value, 1.0) << order;
+    EXPECT_GT(tilt.p_value, 0.99) << order;
+  }
+}
+
+TEST(LevelOf, KnowsHighestLowestMeanAndTheirAzimuths) {
+  const Level level = levelOf(survey({1, 4, 2, 2, -3, 2, 2, 2}, 10.0));
+  EXPECT_EQ(level.measured, 8U);
+  EXPECT_DOUBLE_EQ(level.mean, 1.5);
+  EXPECT_EQ(level.max, 4);
+  EXPECT_EQ(level.min, -3);
+  EXPECT_EQ(level.range(), 7);
+  EXPECT_DOUBLE_EQ(level.max_azimuth, 45 * kDegree);
+  EXPECT_DOUBLE_EQ(level.min_azimuth, 180 * kDegree);
+}
+
+TEST(LevelOf, CountsFlagsAndPassesOverTheMissing) {
+  auto stations = survey({NAN, 4, 2, 3, NAN, 3, 3, 3}, 10.0);
+  stations[1].flag = StationFlag::Interpolated;
+  const Level level = levelOf(stations);
+  EXPECT_EQ(level.measured, 5U);
+  EXPECT_EQ(level.interpolated, 1U);
+  EXPECT_EQ(level.missing, 2U);
+  EXPECT_DOUBLE_EQ(level.mean, 3.0);
+  EXPECT_EQ(level.max, 4);
+  EXPECT_EQ(level.min, 2);
+}
+
+TEST(LevelOf, NothingIsUnknown) {
+  for (const auto& stations : {std::vector<Station>(), emptyStations({})}) {
+    const Level level = levelOf(stations);
+    EXPECT_TRUE(std::isnan(level.mean) && std::isnan(level.min) && std::isnan(level.max_azimuth));
+    EXPECT_EQ(level.missing, stations.size());
+  }
+}
+
+TEST(Antipodal, AngleOfThePaper) {  // STANDARDS 4.3
+  const auto angle = [](double h) { return Antipodal{h, 60.0, 0.0}.angle() / kDegree; };
+  EXPECT_NEAR(angle(0.015) * 3600, 51.6, 0.05);
+  EXPECT_NEAR(angle(0.15), 0.1432, 5e-5);
+}
+
+TEST(AntipodalOf, IsTheLargestDifferenceAcrossADiameterSeenFromTheHigherEnd) {
+  const Antipodal result = antipodalOf(survey({0, 0.1, 0, 0, 0.3, 0.2, 0, -0.25}, 30.0));
+  EXPECT_NEAR(result.max_h, 0.3, 1e-15);  // 4 against 0; 3 against 7 makes 0.25
+  EXPECT_NEAR(result.diameter, 60.0, 1e-12);
+  EXPECT_DOUBLE_EQ(result.azimuth, 180 * kDegree);
+  EXPECT_NEAR(result.angle(), std::atan(0.005), 1e-12);
+}
+
+TEST(AntipodalOf, LeavesOutPairsWithAMissingEnd) {
+  const Antipodal result = antipodalOf(survey({NAN, 0.1, 0, 0, 0.3, 0.2, 0, -0.25}, 30.0));
+  EXPECT_NEAR(result.max_h, 0.25, 1e-15);
+  EXPECT_DOUBLE_EQ(result.azimuth, 135 * kDegree);
+}
+
+TEST(AntipodalOf, IsUnknownForAnOddCountOrNoPair) {
+  EXPECT_TRUE(std::isnan(antipodalOf(survey({1, 2, 3, 4, 5, 6, 7, 8, 9}, 30.0)).max_h));
+  EXPECT_TRUE(std::isnan(antipodalOf(survey({1, 2, 3, 4, NAN, NAN, NAN, NAN}, 30.0)).max_h));
+  EXPECT_TRUE(std::isnan(antipodalOf({}).angle()));
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,63 @@
+#include "shape/levelness.h"
+
+#include <gtest/gtest.h>
+
+#include "support/made_surveys.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_surveys;
+
+const double kArc = 30.0 * kDegree;  // between stations one degree apart [m]
+
+TEST(Steepest, IsOverTheArcAskedFor) {
+  std::vector<double> z(360, 0.0);
+  for (std::size_t i = 100; i < 360; ++i) z[i] = 0.02;  // a step at 100 degrees, another at 0
+  const auto stations = survey(z, 30.0, 0.001);
+  const PlacedValue found = steepest(stations, 30.0, 10.0, &Station::z);
+  EXPECT_NEAR(found.value, 0.002, 1e-12);
+  EXPECT_NEAR(found.sigma, 0.001 * std::sqrt(2.0) / 10.0, 3e-5);
+  EXPECT_NEAR(steepest(stations, 30.0, 4 * kArc, &Station::z).value, 0.02 / (4 * kArc), 1e-9);
+}
+
+TEST(Steepest, EndsAtAStationAsWellAsItBegins) {
+  std::vector<double> before(360, 0.0), after(360, 0.0);
+  before[100] = after[100] = 0.01;
+  for (std::size_t i = 78; i < 90; ++i) before[i] = -0.01;
+  for (std::size_t i = 111; i < 123; ++i) after[i] = -0.01;
+  EXPECT_NEAR(steepest(survey(before, 30.0), 30.0, 10.0, &Station::z).value, 0.002, 1e-12);
+  EXPECT_NEAR(steepest(survey(before, 30.0), 30.0, 10.0, &Station::z).azimuth, 100 * kDegree - 10.0 / 30.0, 1e-9);
+  EXPECT_NEAR(steepest(survey(after, 30.0), 30.0, 10.0, &Station::z).value, 0.002, 1e-12);
+}
+
+TEST(Steepest, OfUDoesNotSeeTheTilt) {
+  const auto stations = survey(wave(360, [](double a) { return 0.1 * std::cos(a); }), 30.0);
+  EXPECT_NEAR(steepest(stations, 30.0, 6.0, &Station::u).value, 0.0, 1e-9);
+  EXPECT_GT(steepest(stations, 30.0, 6.0, &Station::z).value, 0.003);
+}
+
+TEST(Steepest, NeedsBothEndsAndATankLargeEnough) {
+  EXPECT_TRUE(std::isnan(steepest(survey(wave(36, [](double a) { return a; }), 2.0), 2.0, 10.0, &Station::z).value));
+  EXPECT_TRUE(std::isnan(steepest({}, 30.0, 10.0, &Station::z).value));
+}
+
+TEST(UnevennessWithin, IsHalfTheRangeInTheWindow) {
+  std::vector<double> z(360, 0.0);
+  z[359] = -0.002, z[4] = 0.004;  // five stations apart over the zero azimuth: 2.6 m
+  const auto stations = survey(z, 30.0, 0.001);
+  EXPECT_NEAR(unevennessWithin(stations, 30.0, 3.0).value, 0.003, 1e-12);
+  EXPECT_NEAR(unevennessWithin(stations, 30.0, 2.0).value, 0.002, 1e-12);
+  EXPECT_NEAR(unevennessWithin(stations, 30.0, 3.0).sigma, 0.0005 * std::sqrt(2.0), 1e-12);
+  EXPECT_TRUE(std::isnan(unevennessWithin(stations, 30.0, 0.1).value));
+}
+
+TEST(UnevennessOfAll, IsFromTheMean) {
+  const PlacedValue found = unevennessOfAll(survey({0.0, 0.0, 0.0, -0.008, NAN, 0.0, 0.0, 0.0, 0.0}, 30.0));
+  EXPECT_NEAR(found.value, 0.007, 1e-12);
+  EXPECT_NEAR(found.azimuth, 3 * kTurn / 9, 1e-12);
+  EXPECT_TRUE(std::isnan(unevennessOfAll({}).value));
+}
+
+}  // namespace
+}  // namespace tank_datum

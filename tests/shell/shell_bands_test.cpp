@@ -1,0 +1,130 @@
+#include "shell/shell_bands.h"
+
+#include <gtest/gtest.h>
+
+#include "support/made_shells.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_shells;
+
+Eigen::Vector3d place(double azimuth, double off, double height) {
+  const double r = kRadius + off;
+  return {kCentre.x() + r * std::cos(azimuth), kCentre.y() + r * std::sin(azimuth), kFoot + height};
+}
+
+std::size_t kept(const Eigen::Vector3d& p, std::size_t height, const ShellOptions& options = {}) {
+  return bandsOf({p}, options).points(height).size();
+}
+
+TEST(ShellBands, HeightsAreAFootAboveTheDatumAndEveryStep) {
+  ShellOptions options;
+  EXPECT_EQ(bandsOf({}).heights()[0], 0.3);
+  EXPECT_DOUBLE_EQ(bandsOf({}).heights()[2], 2.3);
+  options.step = 2.4;
+  EXPECT_DOUBLE_EQ(bandsOf({}, options).heights()[2], 5.1);
+  options.heights = {0.5, 3.0};
+  EXPECT_EQ(bandsOf({}, options).heights(), (std::vector<double>{0.5, 3.0}));
+}
+
+TEST(ShellBands, KeepsPointsNearTheShellAtTheHeights) {
+  EXPECT_EQ(kept(place(1.0, 0.0, 1.3), 1), 1U);
+  EXPECT_EQ(kept(place(1.0, 0.0, 1.3), 0), 0U);
+  EXPECT_EQ(kept(place(1.0, 0.0, 1.8), 1), 0U);  // between two heights
+  EXPECT_EQ(kept(place(1.0, 0.0, 1.8), 2), 0U);
+  EXPECT_EQ(kept(place(1.0, 0.29, 1.3), 1), 1U);
+  EXPECT_EQ(kept(place(1.0, -0.29, 1.3), 1), 1U);
+  EXPECT_EQ(kept(place(1.0, 0.35, 1.3), 1), 0U);
+  EXPECT_EQ(kept(place(1.0, 0.35, 10.3), 10), 1U);  // a leaning shell is off by more higher up
+}
+
+TEST(ShellBands, ReachAndBandAreOptions) {
+  ShellOptions options;
+  options.reach = 0.1;
+  EXPECT_EQ(kept(place(1.0, 0.2, 1.3), 1, options), 0U);
+  EXPECT_EQ(kept(place(1.0, 0.2, 1.3), 1), 1U);
+  options.half_band = 0.3;
+  EXPECT_EQ(kept(place(1.0, 0.0, 1.65), 1, options), 1U);
+  EXPECT_EQ(kept(place(1.0, 0.0, 1.65), 1), 0U);
+}
+
+TEST(ShellBands, ACloseHeightTakesThePointToo) {
+  ShellOptions options;
+  options.heights = {1.0, 1.1};
+  const ShellBands bands = bandsOf({place(2.0, 0.0, 1.05)}, options);
+  EXPECT_EQ(bands.points(0).size(), 1U);
+  EXPECT_EQ(bands.points(1).size(), 1U);
+}
+
+TEST(ShellBands, FewPointsAreKeptAsTheyAreToMicrometres) {
+  const Eigen::Vector3d p = place(4.0, 0.0123456, 2.2987654);
+  const Points points = bandsOf({p}).points(2);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_LT((points[0] - p).norm(), 3e-6);
+}
+
+TEST(ShellBands, ManyPointsAreABoundedEvenSampleOfThem) {
+  MadeShell shell;
+  shell.from = 0.2, shell.to = 0.4;  // all of it in one band
+  const Points all = shell.points();
+  ShellOptions options;
+  options.cell_points = 50;
+  const Points sample = bandsOf(all, options).points(0);
+  EXPECT_EQ(sample.size(), 720U * 100U);  // twice the wanted, since the band is kept twice as wide as it is used
+  double late = 0, above = 0;
+  for (const auto& p : sample) above += p.z() > kFoot + 0.3;
+  EXPECT_NEAR(above / static_cast<double>(sample.size()), 0.5, 0.01);
+  for (std::size_t i = all.size() / 2; i < all.size(); i += 100) {  // the end of a scan counts as its beginning does
+    late += std::any_of(sample.begin(), sample.end(), [&](const auto& p) { return (p - all[i]).norm() < 3e-6; });
+  }
+  EXPECT_NEAR(late * 100 / (0.5 * static_cast<double>(all.size())), 72'000.0 / 400'000.0, 0.03);
+  EXPECT_EQ(bandsOf(all, options).points(0), sample);  // and the same each time
+}
+
+TEST(ShellBands, BlocksChangeNothing) {
+  MadeShell shell;
+  shell.count = 50'000;
+  const Points all = shell.points();
+  ShellBands parts(tank10(), {});
+  for (std::size_t i = 0; i < all.size(); i += 7000) {
+    parts.add(Points(all.begin() + static_cast<std::ptrdiff_t>(i),
+                     all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), i + 7000))));
+  }
+  const ShellBands whole = bandsOf(all);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(parts.points(k), whole.points(k));
+}
+
+TEST(ShellBands, KeepsTheSamePointsInAnyOrder) {
+  MadeShell shell;
+  shell.from = 0.2, shell.to = 0.4;
+  Points all = shell.points();
+  ShellOptions options;
+  options.cell_points = 50;
+  const Points sample = bandsOf(all, options).points(0);
+  std::reverse(all.begin(), all.end());
+  EXPECT_EQ(bandsOf(all, options).points(0), sample);
+}
+
+TEST(ShellBands, MarksWhatItWouldKeep) {
+  const Points block = {place(1.0, 0.0, 1.3), place(1.0, 0.0, 1.8), place(2.0, 0.35, 1.3), place(3.0, 0.0, 0.3)};
+  std::vector<char> wanted(block.size(), 0);
+  const ShellBands bands(tank10(), {});
+  bands.mark(0, block, wanted);
+  EXPECT_EQ(wanted, (std::vector<char>{1, 0, 0, 1}));
+}
+
+TEST(ShellBands, OfAHugeScanEveryNthPointIsLookedAt) {
+  const Points block(100, place(1.0, 0.0, 1.3));
+  const auto marked = [&](std::uint64_t points, std::uint64_t n) {
+    std::vector<char> wanted(block.size(), 0);
+    ShellBands(tank10(), {}, points).mark(n, block, wanted);
+    return std::count(wanted.begin(), wanted.end(), 1);
+  };
+  EXPECT_EQ(marked(kPointsLookedAt - 1, 0), 100);
+  EXPECT_EQ(marked(5 * kPointsLookedAt, 0), 20);
+  EXPECT_EQ(marked(9 * kPointsLookedAt, 2), 11);  // 2, 11, ... 92: blocks do not all begin with their first
+}
+
+}  // namespace
+}  // namespace tank_datum

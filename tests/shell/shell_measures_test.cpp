@@ -1,0 +1,51 @@
+#include "shell/shell_measures.h"
+
+#include <gtest/gtest.h>
+
+namespace tank_datum {
+namespace {
+
+Roundness at(double height, double out, double gap) {
+  Roundness r;
+  r.height = height;
+  r.max_deviation = out, r.min_deviation = -0.5 * out;
+  r.sigma = 0.0002, r.azimuth = 1.0, r.widest_gap = gap;
+  return r;
+}
+
+ShellSurvey survey() {
+  ShellSurvey shell;
+  shell.points.resize(1);
+  shell.roundness = {at(0.3, 0.010, 1.0), at(1.3, 0.020, 8.0), at(2.3, 0.015, 1.0)};
+  Plumbness plumb;
+  plumb.height = 8.0, plumb.offset = -0.03, plumb.sigma = 0.001, plumb.azimuth = 2.0;
+  shell.plumbness = {plumb};
+  return shell;
+}
+
+TEST(ShellMeasures, AreTheFootTheWorstAboveAndTheWorstPlumbness) {
+  const auto measures = shellMeasures(survey(), {});
+  ASSERT_EQ(measures.size(), 3U);
+  EXPECT_EQ(measures[0].quantity, "roundness_foot");
+  EXPECT_EQ(measures[0].worst.value, 0.010);
+  EXPECT_TRUE(measures[0].whole_ring);
+  EXPECT_EQ(measures[1].quantity, "roundness_above");
+  EXPECT_EQ(measures[1].worst.value, 0.020);
+  EXPECT_FALSE(measures[1].whole_ring);
+  EXPECT_EQ(measures[1].note, "1.30 m above the datum");
+  EXPECT_EQ(measures[2].quantity, "plumbness");
+  EXPECT_EQ(measures[2].worst.value, 0.03);
+}
+
+TEST(ShellMeasures, APartOfTheHeightLeavesPlumbnessOpen) {
+  TankFacts facts;
+  facts.height = 16.0;
+  EXPECT_FALSE(shellMeasures(survey(), facts)[2].whole_ring);
+  facts.height = 8.5;
+  EXPECT_TRUE(shellMeasures(survey(), facts)[2].whole_ring);
+}
+
+TEST(ShellMeasures, NothingOfAShellNotSeen) { EXPECT_TRUE(shellMeasures({}, {}).empty()); }
+
+}  // namespace
+}  // namespace tank_datum

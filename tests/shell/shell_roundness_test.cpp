@@ -1,0 +1,142 @@
+#include "shell/shell_roundness.h"
+
+#include <gtest/gtest.h>
+
+#include "support/made_shells.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_shells;
+
+/// Cells all round by a formula of the azimuth, no noise in them.
+std::vector<ShellCell> cells(const std::function<double(double)>& radius, double sigma = 1e-4) {
+  std::vector<ShellCell> row;
+  for (const Station& s : stations()) row.push_back({radius(s.direction), sigma, 1.0, 100});
+  return row;
+}
+
+Roundness roundOf(const std::vector<ShellCell>& row, double height = 0.3, double radius = kRadius) {
+  std::vector<double> deviations;
+  return roundnessOf(row, height, stations(), {kCentre, radius}, deviations);
+}
+
+TEST(Roundness, OfACircleIsNothing) {
+  const Roundness r = roundOf(cells([](double) { return kRadius + 0.004; }));
+  EXPECT_NEAR(r.circle.radius, kRadius + 0.004, 1e-9);
+  EXPECT_NEAR(r.largest(), 0.0, 1e-9);
+  EXPECT_EQ(r.stations, 360U);
+  EXPECT_EQ(r.verdict, Verdict::Pass);
+}
+
+TEST(Roundness, AShiftedCircleIsRound) {
+  const Eigen::Vector2d shift(0.06, -0.03);
+  const auto radius = [&](double a) {
+    const Eigen::Vector2d out(std::cos(a), std::sin(a));
+    const double along = shift.dot(out), across = shift.squaredNorm() - along * along;
+    return along + std::sqrt(kRadius * kRadius - across);
+  };
+  const Roundness r = roundOf(cells(radius), 6.3);
+  EXPECT_LT(r.largest(), 1e-9);
+  EXPECT_NEAR((r.circle.center - kCentre - shift).norm(), 0.0, 1e-9);
+}
+
+TEST(Roundness, OfAnOvalIsItsAmplitudeAtItsAxes) {
+  const Roundness r = roundOf(cells([](double a) { return kRadius + 0.012 * std::cos(2 * (a - 0.5)); }));
+  EXPECT_NEAR(r.max_deviation, 0.012, 2e-5);
+  EXPECT_NEAR(r.min_deviation, -0.012, 2e-5);
+  EXPECT_NEAR(std::remainder(r.azimuth - 0.5, kTurn / 4), 0.0, kTurn / 360);
+  EXPECT_EQ(r.verdict, Verdict::Pass);
+}
+
+TEST(Roundness, TheWorstPlaceIsTheLargerOfInAndOut) {
+  const auto dented = [](double a) { return kRadius - 0.05 * std::exp(-0.5 * std::pow((a - 4.0) / 0.1, 2)); };
+  const Roundness r = roundOf(cells(dented));
+  const double mean = 0.05 * 0.1 / std::sqrt(kTurn);  // the circle is smaller by that, and gives way by twice as much
+  EXPECT_NEAR(r.min_deviation, -0.05 + 3.0 * mean, 4e-4);  // smoothing may take three of a cell's sigmas
+  EXPECT_NEAR(r.azimuth, 4.0, kTurn / 360);
+  EXPECT_LT(r.max_deviation, 0.01);
+  EXPECT_EQ(r.largest(), -r.min_deviation);
+  EXPECT_EQ(r.verdict, Verdict::Fail);
+}
+
+TEST(Roundness, AGapTakesNothingOfAnOvalAway) {
+  auto row = cells([](double a) { return kRadius + 0.015 * std::cos(2 * a) + 0.004 * std::cos(5 * a); });
+  const Roundness whole = roundOf(row);
+  for (std::size_t i = 340; i < 380; ++i) row[i % 360] = {};
+  const Roundness part = roundOf(row);
+  EXPECT_EQ(part.stations, 320U);
+  EXPECT_NEAR(part.widest_gap, 41 * kTurn / 360 * kRadius, 1e-9);
+  EXPECT_NEAR(part.circle.radius, whole.circle.radius, 2e-4);  // 1.1 mm without looking at the shape
+  EXPECT_NEAR(part.min_deviation, whole.min_deviation, 3e-4);
+}
+
+TEST(Roundness, SigmaGrowsByWhatAGapMayHide) {
+  auto row = cells([](double a) { return kRadius + 0.015 * std::cos(2 * a) + 0.004 * std::cos(6 * a + 1.0); });
+  const Roundness whole = roundOf(row);
+  for (std::size_t i = 60; i < 130; ++i) row[i] = {};
+  const Roundness part = roundOf(row);
+  EXPECT_GT(part.sigma, 3.0 * whole.sigma);
+  EXPECT_LT(std::abs(part.max_deviation - whole.max_deviation), 2.0 * part.sigma);
+}
+
+TEST(Roundness, LessThanHalfOfTheShellGivesNoCircle) {
+  auto row = cells([](double) { return kRadius; });
+  for (std::size_t i = 0; i < 360; i += 2) row[i] = {};
+  EXPECT_TRUE(roundOf(row).circle.valid());
+  row[1] = {};
+  EXPECT_FALSE(roundOf(row).circle.valid());
+}
+
+TEST(Roundness, WhatPassesButWasNotAllSeenIsUndecided) {
+  auto row = cells([](double) { return kRadius; });
+  for (std::size_t i = 0; i < 40; ++i) row[i] = {};  // 7 m
+  EXPECT_EQ(roundOf(row).verdict, Verdict::Undecided);
+  for (std::size_t i = 0; i < 40; i += 20) row[i] = {kRadius, 1e-4, 1.0, 100};
+  EXPECT_EQ(roundOf(row).verdict, Verdict::Pass);
+}
+
+TEST(Roundness, ATooWideGapGivesNoCircle) {
+  auto row = cells([](double) { return kRadius; });
+  for (std::size_t i = 0; i < 125; ++i) row[i] = {};
+  EXPECT_FALSE(roundOf(row).circle.valid());
+  EXPECT_FALSE(roundOf(std::vector<ShellCell>(360)).circle.valid());
+}
+
+TEST(Roundness, TheToleranceWithinTheIntervalIsUndecided) {
+  const auto oval = [](double amplitude, double sigma) {
+    return cells([=](double a) { return kRadius + amplitude * std::cos(2 * a); }, sigma);
+  };
+  EXPECT_EQ(roundOf(oval(0.0187, 1e-4)).verdict, Verdict::Pass);
+  EXPECT_EQ(roundOf(oval(0.0193, 1e-4)).verdict, Verdict::Fail);
+  EXPECT_EQ(roundOf(oval(0.0187, 2e-3)).verdict, Verdict::Undecided);
+  EXPECT_EQ(roundOf(oval(0.0193, 2e-3)).verdict, Verdict::Undecided);
+  EXPECT_EQ(roundOf(oval(0.0193, 1e-4), 1.3).verdict, Verdict::Pass);  // three times as much higher up
+}
+
+TEST(RadiusTolerance, IsThatOfTheDiametersClass) {
+  EXPECT_EQ(radiusTolerance(11.99, 0.3), 0.013);
+  EXPECT_EQ(radiusTolerance(12.0, 0.3), 0.019);
+  EXPECT_EQ(radiusTolerance(44.99, 0.3), 0.019);
+  EXPECT_EQ(radiusTolerance(45.0, 0.3), 0.025);
+  EXPECT_EQ(radiusTolerance(74.99, 0.3), 0.025);
+  EXPECT_EQ(radiusTolerance(75.0, 0.3), 0.032);
+  EXPECT_DOUBLE_EQ(radiusTolerance(60.0, 1.3), 0.075);
+  EXPECT_TRUE(isAtFoot(0.3));
+  EXPECT_FALSE(isAtFoot(0.5));
+}
+
+TEST(Roundness, DeviationsAreEachStationsOwn) {
+  auto row = cells([](double a) { return kRadius + 0.01 * std::cos(3 * a); });
+  row[17] = {};
+  std::vector<double> deviations;
+  roundnessOf(row, 0.3, stations(), {kCentre, kRadius}, deviations);
+  ASSERT_EQ(deviations.size(), 360U);
+  EXPECT_TRUE(std::isnan(deviations[17]));
+  for (const std::size_t i : {0U, 60U, 90U, 200U}) {
+    EXPECT_NEAR(deviations[i], 0.01 * std::cos(3 * kTurn * static_cast<double>(i) / 360), 2e-5) << i;
+  }
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "tank_datum/stations/stations.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kRadius = 10.0;
+constexpr double kStep = kDegree * kRadius;  // arc between stations [m]
+const Eigen::Vector2d kCenter(3.0, -4.0);
+
+using Curve = std::function<double(double)>;  // of the arc from the middle of the gap [m]
+
+double level(double) { return 2.0; }
+double circular(double) { return kRadius; }
+
+/// 360 stations measured on a curve, but for a gap of `length` stations from the first, bridged.
+struct Bridged {
+  std::vector<Station> stations = emptyStations({});
+  std::size_t first, length;
+
+  Bridged(std::size_t from, std::size_t count, const Curve& height, double sigma_bend = 0.0, double sigma = 1e-4,
+          const Curve& radius = circular)
+      : first(from), length(count) {
+    std::vector<bool> supported;
+    for (std::size_t i = 0; i < 360; ++i) supported.push_back((i + 360 - first) % 360 >= length);
+    for (std::size_t i = 0; i < 360; ++i) {
+      if (!supported[i]) continue;
+      Station& s = stations[i];
+      s.z = height(arc(i));
+      s.radius = radius(arc(i));
+      s.sigma_z = s.sigma_radius = sigma;
+    }
+    flagGaps(stations, supported, {});
+    bridgeGaps(stations, kCenter, sigma_bend);
+  }
+  double arc(std::size_t station) const {
+    const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(length - 1);
+    return kStep * std::remainder(static_cast<double>(station) - middle, 360.0);
+  }
+  const Station& inGap(std::size_t i) const { return stations[(first + i) % 360]; }
+};
+
+TEST(BridgeGaps, OfALevelDatumIsLevel) {
+  const Bridged bridged(100, 1, level);
+  const Station& s = bridged.inGap(0);
+  EXPECT_EQ(s.flag, StationFlag::Interpolated);
+  EXPECT_NEAR(s.z, 2.0, 1e-12);
+  EXPECT_NEAR(s.radius, kRadius, 1e-12);
+  EXPECT_NEAR(s.x, kCenter.x() + kRadius * std::cos(s.direction), 1e-12);
+  EXPECT_NEAR(s.y, kCenter.y() + kRadius * std::sin(s.direction), 1e-12);
+}
+
+TEST(BridgeGaps, ReproduceAParabolaExactly) {
+  const auto parabola = [](double t) { return 2.0 + 0.003 * t - 0.002 * t * t; };
+  for (const std::size_t length : {1, 5, 10}) {
+    const Bridged bridged(100, length, parabola);
+    for (std::size_t i = 0; i < length; ++i) {
+      EXPECT_NEAR(bridged.inGap(i).z, parabola(bridged.arc(100 + i)), 1e-9) << length << " " << i;
+    }
+  }
+}
+
+TEST(BridgeGaps, TheRadiusGoesOverTheGapTooAndThePlanFollowsIt) {
+  const auto oval = [](double t) { return kRadius + 0.01 * t; };
+  const Bridged bridged(100, 5, level, 0.0, 1e-4, oval);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Station& s = bridged.inGap(i);
+    EXPECT_NEAR(s.radius, oval(bridged.arc(100 + i)), 2e-4);  // the arc itself is counted at each station's own radius
+    EXPECT_NEAR((Eigen::Vector2d(s.x, s.y) - kCenter).norm(), s.radius, 1e-12);
+  }
+  EXPECT_GT(bridged.inGap(4).radius - bridged.inGap(0).radius, 0.006);
+}
+
+TEST(BridgeGaps, GoRoundTheSeam) {
+  const auto parabola = [](double t) { return 2.0 + 0.003 * t - 0.002 * t * t; };
+  const Bridged bridged(356, 8, parabola);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(bridged.inGap(i).flag, StationFlag::Interpolated);
+    EXPECT_NEAR(bridged.inGap(i).z, parabola(bridged.arc(356 + i)), 1e-9);
+  }
+}
+
+TEST(BridgeGaps, SigmaGrowsTowardsTheMiddleByWhatABendMayDo) {
+  const double sigma_bend = 0.003;
+  const Bridged bridged(100, 9, level, sigma_bend, 1e-6);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT(bridged.inGap(i).sigma_z, bridged.inGap(i + 1).sigma_z);
+    EXPECT_NEAR(bridged.inGap(i).sigma_z, bridged.inGap(8 - i).sigma_z, 1e-9);
+  }
+  // a curve of bend b between two supports a and c away leaves their chord by b a c / 2
+  EXPECT_NEAR(bridged.inGap(4).sigma_z, 0.5 * sigma_bend * 25.0 * kStep * kStep, 1e-5);
+}
+
+TEST(BridgeGaps, WithoutABendSigmaIsThatOfTheStationsBeside) {  // which share more than noise
+  EXPECT_NEAR(Bridged(100, 5, level, 0.0, 1e-4).inGap(2).sigma_z, 1e-4, 1e-9);
+  EXPECT_NEAR(Bridged(100, 5, level, 0.0, 4e-4).inGap(2).sigma_z, 4e-4, 1e-9);
+}
+
+TEST(BridgeGaps, AWorseStationCountsForLess) {
+  std::vector<Station> stations = Bridged(100, 3, level).stations;
+  stations[104].z += 0.010;
+  const auto bridgedWith = [&](double sigma) {
+    std::vector<Station> copy = stations;
+    copy[104].sigma_z = sigma;
+    bridgeGaps(copy, kCenter, 0.0);
+    return copy[101].z - 2.0;
+  };
+  EXPECT_GT(bridgedWith(1e-4), 3e-4);
+  EXPECT_LT(bridgedWith(1e-2), 3e-6);
+}
+
+TEST(BridgeGaps, LeanOnStationsBesideTheGapOnly) {
+  std::vector<Station> stations = Bridged(100, 3, level).stations;
+  stations[90].z += 0.010;   // eleventh from the middle
+  stations[140].z += 1.000;  // far away
+  std::vector<Station> near = stations;
+  bridgeGaps(near, kCenter, 0.0);
+  EXPECT_GT(std::abs(near[101].z - 2.0), 1e-5);
+  stations[90].z = 2.0;
+  bridgeGaps(stations, kCenter, 0.0);
+  EXPECT_NEAR(stations[101].z, 2.0, 1e-9);
+}
+
+TEST(BridgeGaps, ElevenDegreesStayMissingAndMeasuredStationsAreLeftAlone) {
+  const Bridged bridged(100, 11, level, 0.003);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_EQ(bridged.inGap(i).flag, StationFlag::Missing);
+    EXPECT_TRUE(std::isnan(bridged.inGap(i).z));
+    EXPECT_TRUE(std::isnan(bridged.inGap(i).sigma_z));
+  }
+  EXPECT_EQ(bridged.stations[99].z, 2.0);
+  EXPECT_EQ(bridged.stations[99].sigma_z, 1e-4);
+}
+
+TEST(BridgeGaps, ALoneStationBetweenTwoGapsCarriesBoth) {
+  std::vector<Station> stations = Bridged(100, 4, level).stations;
+  stations[105].flag = stations[106].flag = StationFlag::Interpolated;  // 104 stands alone
+  for (Station& s : stations) s.z = s.flag == StationFlag::Measured ? s.z : NAN;
+  bridgeGaps(stations, kCenter, 0.003);
+  for (const std::size_t i : {100, 103, 105, 106}) {
+    EXPECT_NEAR(stations[i].z, 2.0, 1e-9) << i;
+    EXPECT_TRUE(std::isfinite(stations[i].sigma_z)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace tank_datum
