@@ -8,6 +8,7 @@
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "setups/agreement.h"
+#include "setups/setup_report.h"
 #include "setups/setup_shares.h"
 #include "shell/shell_measures.h"
 #include "shell/shell_survey_impl.h"
@@ -121,6 +122,8 @@ Datum meant(Datum datum, const DatumOptions& options) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
                     " stations are missing: the datum is not seen there";
   }
+  const std::string setups = setupMessage(datum.agreement, datum.stations);
+  if (!setups.empty()) datum.message += (datum.message.empty() ? "" : "; ") + setups;
   warnOfSteps(datum);
   return datum;
 }
@@ -221,7 +224,9 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   datum.counts = ring.counts;
   begin("setups");
   datum.agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
-  if (datum.agreement.adjusted()) thinForSearch(ring, tank, options.crop, options.threads);
+  if (ring.search.empty() || datum.agreement.repeated_points > 0) {
+    thinForSearch(ring, tank, options.crop, options.threads);
+  }
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }

@@ -15,6 +15,22 @@ const char* sourceOf(bool estimated, double given) {
   return given > 0.0 ? "given" : estimated ? "overlaps" : "assumed";
 }
 
+/// From and to of every run of stations that it sees, as azimuths.
+Json seenArcs(const Setup& setup, const Datum& datum) {
+  Json arcs = Json::array();
+  const std::size_t count = datum.stations.size();
+  std::vector<char> seen(count, 0);
+  for (const std::size_t i : setup.seen) seen[i] = 1;
+  if (setup.seen.size() == count) return Json::array({{0.0, 360.0}});
+  for (const std::size_t i : setup.seen) {
+    if (seen[(i + count - 1) % count]) continue;
+    std::size_t last = i;
+    while (seen[(last + 1) % count]) last = (last + 1) % count;
+    arcs.push_back({toDegrees(datum.stations[i].azimuth), toDegrees(datum.stations[last].azimuth)});
+  }
+  return arcs;
+}
+
 Json setupJson(const Setup& setup, const Datum& datum) {
   const bool moved = datum.agreement.adjusted();
   const Eigen::Vector3d origin = setup.origin + datum.origin;
@@ -24,6 +40,7 @@ Json setupJson(const Setup& setup, const Datum& datum) {
           {"turned_about", {origin.x(), origin.y(), origin.z()}},
           {"points", setup.points},
           {"stations", setup.stations},
+          {"sees_deg", seenArcs(setup, datum)},
           {"dz", setup.correction.dz},
           {"sigma_dz", sigma(setup.sigma.dz)},
           {"tilt_x", setup.correction.tilt_x},

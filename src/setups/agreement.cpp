@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "setups/merged_scans.h"
+#include "setups/repeated_points.h"
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
 #include "setups/setup_views.h"
@@ -130,14 +132,24 @@ std::string firstError(const SetupOptions& options) {
 
 SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const SetupOptions& options, int threads) {
   SetupAgreement agreement;
+  if (ring.points.empty()) return agreement;
+  const RepeatedPoints repeated = removeRepeated(ring);
+  agreement.repeated_points = repeated.removed;
   agreement.setups = setupsOf(ring, scan, options);
-  if (agreement.setups.size() < 2) return agreement;
+  if (agreement.setups.size() < 2) {
+    agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
+    return agreement;
+  }
   std::vector<Eigen::Vector3d> origins;
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
   const SetupRing polar(ring, tank, threads);
   const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
   agreement.given = {options.error, options.tilt, options.error};
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
+  for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
+    constexpr double kAllOfIt = 0.9;
+    if (repeated.of_setups[s] >= kAllOfIt) agreement.setups[s].verdict = SetupVerdict::Duplicate;
+  }
   move(ring, agreement.setups, threads);
   return agreement;
 }

@@ -219,7 +219,7 @@ void measureDiscrepancy(const std::vector<ArcView>& arcs, const Overlaps& overla
       }
     }
     const auto rms = [](const std::vector<double>& values) {
-      if (values.empty()) return Setup::kUnknown;
+      if (values.empty()) return kUnknown;
       constexpr double kElse = 5.0 * 5.0 / 0.455;  // times the median square: not the foundation
       const double most = kElse * median(values);
       double sum = 0.0, used = 0.0;

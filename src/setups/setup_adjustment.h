@@ -24,7 +24,7 @@ struct SetupAdjustment {
   bool height_estimated = false, plan_estimated = false;
   std::vector<bool> bad;
   std::vector<double> rms_before, rms_after;  ///< of each setup's foundation against the others', NaN without any [m]
-  double all_before = Setup::kUnknown, all_after = Setup::kUnknown;
+  double all_before = kUnknown, all_after = kUnknown;
 };
 
 /// Least squares of the differences in the overlaps with priors on every parameter (Bayes), so that the common part of

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "setups/merged_scans.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -169,7 +170,9 @@ Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares&
 StationCovariance shareSetupErrors(SetupAgreement& agreement, std::vector<Station>& stations, const SetupShares& shares,
                                    double slope) {
   StationCovariance covariance = independentCovariance(stations);
-  covariance.factors = setupFactors(agreement, shares, stations, slope);
+  covariance.factors = agreement.unlabelled_discrepancy > 0.0
+                           ? mergedFactors(stations, agreement.unlabelled_discrepancy / std::sqrt(2.0))
+                           : setupFactors(agreement, shares, stations, slope);
   for (std::size_t i = 0; i < stations.size(); ++i) {
     Station& station = stations[i];
     if (!std::isfinite(station.z)) continue;
@@ -180,7 +183,9 @@ StationCovariance shareSetupErrors(SetupAgreement& agreement, std::vector<Statio
     for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
       if (shares.foundation(column, static_cast<Eigen::Index>(s)) < kSeen) continue;
       ++seen;
-      agreement.setups[s].stations += station.flag == StationFlag::Measured;
+      if (station.flag != StationFlag::Measured) continue;
+      ++agreement.setups[s].stations;
+      agreement.setups[s].seen.push_back(i);
     }
     station.n_setups = seen;
   }

@@ -3,13 +3,13 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tank_datum/core/export.h"
+#include "tank_datum/core/unknown.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -64,13 +64,13 @@ const char* nameOf(SetupVerdict verdict);
 
 /// One setup of the scanner.
 struct Setup {
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name;
   bool origin_known = false;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< its motions turn about it, relative to the scan's origin [m];
                                                      ///< the middle of its points where it is not known
   std::size_t points = 0;                            ///< in the ring
   std::size_t stations = 0;                          ///< that it sees
+  std::vector<std::size_t> seen;                     ///< their numbers, rising
   SetupMotion correction;                            ///< what its points were moved by
   SetupMotion sigma;                                 ///< standard error of that
   double rms_before = kUnknown;                      ///< its foundation against the other setups' [m]
@@ -90,10 +90,11 @@ struct SetupAgreement {
   SetupSpread given;              ///< by the options; zeros where not
   bool height_estimated = false;  ///< whether spread.height and tilt come from the overlaps; else given or assumed
   bool plan_estimated = false;    ///< whether spread.plan does
-  double rms_before = Setup::kUnknown, rms_after = Setup::kUnknown;  ///< over all [m]
+  double rms_before = kUnknown, rms_after = kUnknown;  ///< over all [m]
   Eigen::MatrixXd covariance;       ///< of all setups' motions, in order, that are left unknown; empty for one setup
   std::size_t repeated_points = 0;  ///< points of the ring left out because they were there already
-  double unlabelled_discrepancy = 0.0;  ///< of scans merged without labels, where it shows in the residuals [m]
+  double unlabelled_discrepancy =
+      0.0;  ///< between two scans merged without labels, where it shows in the residuals [m]
 
   bool adjusted() const { return covariance.size() > 0; }
 };
