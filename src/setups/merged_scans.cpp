@@ -1,5 +1,6 @@
 #include "setups/merged_scans.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
