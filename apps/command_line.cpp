@@ -13,6 +13,7 @@
 #include "movement_options.h"
 #include "results/manifest.h"
 #include "results/output_guard.h"
+#include "setups/agreement.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -25,11 +26,16 @@ const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"
 const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann},
                                                       {"buckets", SearchEngine::Buckets}};
 
+const std::map<std::string, BadSetups> kBadSetups = {
+    {"free", BadSetups::Free}, {"drop", BadSetups::Drop}, {"keep", BadSetups::Keep}};
+
 /// The figures as a person types them, in degrees; the options hold radians.
 struct Typed {
   double angle_deg, zero_azimuth_deg;
   std::string tank, heights;
   std::string search, method;
+  double setup_tilt_arcsec = 0.0;
+  std::string setup_origins, bad_setups;
   TypedMovement movement{MovementOptions{}};
   TypedAnalysis analysis;
 };
@@ -63,6 +69,15 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
       ->check(CLI::PositiveNumber);
   app.add_option("--fit-points", o.crop.fit_points, "of more points in the ring an even share is kept for the fits")
       ->check(CLI::PositiveNumber);
+  app.add_option("--setup-error", o.setups.error,
+                 "how well setups are registered in height and plan, 1 sigma [m]; 0: estimated from their overlaps");
+  app.add_option("--setup-tilt-arcsec", typed.setup_tilt_arcsec,
+                 "how well they are levelled, 1 sigma about each axis; 0: estimated from their overlaps");
+  app.add_option("--setup-origins", typed.setup_origins,
+                 "CSV file name,x,y,z: where setups stood, by file stem or label");
+  app.add_option("--bad-setups", typed.bad_setups,
+                 "a setup far off the others: free of priors, dropped where others see the foot too, or kept")
+      ->check(CLI::IsMember(kBadSetups));
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
   app.add_flag("--accept", o.accept, "take a doubtful tank for one: message says which test it fails");
   app.add_option("--up", command.up, "the axis of the scan that is up; results are in the frame turned so")
@@ -146,6 +161,8 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   typed.zero_azimuth_deg = command.options.stations.zero_azimuth / kDegree;
   typed.method = nameOf(command.options.method);
   typed.search = nameOf(command.options.normals.search);
+  typed.setup_tilt_arcsec = toArcSeconds(command.options.setups.tilt);
+  typed.bad_setups = nameOf(command.options.setups.bad);
   addOptions(app, command, typed);
   bool print_config = false;
   app.add_flag("--print-config", print_config, "print the options as a --config file and stop")->configurable(false);
@@ -173,6 +190,9 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   o.method = kMethods.at(typed.method);
   typed.movement.putInto(command.movement);
   o.normals.search = kEngines.at(typed.search);
+  o.setups.tilt = typed.setup_tilt_arcsec / toArcSeconds(1.0);
+  o.setups.bad = kBadSetups.at(typed.bad_setups);
+  if (!typed.setup_origins.empty()) o.setups.origins = readSetupOrigins(typed.setup_origins, command.metresPerUnit());
   if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);
   o.shell.heights = heightsFrom(typed.heights);
   if (!command.no_report) o.refine.profile_points = kProfilePoints;

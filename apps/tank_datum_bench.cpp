@@ -51,7 +51,8 @@ int run(const Command& command) {
   const Tank tank = tankOf(scan, command);
   Figures figures;
   {
-    const Ring ring = cropRing(scan, tank, command.options.crop, {}, command.options.threads);
+    Ring ring = cropRing(scan, tank, command.options.crop, {}, command.options.threads);
+    if (ring.search.empty()) thinForSearch(ring, tank, command.options.crop, command.options.threads);
     figures.ring = runOnRing(ring.search, command);
   }
   if (scan.size() <= command.stock_points) figures.whole.push_back(runStock(command.scan, command.options));

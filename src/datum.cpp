@@ -9,6 +9,9 @@
 #include "datum_stages.h"
 #include "locate/foot_unit.h"
 #include "refusals.h"
+#include "setups/agreement.h"
+#include "setups/setup_report.h"
+#include "setups/setup_shares.h"
 #include "shell/shell_measures.h"
 #include "shell/shell_survey_impl.h"
 #include "tank_datum/core/error.h"
@@ -61,6 +64,14 @@ void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
   datum.circle = datum.refined.circle;
 }
 
+/// What the stations share through the setups that see them.
+void shareErrors(Datum& datum, const Ring& ring) {
+  const FootProfile& profile = datum.refined.profile;
+  const FoundationBand band{profile.band_from, profile.band_to, profile.slope, profile.noise};
+  const SetupShares shares = setupShares(ring, datum.tank, datum.stations, datum.circle.center, band);
+  datum.covariance = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
+}
+
 /// A missing station keeps its place on the fitted circle, and nothing else.
 void blankMissing(Datum& datum) {
   for (Station& s : datum.stations) {
@@ -107,7 +118,7 @@ bool isElsewhere(const Circle& circle, const Tank& tank, double reach) {
 }
 
 /// What the stations' elevations mean, and whether there are any.
-Datum described(Datum datum, const DatumOptions& options, const ShellEvidence& shell) {
+Datum described(Datum datum, const DatumOptions& options) {
   const bool refined = options.method == Method::Refined;
   const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin) + ": ";
   if (!refined && !datum.curve.valid()) {
@@ -120,7 +131,6 @@ Datum described(Datum datum, const DatumOptions& options, const ShellEvidence& s
     return stopped(datum, Status::NoCrease,
                    candidate + "no foundation surface meets the shell along enough of its foot");
   }
-  if (refined) dropOffCircle(datum.stations, datum.circle, shell);
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {
     return stopped(datum, Status::NoCrease,
@@ -158,6 +168,8 @@ Datum meant(Datum datum, const DatumOptions& options) {
   }
   const std::string units = doubtfulUnits(datum.circle.radius);
   if (!units.empty()) datum.message += (datum.message.empty() ? "" : "; ") + units;
+  const std::string setups = setupMessage(datum.agreement, datum.stations);
+  if (!setups.empty()) datum.message += (datum.message.empty() ? "" : "; ") + setups;
   warnOfSteps(datum);
   return datum;
 }
@@ -165,8 +177,9 @@ Datum meant(Datum datum, const DatumOptions& options) {
 std::string firstError(const DatumOptions& options) {
   for (const std::string& error :
        {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
-        firstError(options.centre_filter), firstError(options.spline), firstError(options.refine),
-        firstError(options.stations), firstError(options.analysis), firstError(options.shell)}) {
+        firstError(options.centre_filter), firstError(options.spline), firstError(options.setups),
+        firstError(options.refine), firstError(options.stations), firstError(options.analysis),
+        firstError(options.shell)}) {
     if (!error.empty()) return error;
   }
   if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
@@ -271,8 +284,13 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   const AlsoGathered shell{
       [&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
       [&bands](const Points& block) { bands.add(block); }};
-  const Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
+  Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
   datum.counts = ring.counts;
+  begin("setups");
+  datum.agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
+  if (ring.search.empty() || datum.agreement.repeated_points > 0) {
+    thinForSearch(ring, tank, options.crop, options.threads);
+  }
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }
@@ -281,7 +299,11 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   datum.tests = testsOfShell(tank, evidence);
   if (worstOf(datum.tests) == TestOutcome::Fail) return judged(std::move(datum), options);
   measureFoot(datum, unit == 1.0 ? ring : inUnits(ring, unit), options, begin, normal_stage);
-  datum = described(std::move(datum), options, evidence);
+  if (datum.refined.valid()) {
+    dropOffCircle(datum.stations, datum.circle, evidence);
+    shareErrors(datum, ring);
+  }
+  datum = described(std::move(datum), options);
   if (!datum.usable()) return datum;
   const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
   datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());

@@ -51,6 +51,9 @@ constexpr Setting kNumbers[] = {
     {"--arc-deg", "/scanner/arc_deg", "the scanners are spread over"},
     {"--first-azimuth-deg", "/scanner/first_azimuth_deg", "of the first scanner"},
     {"--max-range", "/scanner/max_range", "[m]"},
+    {"--setup-sigma-dz", "/scanner/registration/sigma_dz", "error of each scanner's height, 1 sigma [m]"},
+    {"--setup-sigma-plan", "/scanner/registration/sigma_plan", "of its x and its y, 1 sigma [m]"},
+    {"--setup-sigma-tilt-arcsec", "/scanner/registration/sigma_tilt_arcsec", "of its two tilts, 1 sigma"},
     {"--near-datum", "/near_datum", "keep only points this near to the datum line [m]"},
     {"--seed", "/seed", "of everything random"},
 };
@@ -147,7 +150,9 @@ void declare(CLI::App& app, Command& command, Given& given) {
   app.add_option("--offset", given.offset, "X,Y,Z added to every coordinate [m]");
   app.add_flag("--ascii", command.ascii, "a text PCD");
   app.add_flag("--double", command.doubles, "coordinates of 8 bytes");
-  app.add_flag("--stations-split", command.split, "one file per scanner: OUT_1.pcd, OUT_2.pcd ...");
+  app.add_flag("--per-setup,--stations-split", command.split,
+               "one file per scanner, with its VIEWPOINT: OUT_1.pcd, OUT_2.pcd ...");
+  app.add_flag("--label-setups", command.label_setups, "a field `setup` with the number of each point's scanner");
   app.add_flag("--quiet", command.quiet, "say nothing on stdout");
   app.add_option("--threads", command.threads, "0 = as many as the machine has");
   for (const Setting& s : kNumbers) app.add_option(s.flag, given.numbers[s.flag], s.help);

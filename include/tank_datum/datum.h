@@ -14,6 +14,7 @@
 #include "tank_datum/locate/crop.h"
 #include "tank_datum/locate/locate.h"
 #include "tank_datum/search/normals.h"
+#include "tank_datum/setups/setups.h"
 #include "tank_datum/shape/analysis.h"
 #include "tank_datum/shape/deformation.h"
 #include "tank_datum/shell/shell_survey.h"
@@ -41,6 +42,7 @@ struct DatumOptions {
   GrowingOptions growing;
   CentreFilterOptions centre_filter;
   SplineOptions spline;
+  SetupOptions setups;
   RefineOptions refine;
   StationOptions stations;
   AnalysisOptions analysis;
@@ -83,6 +85,7 @@ struct Datum {
   ClosedSpline curve;  ///< the paper's
   Refined refined;     ///< not valid with Method::Paper
   std::vector<Station> stations;
+  SetupAgreement agreement;      ///< of the scanner's setups
   StationCovariance covariance;  ///< of their z; empty: each station by itself, sigma_z
   Level level;
   Tilt tilt;
