@@ -7,7 +7,7 @@
 #include "results/manifest.h"
 #include "results/output_file.h"
 #include "results/result_folder.h"
-#include "results/stop_signals.h"
+#include "run_main.h"
 #include "stage_clock.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/levelling.h"
@@ -134,17 +134,9 @@ int run(const Command& command) {
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
-  results::stopCleanly(kProgram);
   Command command;
   int status = kUsable;
-  try {
-    return parseCommandLine(argc, argv, command, status) ? run(command) : status;
-  } catch (const Error& error) {
-    std::cerr << "tank_datum: " << error.what() << earlierResults(command.output, kProgram) << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "tank_datum: memory: the points near the datum, more than fit, expected a machine with more memory"
-              << earlierResults(command.output, kProgram) << "\n";
-    return kFileFailed;
-  }
+  return runMain(
+      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; },
+      [&] { return earlierResults(command.output, kProgram); });
 }

@@ -6,7 +6,7 @@
 #include "exit_status.h"
 #include "results/output_file.h"
 #include "results/output_guard.h"
-#include "results/stop_signals.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum::bench {
@@ -71,17 +71,8 @@ int run(const Command& command) {
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
-  results::stopCleanly("tank_datum_bench");
   bench::Command command;
   int status = kUsable;
-  try {
-    return bench::parseCommandLine(argc, argv, command, status) ? bench::run(command) : status;
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_bench: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "tank_datum_bench: memory: the stock chain on the whole scan, more than fits, expected fewer "
-                 "--stock-points\n";
-    return kFileFailed;
-  }
+  return runMain("tank_datum_bench",
+                 [&] { return bench::parseCommandLine(argc, argv, command, status) ? bench::run(command) : status; });
 }

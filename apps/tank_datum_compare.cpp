@@ -11,7 +11,7 @@
 #include "parsed.h"
 #include "results/manifest.h"
 #include "results/output_guard.h"
-#include "results/stop_signals.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -107,14 +107,9 @@ int run(const CompareCommand& command) {
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
-  results::stopCleanly(kProgram);
   CompareCommand command;
   int status = kUsable;
-  if (!parseCommandLine(argc, argv, command, status)) return status;
-  try {
-    return run(command);
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_compare: " << error.what() << earlierResults(command.output, kProgram) << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  }
+  return runMain(
+      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; },
+      [&] { return earlierResults(command.output, kProgram); });
 }

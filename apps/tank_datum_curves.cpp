@@ -8,6 +8,7 @@
 #include "fit/curve_comparison.h"
 #include "io/csv_table.h"
 #include "parsed.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -94,11 +95,6 @@ int main(int argc, char** argv) {
   using namespace tank_datum;
   CurvesCommand command;
   int status = kUsable;
-  if (!parseCommandLine(argc, argv, command, status)) return status;
-  try {
-    return run(command);
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_curves: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  }
+  return runMain("tank_datum_curves",
+                 [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; });
 }

@@ -7,10 +7,11 @@
 
 #include "core/length_units.h"
 #include "exit_status.h"
+#include "parsed.h"
 #include "results/output_file.h"
 #include "results/output_guard.h"
 #include "results/result_folder.h"
-#include "results/stop_signals.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 #include "view/display.h"
@@ -118,22 +119,14 @@ int run(const ViewCommand& command) {
 int main(int argc, char** argv) {
   using namespace tank_datum;
   vtkObject::GlobalWarningDisplayOff();  // reasons are one line, and ours
-  results::stopCleanly("tank_datum_view");
-  CLI::App app("A tank's scan and its datum, to look at.", "tank_datum_view");
-  app.option_defaults()->always_capture_default();
-  view::ViewCommand command;
-  view::addOptions(app, command);
-  try {
-    app.parse(argc, argv);
+  return runMain("tank_datum_view", [&]() -> int {
+    CLI::App app("A tank's scan and its datum, to look at.", "tank_datum_view");
+    app.option_defaults()->always_capture_default();
+    view::ViewCommand command;
+    view::addOptions(app, command);
+    int status = kUsable;
+    if (!parsed(app, argc, argv, status)) return status;
     command.scene.colour = view::kColours.at(command.colour);
     return view::run(command);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_view: command line: " << error.what() << ", expected what --help lists\n";
-    return kWrongUse;
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_view: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  }
+  });
 }
