@@ -14,13 +14,8 @@ from pathlib import Path
 import plot_figures
 from plot_report import write_report
 from plot_result import PlotError, Result, read_cloud, read_result
-from result_folder import (
-    OutputIsInputError,
-    ResultError,
-    ResultFolder,
-    require_apart,
-    settle_to_read,
-)
+from result_folder import OutputIsInputError, ResultFolder, require_apart
+from result_journal import ResultError, settle_to_read
 
 FORMATS = ("pdf", "svg", "png")
 PICTURES = ("cloud", "datum_points", "residuals", "elevation")

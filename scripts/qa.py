@@ -42,13 +42,8 @@ from pathlib import Path
 
 from qa_cases import Case, CasesError, read_cases
 from qa_compare import Change, compare
-from result_folder import (
-    OutputIsInputError,
-    ResultError,
-    ResultFolder,
-    require_apart,
-    settle_to_read,
-)
+from result_folder import OutputIsInputError, ResultFolder, require_apart
+from result_journal import ResultError, settle_to_read
 
 ROOT = Path(__file__).resolve().parents[1]
 PASSED, FAILED, WRONG_USE = 0, 1, 2

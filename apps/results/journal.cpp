@@ -80,9 +80,13 @@ void declareDone(const std::string& folder) {
 
 std::vector<std::string> undo(const std::string& folder, const Journal& journal) {
   std::vector<std::string> said;
+  std::set<std::string> untouched;  // a new file cannot have the place of what has not been moved away
+  for (const auto& [from, to] : journal.displaced) {
+    if (!exists(folder + "/" + to)) untouched.insert(from);
+  }
   for (auto path = journal.added.rbegin(); path != journal.added.rend(); ++path) {
     const std::string place = folder + "/" + *path, waiting = folder + "/" + newPlace(*path);
-    if (!exists(waiting) && exists(place)) move(place, waiting);
+    if (!exists(waiting) && exists(place) && untouched.count(*path) == 0) move(place, waiting);
   }
   for (auto name = journal.folders.rbegin(); name != journal.folders.rend(); ++name) {
     removeEmptyFolder(folder + "/" + *name);

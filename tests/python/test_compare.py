@@ -21,6 +21,7 @@ def epoch(path: Path, dip: float = 0.0, **changes: object) -> Path:
             {"azimuth_deg": i, "direction_deg": i, "z": z, "sigma_z": 0.0002, "flag": "measured"}
         )
     result = {
+        "schema": 1,
         "status": "ok",
         "options": {"method": "refined"},
         "tank": {"center": [0, 0], "radius": 30},
@@ -205,7 +206,7 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
 @pytest.mark.parametrize(
     ("changes", "status", "reason"),
     [
-        ("not JSON", 3, "a datum.json with its stations"),
+        ("not JSON", 3, "a datum.json or a folder with one"),
         ({"stations": None}, 3, "a datum.json with its stations"),
         ({"status": "no_tank"}, 2, "of status no_tank, expected a result with a usable datum"),
         ({"options": {"method": "paper"}}, 2, "of method paper, expected the method"),
