@@ -128,6 +128,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
   json["options"] = optionsJson(provenance.options, provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
+  json["service"] = nameOf(provenance.options.analysis.facts.service);
   json["tank"] = tankJson(datum);
   if (datum.usable()) {
     json["datum"] = datumSection(datum);
