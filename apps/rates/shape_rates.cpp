@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "shape/levelness.h"
 #include "tank_datum/core/normal95.h"
 #include "tank_datum/core/parallel.h"
 #include "tank_datum/shape/analysis.h"
@@ -119,34 +120,50 @@ struct Run {
   Verdict verdict = Verdict::NotApplicable;
 };
 
-/// What a perfect survey of the truth says, without errors and without gaps.
+/// What is to be found.
 struct Truth {
   Waves waves;
   std::map<std::string, double> figures;  ///< by quantity
   std::map<std::string, double> shares;   ///< of the limit
 };
 
-Truth truthOf(const ShapeTrial& trial, std::mt19937_64& generator) {
-  Truth truth{drawnWaves(trial, generator), {}, {}};
-  for (int round = 0; round < 2; ++round) {
-    std::vector<Station> stations = stationsAt(truth.waves, trial.stations);
-    for (Station& s : stations) s.sigma_z = 1e-6;
-    Tilt tilt;
-    const Analysis perfect = analysed(stations, tilt, optionsOf());
-    for (const Check& c : perfect.checks) {
-      if (c.role == "shown" || !std::isfinite(c.limit)) continue;
-      truth.figures[c.quantity] = c.value, truth.shares[c.quantity] = c.value / c.limit;
-    }
-    const double limit = truth.figures["curvature"] / truth.shares["curvature"];
-    truth.figures["curvature"] = largestCurvature(truth.waves);
-    truth.shares["curvature"] = truth.figures["curvature"] / limit;
-    truth.figures["u"] = perfect.out_of_plane.max_u;
-    if (round == 1 || !(trial.of_limit > 0.0)) break;
-    const double scale = trial.of_limit / truth.shares.at(trial.figure);
-    const bool of_z = trial.figure.rfind("level", 0) == 0 || trial.figure == "slope_10m";
-    for (std::size_t j = of_z ? 1 : 3; j < truth.waves.size(); ++j) truth.waves[j] *= scale;
+/// The figures of the waves themselves, at the stations.
+Truth describedTruth(const Waves& waves, int count) {
+  const TankFacts facts = optionsOf().facts;
+  const double steel = facts.yield / facts.modulus / facts.height, diameter = 2.0 * kRadius;
+  std::vector<Station> stations = stationsAt(waves, count);
+  Truth truth{waves, {}, {}};
+  double& u = truth.figures["u"];
+  for (Station& s : stations) {
+    s.u = s.u_fit = s.z - waves[0] - waves[1] * std::cos(s.azimuth) - waves[2] * std::sin(s.azimuth);
+    u = std::max(u, std::abs(s.u));
   }
+  const auto put = [&truth](const char* quantity, double value, double limit) {
+    truth.figures[quantity] = value, truth.shares[quantity] = value / limit;
+  };
+  put("curvature", largestCurvature(waves), 11.0 * steel);
+  const SecondDifferences d = secondDifferencesOf(stations, kRadius, 0);
+  const double s = d.all.at(d.worst).value;
+  put("second_difference", s, 5.5 * std::pow(d.spacings.at(d.worst), 2.0) * steel);
+  put("neighbour_bend", s / d.spacing, 1.0 / 450.0);
+  put("slope_10m", steepest(stations, kRadius, 10.0, &Station::z).value, 0.0025);
+  put("level_9m", unevennessWithin(stations, kRadius, 9.0).value, 0.003);
+  double share = 0.0;
+  for (const SettlementArc& arc : settlementArcs(stations, kRadius)) {  // K = 3.6 of 54.9 to 73.2 m, open top
+    const double limit = std::min(0.1016, 0.08333 * 3.6 * arc.length * diameter * steel);
+    share = std::max(share, arc.largest.value / limit);
+  }
+  put("settlement_arc", share, 1.0);
   return truth;
+}
+
+Truth truthOf(const ShapeTrial& trial, std::mt19937_64& generator) {
+  Waves waves = drawnWaves(trial, generator);
+  if (trial.of_limit > 0.0) {
+    const double scale = trial.of_limit / describedTruth(waves, trial.stations).shares.at(trial.figure);
+    for (double& w : waves) w *= scale;
+  }
+  return describedTruth(waves, trial.stations);
 }
 
 Run oneRun(const ShapeTrial& trial, std::uint64_t seed) {
