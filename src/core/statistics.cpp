@@ -31,6 +31,20 @@ double robustSigma(const std::vector<double>& values, double center) {
   return 1.4826 * median(std::move(deviations));
 }
 
+double halfSampleMode(const std::vector<double>& sorted) {
+  std::size_t first = 0, count = sorted.size();
+  while (count > 3) {
+    const std::size_t half = (count + 1) / 2;
+    std::size_t best = first;
+    for (std::size_t i = first; i + half <= first + count; ++i) {
+      if (sorted[i + half - 1] - sorted[i] < sorted[best + half - 1] - sorted[best]) best = i;
+    }
+    first = best;
+    count = half;
+  }
+  return sorted[first + count / 2];
+}
+
 double tukeyWeight(double residual_in_sigmas) {
   const double u = residual_in_sigmas / 4.685;
   if (std::abs(u) >= 1.0) return 0.0;
