@@ -145,7 +145,9 @@ def test_height_takes_units(run: Runner, synth: Synth, tmp_path: Path) -> None:
     for i, height in enumerate(("3.048", "10ft", "120 in", "3048mm", "3.048m")):
         out = tmp_path / str(i)
         assert run(synth(**LARGE), "-o", out, *STEEL[2:], "--height", height).returncode == 0
-        limits.add(round(by_name(read_datum(out), "curvature by trigonometric regression")["limit"], 9))
+        limits.add(
+            round(by_name(read_datum(out), "curvature by trigonometric regression")["limit"], 9)
+        )
     assert limits == {round(11 * 235 / 206_000 / 3.048, 9)}
 
 
