@@ -32,7 +32,7 @@ const std::map<std::string, BadSetups> kBadSetups = {
 /// The figures as a person types them, in degrees; the options hold radians.
 struct Typed {
   double angle_deg, zero_azimuth_deg;
-  std::string tank, heights;
+  std::string tank, heights, diameter;
   std::string search, method;
   double setup_tilt_arcsec = 0.0;
   std::string setup_origins, bad_setups;
@@ -94,7 +94,8 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_flag("--quiet", command.quiet, "no summary, no progress");
   app.add_option("--timings", command.timings, "file (JSON) for the seconds of each stage")->configurable(false);
   addAnalysisOptions(app, typed.analysis);
-  CLI::Option* diameter = app.add_option("--diameter", command.diameter, "of the tank of --stations-csv [m]");
+  CLI::Option* diameter =
+      app.add_option("--diameter", typed.diameter, "of the tank of --stations-csv, as 60, 60m, 196.85ft");
   CLI::Option* levelling = app.add_option("--stations-csv", command.levelling,
                                           "stations typed in, in place of a scan: azimuth_deg,elevation[,sigma]");
   levelling->needs(diameter)->excludes(scan)->excludes(tank)->excludes(all)->configurable(false);
@@ -147,6 +148,14 @@ void requireInputsUntouched(const Command& command, const std::string& limits, c
 }
 
 std::string stemOf(const std::string& scan) { return std::filesystem::path(scan).stem().string() + ".datum"; }
+
+/// A length without a unit is metres, whatever the scan is in: whoever typed the scan's feet should know.
+void warnOfMetres(const char* option, const std::string& typed, const std::string& units) {
+  const bool plain = !typed.empty() && typed.find_first_not_of("0123456789.+-eE ") == std::string::npos;
+  if (!plain || units == "m") return;
+  std::cerr << "tank_datum: warning: " << option << ' ' << typed << " is taken for metres, and the input is in "
+            << units << ": write " << typed << units << " if that is meant\n";
+}
 
 }  // namespace
 
@@ -202,6 +211,9 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   if (command.output.empty()) command.output = stemOf(command.inputs().front());
   requireInputsUntouched(command, typed.analysis.limits, app.get_config_ptr()->as<std::string>());
   o.analysis = analysisOptions(typed.analysis);
+  if (!typed.diameter.empty()) command.diameter = lengthFrom("--diameter", typed.diameter);
+  warnOfMetres("--height", typed.analysis.height, command.units);
+  warnOfMetres("--diameter", typed.diameter, command.units);
   if (print_config) std::cout << app.config_to_str(true, true);
   return !print_config;
 }

@@ -92,7 +92,8 @@ std::string movementsJson(const Comparison& comparison) {
     stations.push_back({{"azimuth_deg", toDegrees(place.azimuth)},
                         {"rate", number(place.rate)},
                         {"sigma", number(place.sigma_rate)},
-                        {"lod95", number(place.lod95())}});
+                        {"lod95", number(place.lod95())},
+                        {"significant", place.significant}});
   }
   const Json json = {{"schema", kSchema},
                      {"version", kVersion},

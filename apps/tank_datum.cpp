@@ -101,6 +101,7 @@ int announce(const std::vector<Datum>& datums, const Command& command) {
     if (!command.quiet)
       std::cout << summary(datums[i], showsBlocks()) << "results        " << fileToOpen(command, partOf(datums, i))
                 << "\n";
+    for (const std::string& warning : warningsOf(datums[i])) std::cerr << "tank_datum: warning: " << warning << "\n";
     usable = usable || datums[i].usable();
     if (!datums[i].usable()) {
       std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << datums[i].message << "\n";

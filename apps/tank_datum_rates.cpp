@@ -1,5 +1,6 @@
 #include "parsed.h"
 #include "rates/movement_rates.h"
+#include "rates/shape_rates.h"
 #include "tank_datum/version.h"
 
 /// One command per question; each has its trial, its rates and its table in apps/rates/.
@@ -10,6 +11,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("tank_datum_rates ") + kVersion);
   rates::MovementTrial movement;
   rates::addMovement(app, movement)->callback([&] { print(movement, rates::ratesOf(movement)); });
+  rates::ShapeTrial shape;
+  rates::addShape(app, shape)->callback([&] { print(shape, rates::ratesOf(shape)); });
   int status = kUsable;
   parsed(app, argc, argv, status);
   return status;

@@ -314,6 +314,8 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   begin("checks");
   datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis,
                            shellMeasures(datum.shell, options.analysis.facts), datum.covariance);
+  datum.asked_height = options.analysis.facts.height;
+  for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;
 }
 

@@ -129,7 +129,8 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
     return datum;
   }
   datum = meant(std::move(datum), options);
-  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis);
+  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis, {}, datum.covariance);
+  for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;
 }
 

@@ -19,7 +19,8 @@ constexpr int kMiddle = 100;  ///< of the dip [deg]
 /// What one station's error takes from the white noise around it.
 std::vector<double> kernelOf(const MovementTrial& trial) {
   std::vector<double> kernel = {0.03, 0.26, 1.0, 0.26, 0.03};
-  if (trial.window_deg > 3.0) kernel.assign(static_cast<std::size_t>(std::lround(trial.window_deg)), 1.0);
+  const double shared = trial.correlated_deg > 0.0 ? trial.correlated_deg : trial.window_deg;
+  if (shared > 3.0) kernel.assign(static_cast<std::size_t>(std::lround(shared)), 1.0);
   double squares = 0.0;
   for (const double k : kernel) squares += k * k;
   for (double& k : kernel) k /= std::sqrt(squares);
@@ -56,6 +57,10 @@ CLI::App* addMovement(CLI::App& app, MovementTrial& trial) {
   movement->add_option("--scatter", trial.scatter, "actual errors over that")->check(CLI::PositiveNumber);
   movement->add_option("--window-deg", trial.window_deg, "arc that a station's points come from")
       ->check(CLI::Range(1.0, 90.0));
+  movement->add_option("--correlated-deg", trial.correlated_deg, "arc within which errors are shared; 0: as said")
+      ->check(CLI::Range(0.0, 90.0));
+  movement->add_option("--remove", trial.remove, "what is taken from the movement")
+      ->check(CLI::IsMember({"none", "mean", "tilt"}));
   movement->add_option("--dip", trial.dip, "depth [m]");
   movement->add_option("--dip-width-deg", trial.dip_width_deg, "whole width")->check(CLI::Range(1.0, 180.0));
   return movement;
@@ -63,11 +68,13 @@ CLI::App* addMovement(CLI::App& app, MovementTrial& trial) {
 
 MovementRates ratesOf(const MovementTrial& trial) {
   const auto count = static_cast<std::size_t>(trial.runs);
+  MovementOptions options = trial.options;
+  if (trial.remove != "none") options.removal = trial.remove == "mean" ? Removal::Mean : Removal::Tilt;
   std::vector<char> alarm(count), found(count), elsewhere(count);
   forEachIndex(count, 0, [&](std::size_t i) {
     const Epoch before = surveyOf(trial, 3 * i, 0.0);
-    const Movement still = compareEpochs(before, surveyOf(trial, 3 * i + 1, 0.0), trial.options);
-    const Movement moved = compareEpochs(before, surveyOf(trial, 3 * i + 2, trial.dip), trial.options);
+    const Movement still = compareEpochs(before, surveyOf(trial, 3 * i + 1, 0.0), options);
+    const Movement moved = compareEpochs(before, surveyOf(trial, 3 * i + 2, trial.dip), options);
     alarm[i] = still.significant > 0;
     for (int s = 0; s < kStations; ++s) {
       if (!moved.stations[static_cast<std::size_t>(s)].significant) continue;

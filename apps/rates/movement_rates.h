@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 #include "tank_datum/movement/movement.h"
 
@@ -9,11 +10,13 @@ namespace tank_datum::rates {
 /// Simulated pairs of surveys of one 60 m tank with 360 stations.
 struct MovementTrial {
   int runs = 2000;
-  double sigma = 0.00026;     ///< of a station [m]
-  double scatter = 1.0;       ///< actual errors over sigma
-  double window_deg = 2.0;    ///< what the surveys say of the arc behind a station
-  double dip = 0.002;         ///< depth of the dip in the second survey [m]
-  double dip_width_deg = 10;  ///< whole
+  double sigma = 0.00026;       ///< of a station [m]
+  double scatter = 1.0;         ///< actual errors over sigma
+  double window_deg = 2.0;      ///< what the surveys say of the arc behind a station
+  double correlated_deg = 0;    ///< arc within which errors are shared; 0: as the surveys say
+  std::string remove = "none";  ///< what is taken from the movement first
+  double dip = 0.002;           ///< depth of the dip in the second survey [m]
+  double dip_width_deg = 10;    ///< whole
   MovementOptions options;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tank_datum/core/export.h"
+#include "tank_datum/core/unknown.h"
 #include "tank_datum/edge/centre_filter.h"
 #include "tank_datum/edge/region_growing.h"
 #include "tank_datum/fit/spline.h"
@@ -91,6 +92,7 @@ struct Datum {
   Tilt tilt;
   Antipodal antipodal;
   Analysis analysis;
+  double asked_height = kUnknown;  ///< of the shell, as it was given for the checks [m]
   ShellSurvey shell;
   std::vector<TankTest> tests;  ///< of whether it is a tank
   ShellLean lean;               ///< of the shell near its foot
@@ -129,5 +131,8 @@ std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, 
 /// The same for a tank already located in the scan.
 Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options,
                      const StageObserver& observer = {}, const NormalStage& normal_stage = {});
+
+/// What in a result looks like a mistake of units or of what was typed in; they stand in its notes too.
+std::vector<std::string> warningsOf(const Datum& datum);
 
 }  // namespace tank_datum

@@ -12,6 +12,7 @@ namespace tank_datum {
 namespace {
 
 using Table = std::vector<const Limit*>;
+const char* const kNoLimit = "the rule has no limit for such a tank";
 
 std::vector<Table> tablesOf(const std::vector<Limit>& limits) {
   std::vector<Table> tables;
@@ -42,7 +43,7 @@ const Limit* rowFor(const Table& table, const TankFacts& facts, double diameter,
   }
   if (roof_needed) add(reason, "the type of roof is not given (--roof open or fixed)");
   if (foundation_needed) add(reason, "the kind of foundation is not given (--foundation ringwall or earth)");
-  if (reason.empty()) reason = "the rule has no limit for such a tank";
+  if (reason.empty()) reason = kNoLimit;
   return nullptr;
 }
 
@@ -108,12 +109,27 @@ const Measure& worstOf(const std::vector<const Measure*>& candidates, const Limi
   });
 }
 
+/// Takes the verdict from a rule that is only shown, or is for tanks of another service.
+Check standing(Check check, const Limit& limit, const TankFacts& facts) {
+  check.role = "judged";
+  if (!limit.judged) {
+    check.role = "shown";
+    add(check.note, "shown beside the limits that are judged by");
+  } else if (!limit.service.empty() && limit.service != nameOf(facts.service)) {
+    check.role = "for comparison";
+    add(check.note, "for comparison: a rule for " + limit.service + " tanks");
+  }
+  if (check.role != "judged") check.verdict = Verdict::NotApplicable;
+  return check;
+}
+
 Check checkOf(const Table& table, const std::vector<Measure>& measures, const TankFacts& facts, double diameter) {
   const Limit& first = *table.front();
   Check check;
   check.code = first.code;
   check.clause = first.clause;
   check.name = first.name;
+  check.quantity = first.quantity;
   check.unit = first.unit;
   check.trust = first.trust;
   check.citation = first.citation;
@@ -124,7 +140,8 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   const Limit* limit = rowFor(table, facts, diameter, check.note);
   if (candidates.empty()) {
     check.note = "the survey does not hold it";
-    return check;
+    check.verdict = Verdict::NotEvaluated;
+    return standing(check, first, facts);
   }
   const Measure& measure = worstOf(candidates, limit ? *limit : first, facts, diameter);
   check.value = measure.worst.value;
@@ -133,9 +150,12 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   check.azimuth = measure.worst.azimuth;
   if (!measure.unavailable.empty()) {
     check.note = measure.unavailable;
-    return check;
+    return standing(check, first, facts);
   }
-  if (!limit) return check;
+  if (!limit) {
+    check.verdict = check.note == kNoLimit ? Verdict::NotApplicable : Verdict::NotEvaluated;
+    return standing(check, first, facts);
+  }
   check.trust = limit->trust;
   check.citation = limit->citation;
   check.limit = limitAt(*limit, measure, facts, diameter);
@@ -150,8 +170,8 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
     check.sigma = sigmaOf(check);
   }
   add(check.note, whatIsNotGiven(*limit, facts));
-  if (!limit->judged) add(check.note, "shown beside the limit that is judged by");
-  if (std::isfinite(check.limit) && limit->judged) check.verdict = verdictOf(check, measure.whole_ring);
+  check.verdict = std::isfinite(check.limit) ? verdictOf(check, measure.whole_ring) : Verdict::NotEvaluated;
+  check = standing(check, *limit, facts);
   add(check.note, shareBeyond(measure, check.limit));
   if (check.verdict == Verdict::Undecided) {
     const bool hidden = !measure.whole_ring && !(check.interval.high > check.limit);
@@ -177,6 +197,10 @@ std::string outside(const Range& range) {
 }
 
 }  // namespace
+
+const char* nameOf(Service service) {
+  return service == Service::New ? "new" : service == Service::Rebuilt ? "rebuilt" : "in-service";
+}
 
 std::string firstError(const TankFacts& facts) {
   for (const Range& range : {Range{"height", facts.height, 0.0, 100.0, "m"},

@@ -11,8 +11,9 @@
 namespace tank_datum {
 namespace {
 
-const std::vector<std::string> kColumns = {"code", "clause",   "name", "quantity",   "use",   "formula", "at_most",
-                                           "unit", "diameter", "roof", "foundation", "trust", "citation"};
+const std::vector<std::string> kColumns = {"code", "clause",   "name", "quantity",   "use",   "formula",  "at_most",
+                                           "unit", "diameter", "roof", "foundation", "trust", "citation", "service"};
+constexpr std::size_t kFewestColumns = 13;  // a file without the last one is for every service
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string text;
@@ -24,14 +25,16 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 class LimitRow {
  public:
   LimitRow(const CsvRow& row, const std::string& file) : row_(row), file_(file) {
-    if (row.cells.size() != kColumns.size()) {
+    if (row.cells.size() != kColumns.size() && row.cells.size() != kFewestColumns) {
       throw Error(Error::Kind::Option, "limits", placeOf(file, row), std::to_string(row.cells.size()) + " cells",
-                  std::to_string(kColumns.size()) + " as in the header line");
+                  std::to_string(kFewestColumns) + " or " + std::to_string(kColumns.size()));
     }
   }
 
   const std::string& text(const std::string& column) const {
-    return row_.cells[static_cast<std::size_t>(std::find(kColumns.begin(), kColumns.end(), column) - kColumns.begin())];
+    static const std::string none;
+    const auto at = static_cast<std::size_t>(std::find(kColumns.begin(), kColumns.end(), column) - kColumns.begin());
+    return at < row_.cells.size() ? row_.cells[at] : none;
   }
   const std::string& required(const std::string& column) const {
     if (text(column).empty()) refuse(column, "some text");
@@ -99,6 +102,7 @@ Limit limitFrom(const LimitRow& row) {
   limit.foundation = row.oneOf("foundation", {"", "ringwall", "earth"});
   limit.trust = row.oneOf("trust", {"verified", "secondary", "unverified"});
   limit.citation = row.required("citation");
+  limit.service = row.oneOf("service", {"", "new", "rebuilt", "in-service"});
   return limit;
 }
 
@@ -110,15 +114,16 @@ bool DiameterRange::holds(double diameter) const {
 
 const std::vector<std::string>& knownQuantities() {
   static const std::vector<std::string> all = {
-      "tilt_slope",     "tilt_height",    "second_difference", "curvature",       "out_of_plane",
-      "settlement_arc", "neighbour_bend", "neighbour_slope",   "slope_10m",       "level_9m",
-      "level_3m",       "level_total",    "roundness_foot",    "roundness_above", "plumbness"};
+      "tilt_slope",     "tilt_height",    "second_difference", "curvature", "out_of_plane", "antipodal",
+      "settlement_arc", "neighbour_bend", "neighbour_slope",   "slope_10m", "level_9m",     "level_3m",
+      "level_total",    "roundness_foot", "roundness_above",   "plumbness"};
   return all;
 }
 
 std::vector<Limit> parseLimits(const std::string& text, const std::string& file) {
   const std::vector<CsvRow> rows = csvRows(text);
-  if (rows.empty() || rows.front().cells != kColumns) {
+  const std::vector<std::string> shorter(kColumns.begin(), kColumns.begin() + kFewestColumns);
+  if (rows.empty() || (rows.front().cells != kColumns && rows.front().cells != shorter)) {
     throw Error(Error::Kind::Option, "limits", rows.empty() ? file : placeOf(file, rows.front()),
                 rows.empty() ? "no lines" : "another header", "the header line " + joined(kColumns, ","));
   }

@@ -12,6 +12,8 @@ const char* nameOf(Verdict verdict) {
       return "undecided";
     case Verdict::NotApplicable:
       return "not_applicable";
+    case Verdict::NotEvaluated:
+      return "not_evaluated";
   }
   return "";
 }

@@ -84,7 +84,7 @@ double misfitAt(const Epoch& baseline, const Epoch& current, double offset, Remo
   std::vector<MatchedStation>& matched = matching.stations;
   const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
   if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
-  CommonPart(matched, removal).removeFrom(matched);
+  CommonPart(matched, removal, false).removeFrom(matched);
   double sum = 0;
   for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
   return sum / static_cast<double>(matched.size());
@@ -107,19 +107,30 @@ double azimuthIn(const Epoch& epoch, double direction) {
               (azimuths * directions < 0.0 ? first.direction - direction : direction - first.direction));
 }
 
-CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal removal) {
+CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal removal, bool robust) {
+  constexpr int kAbsolute = 20, kBiweight = 10;  // iterations
   const auto count = static_cast<Eigen::Index>(stations.size());
   const Eigen::Index terms = removal == Removal::Nothing ? 0 : removal == Removal::Mean ? 1 : 3;
   rows_.resize(count, terms);
-  Eigen::VectorXd weights(count);
+  Eigen::VectorXd weights(count), dz(count), sigmas(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const MatchedStation& m = stations[static_cast<std::size_t>(i)];
     rows_.row(i) = Eigen::RowVector3d(1.0, std::cos(m.direction), std::sin(m.direction)).head(terms);
-    weights[i] = 1.0 / (m.sigma * m.sigma);
+    dz[i] = m.dz, sigmas[i] = m.sigma;
   }
   if (terms == 0) return;
-  const Eigen::MatrixXd weighted = rows_.transpose() * weights.asDiagonal();
-  fit_ = (weighted * rows_).ldlt().solve(weighted);
+  const Eigen::VectorXd plain = sigmas.array().square().inverse();
+  weights = plain;
+  for (int iteration = 0; iteration <= (robust ? kAbsolute + kBiweight : 0); ++iteration) {
+    const Eigen::MatrixXd weighted = rows_.transpose() * weights.asDiagonal();
+    fit_ = (weighted * rows_).ldlt().solve(weighted);
+    const Eigen::VectorXd left = (dz - rows_ * (fit_ * dz)).cwiseQuotient(sigmas);
+    const double scale = std::max(1.0, robustSigma({left.data(), left.data() + count}, 0.0));
+    for (Eigen::Index i = 0; i < count; ++i) {
+      weights[i] = plain[i] * (iteration < kAbsolute ? 1.0 / std::max(1.0, std::abs(left[i]) / scale)
+                                                     : tukeyWeight(left[i] / scale));
+    }
+  }
 }
 
 void CommonPart::removeFrom(std::vector<MatchedStation>& stations) const {

@@ -37,7 +37,9 @@ Matching matchStations(const Epoch& baseline, const Epoch& current, double offse
 /// Takes a common height or tilt, fitted with weights 1/sigma^2, from dz.
 class CommonPart {
  public:
-  CommonPart(const std::vector<MatchedStation>& stations, Removal removal);
+  /// @param robust  stations that stand out from the rest do not count (Tukey's biweight from least absolute
+  ///                deviations), so that a sector that moved does not move the others
+  CommonPart(const std::vector<MatchedStation>& stations, Removal removal, bool robust);
   void removeFrom(std::vector<MatchedStation>& stations) const;
 
  private:

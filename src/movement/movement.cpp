@@ -1,11 +1,13 @@
 #include "tank_datum/movement/movement.h"
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <sstream>
 
 #include "core/refusal.h"
 #include "core/units.h"
 #include "movement/epoch_matching.h"
+#include "movement/movement_errors.h"
 #include "movement/movement_significance.h"
 #include "tank_datum/core/error.h"
 
@@ -59,6 +61,17 @@ std::vector<StationMovement> stationsOf(const Epoch& baseline, const Epoch& curr
     }
   }
   return stations;
+}
+
+/// Settlement and tilt of the whole, each with its test.
+void describeWhole(const CommonMotion& motion, double radius, Movement& movement) {
+  movement.mean = motion.mean, movement.sigma_mean = motion.sigma_mean;
+  movement.mean_significant = std::abs(motion.mean) > kNormal95 * motion.sigma_mean;
+  movement.tilt_change = motion.rim.norm() / radius;
+  const Eigen::Vector2d along = motion.rim.normalized();
+  movement.sigma_tilt_change = std::sqrt(along.dot(motion.covariance * along)) / radius;
+  movement.tilt_direction = turn(std::atan2(motion.rim.y(), motion.rim.x()));
+  movement.tilt_p_value = std::exp(-0.5 * motion.rim.dot(motion.covariance.inverse() * motion.rim));
 }
 
 void summarise(Movement& movement) {
@@ -151,9 +164,13 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
                        std::to_string(kFewest) + " are needed";
     return movement;
   }
-  CommonPart(matched, options.removal).removeFrom(matched);
-  const Significance found = findMoved(
-      matched, {options.registration_error, options.registration_tilt * current.circle.radius, offset.sigma}, options);
+  const double rim = options.registration_tilt * current.circle.radius;
+  const MovementErrors errors = shownErrors(matched);
+  widenErrors(matched, errors, options.correlation);
+  movement.errors_shown = errors.shown, movement.shared_arc = errors.shared;
+  describeWhole(commonMotion(matched, options.registration_error, rim), current.circle.radius, movement);
+  CommonPart(matched, options.removal, true).removeFrom(matched);
+  const Significance found = findMoved(matched, {options.registration_error, rim, offset.sigma}, options);
   movement.threshold = found.threshold;
   for (std::size_t i = 0; i < matched.size(); ++i) {
     StationMovement& s = movement.stations[matched[i].station];

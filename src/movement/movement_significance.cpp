@@ -66,7 +66,7 @@ class Steadied {
 class Unmoved {
  public:
   Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, const MovementOptions& options)
-      : stations_(stations), common_(common), part_(stations, options.removal) {
+      : stations_(stations), common_(common), part_(stations, options.removal, true) {
     cells_ = std::max<std::size_t>(360, stations.size());
     const double cell = kTwoPi / static_cast<double>(cells_);
     for (const MatchedStation& m : stations) {

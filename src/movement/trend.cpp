@@ -68,6 +68,19 @@ void fitRate(StationHistory& history, const std::vector<double>& times) {
   history.rate = rate, history.sigma_rate = std::sqrt(variance);
 }
 
+/// The largest of all rates is compared with the largest of as many that are only errors (Sidak).
+void judgeRates(std::vector<StationHistory>& histories) {
+  constexpr double kFalseAlarms = 0.05;
+  const auto known =
+      std::count_if(histories.begin(), histories.end(), [](const StationHistory& h) { return h.sigma_rate > 0.0; });
+  if (known == 0) return;
+  const double one = 1.0 - std::pow(1.0 - kFalseAlarms, 1.0 / static_cast<double>(known));
+  for (StationHistory& h : histories) {
+    const double chance = std::erfc(std::abs(h.rate) / h.sigma_rate / std::sqrt(2.0));  // two-sided
+    h.significant = h.sigma_rate > 0.0 && chance < one;
+  }
+}
+
 void requireTimes(const std::vector<double>& times, std::size_t surveys) {
   if (times.size() != surveys) {
     throw Error(Error::Kind::Option, "movement", "dates", std::to_string(times.size()),
@@ -97,6 +110,7 @@ std::vector<StationHistory> historiesOf(const std::vector<Movement>& movements, 
     fitRate(history, times);
     histories.push_back(std::move(history));
   }
+  judgeRates(histories);
   return histories;
 }
 

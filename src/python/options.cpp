@@ -68,6 +68,14 @@ Keyword search() {
           }};
 }
 
+Keyword service() {
+  return {"service", [](const Options& o) { return py::cast(nameOf(o.datum.analysis.facts.service)); },
+          [](Options& o, const py::handle& value) {
+            o.datum.analysis.facts.service =
+                named<Service>("service", value, {Service::New, Service::Rebuilt, Service::InService});
+          }};
+}
+
 Keyword tank() {
   return {"tank", [](const Options&) { return py::object(py::none()); },
           [](Options& o, const py::handle& value) {
@@ -177,6 +185,7 @@ const std::vector<Keyword>& keywords() {
           "roof", [](Options & o) -> auto& { return o.datum.analysis.facts.roof; }),
       word(
           "foundation", [](Options & o) -> auto& { return o.datum.analysis.facts.foundation; }),
+      service(),
       plain<int>(
           "classic_points", [](Options & o) -> auto& { return o.datum.analysis.classic_points; }),
       limits(),

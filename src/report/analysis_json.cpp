@@ -29,6 +29,8 @@ Json placed(const PlacedValue& v) {
   return {{"value", number(v.value)}, {"sigma", number(v.sigma)}, {"azimuth_deg", number(toDegrees(v.azimuth))}};
 }
 
+Json interval(const Interval95& i) { return {number(i.low), number(i.high)}; }
+
 Json secondDifferencesJson(const SecondDifferences& d) {
   const PlacedValue worst = d.valid() ? d.all[d.worst] : PlacedValue{};
   return {{"points", d.points},     {"starts", d.starts},     {"spacing", number(d.spacing)},
@@ -68,6 +70,8 @@ Json outOfPlaneJson(const Analysis& analysis, const std::vector<Station>& statio
           {"max_curvature", number(fit.max_curvature)},
           {"max_curvature_azimuth_deg", number(toDegrees(fit.max_curvature_azimuth))},
           {"sigma_curvature", number(fit.sigma_curvature)},
+          {"max_curvature_95", interval(fit.curvature_interval)},
+          {"max_abs_u_95", interval(fit.u_interval)},
           {"curvature_limit", curvatureLimit(analysis.checks)},
           {"longest_gap", number(analysis.longest_gap)},
           {"u_fit_sigma", u_fit},
@@ -84,10 +88,13 @@ Json checksJson(const std::vector<Check>& checks) {
                    {"name", c.name},
                    {"value", number(c.value)},
                    {"sigma", number(c.sigma)},
+                   {"low95", number(c.interval.low)},
+                   {"high95", number(c.interval.high)},
                    {"limit", number(c.limit)},
                    {"unit", c.unit},
                    {"azimuth_deg", number(toDegrees(c.azimuth))},
                    {"verdict", nameOf(c.verdict)},
+                   {"role", c.role},
                    {"source", c.trust},
                    {"citation", c.citation},
                    {"note", c.note}});
@@ -104,6 +111,10 @@ void addAnalysis(Json& json, const Analysis& analysis, const std::vector<Station
                         {"level_3m", placed(analysis.level_3m)},
                         {"level_total", placed(analysis.level_total)}};
   json["checks"] = checksJson(analysis.checks);
+  json["verdict"] = {{"word", analysis.headline.word},
+                     {"governing", textOrNull(analysis.headline.governing)},
+                     {"utilisation", number(analysis.headline.utilisation)},
+                     {"sentence", analysis.headline.sentence}};
   json["notes"] = analysis.notes;
 }
 
@@ -113,6 +124,7 @@ Json analysisOptionsJson(const AnalysisOptions& o) {
           {"modulus_mpa", number(o.facts.modulus)},
           {"roof", textOrNull(o.facts.roof)},
           {"foundation", textOrNull(o.facts.foundation)},
+          {"service", nameOf(o.facts.service)},
           {"classic_points", o.classic_points},
           {"limits", textOrNull(o.limits_file)}};
 }

@@ -166,6 +166,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
   json["options"] = optionsJson(provenance.options, provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
+  json["service"] = nameOf(provenance.options.analysis.facts.service);
   json["tank"] = tankJson(datum);
   json["tests"] = testsJson(datum.tests);
   json["lean"] = leanJson(datum, provenance.options.stations);

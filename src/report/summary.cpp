@@ -86,24 +86,31 @@ std::string figures(const Check& check) {
 /// one nearest to it.
 std::string checkLines(const std::vector<Check>& checks) {
   if (checks.empty()) return {};
-  int counts[4] = {};
+  int counts[5] = {};
   std::vector<const Check*> failed, undecided;
   for (const Check& c : checks) {
     ++counts[static_cast<int>(c.verdict)];
-    if (c.verdict == Verdict::Fail) failed.push_back(&c);
-    if (c.verdict == Verdict::Undecided) undecided.push_back(&c);
+    if (c.verdict == Verdict::Fail && c.role != "second opinion") failed.push_back(&c);
+    if (c.verdict == Verdict::Undecided && c.role != "second opinion") undecided.push_back(&c);
   }
   const auto graver = [](const Check* a, const Check* b) { return a->value / a->limit > b->value / b->limit; };
   std::stable_sort(failed.begin(), failed.end(), graver);
   std::stable_sort(undecided.begin(), undecided.end(), graver);
   if (undecided.size() > 1) undecided.resize(1);
-  std::string lines =
-      line("checks", "%d pass, %d fail, %d undecided, %d not applicable (screening, no code evaluation)", counts[0],
-           counts[1], counts[2], counts[3]);
+  std::string lines = line(
+      "checks", "%d pass, %d fail, %d undecided, %d not evaluated, %d not applicable (screening, no code evaluation)",
+      counts[0], counts[1], counts[2], counts[4], counts[3]);
   for (const Check* c : failed.empty() ? undecided : failed) {
     lines += line(nameOf(c->verdict), "%s %s: %s", c->code.c_str(), c->name.c_str(), figures(*c).c_str());
   }
   return lines;
+}
+
+std::string verdictLine(const Analysis& analysis) {
+  if (!analysis.valid()) return {};
+  const Headline& h = analysis.headline;
+  if (!std::isfinite(h.utilisation)) return line("verdict", "%s: %s", h.word.c_str(), h.governing.c_str());
+  return line("verdict", "%s: %s, %.0f %% of its limit", h.word.c_str(), h.governing.c_str(), 100.0 * h.utilisation);
 }
 
 }  // namespace
@@ -127,7 +134,7 @@ std::string summary(const Datum& datum, bool blocks) {
   const std::string lean = leanText(datum, {});
   if (!lean.empty()) text += line("lean", "%s", lean.c_str());
   return text + methodLines(datum) + tiltLine(datum) + antipodalLine(datum.antipodal) + shellSummary(datum.shell) +
-         checkLines(datum.analysis.checks);
+         checkLines(datum.analysis.checks) + verdictLine(datum.analysis);
 }
 
 }  // namespace tank_datum

@@ -25,6 +25,16 @@ void addTilt(const Tilt& tilt, double radius, std::vector<Measure>& measures) {
   }
 }
 
+/// The largest difference of height across a diameter.
+void addAntipodal(const std::vector<Station>& stations, std::vector<Measure>& measures) {
+  const Antipodal across = antipodalOf(stations);
+  Measure measure;
+  measure.quantity = "antipodal";
+  measure.worst = {across.max_h, kUnknown, across.azimuth};
+  if (!std::isfinite(across.max_h)) measure.unavailable = "no two stations lie across a diameter";
+  measures.push_back(measure);
+}
+
 /// What the stations show of their errors, where it is not what they say.
 std::string errorsNote(const RingModel& model) {
   constexpr double kMismatch = 1.5;
@@ -40,16 +50,17 @@ std::string errorsNote(const RingModel& model) {
 
 std::vector<std::string> notesOf(const std::vector<Station>& stations, const Tilt& tilt, const Analysis& analysis) {
   std::vector<std::string> notes = {
-      "Screening for a storage-tank engineer, not a code evaluation.",
+      "Screening for a storage-tank engineer, not a code evaluation. Bottom and edge settlement are not covered.",
+      "Elevations of a first survey are settlement only if the tank was built level.",
       "The levels of the instrument limit the tilt: an instrument out of level by some seconds of arc tilts every "
       "elevation alike. Out-of-plane settlement (n >= 2) is untouched by that.",
       "The antipodal inclination is an upper bound of the tilt: one station's error or bump counts in full."};
   if (tilt.r2 < 0.9) {
-    char text[160];
+    char text[240];
     std::snprintf(
         text, sizeof text,
-        "The tilt plane explains %.0f %% of the variance of the elevations; API 653 Annex B before 2024 asked "
-        "for 90 %%.",
+        "The tilt plane explains %.0f %% of the variance of the elevations; API 653 Annex B before 2024 asks for "
+        "90 %%: its out-of-plane rule is not valid under that edition.",
         100.0 * tilt.r2);
     notes.push_back(text);
   }
@@ -100,7 +111,9 @@ Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius
   for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kWidestGap, 2.01 * step);
   addTilt(tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), shell.begin(), shell.end());
+  addAntipodal(stations, result.measures);
   result.checks = judge(options.limits, result.measures, options.facts, 2.0 * radius);
+  result.headline = headlineOf(result.checks, surveys.model().dense());
   for (Measure& m : result.measures) m.share = nullptr;  // it refers to the simulated surveys
   result.notes = notesOf(stations, tilt, result);
   const std::string errors = errorsNote(surveys.model());

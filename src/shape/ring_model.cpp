@@ -100,7 +100,7 @@ double RingModel::differencesScale() const {
 /// Variance of the stations' own errors over sigmas^2: what the waves, all free, leave of many stations, or third
 /// differences where those say much less; what a plane leaves of few without sigmas.
 double RingModel::ownScale2() {
-  constexpr double kRidge = 1e-9, kLeast = 1e-6, kSharp = 2.0;
+  constexpr double kRidge = 1e-8, kLeast = 1e-6, kSharp = 2.0;
   const bool many = dense();
   if (!many && data_.sigmas_known) return 1.0;
   const Eigen::Index used = many ? normal_.rows() : 3;
@@ -217,7 +217,10 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
   const double scale2 = noise_.scale * noise_.scale;
   Eigen::MatrixXd sums = product(normal_, seen) / scale2;  // of the survey, as the solution takes them
   if (dense()) {
-    const Eigen::MatrixXd root = normal_.llt().matrixL();
+    constexpr double kRidge = 1e-8;  // a gap leaves some sums of waves without any station: their errors are nil
+    Eigen::MatrixXd sums_covariance = normal_;
+    sums_covariance.diagonal() *= 1.0 + kRidge;
+    const Eigen::MatrixXd root = sums_covariance.llt().matrixL();
     sums += product(root, drawn(all)) * widths.asDiagonal() / noise_.scale;
   } else {
     const Eigen::MatrixXd own_errors =

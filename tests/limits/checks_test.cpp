@@ -48,7 +48,7 @@ TEST(Judge, SaysWhatIsNotGiven) {
   TankFacts facts;
   facts.height = 16;
   const Check check = one(rule, {measure("curvature", 1e-4, 1e-6)}, facts);
-  EXPECT_EQ(check.verdict, Verdict::NotApplicable);
+  EXPECT_EQ(check.verdict, Verdict::NotEvaluated);
   EXPECT_EQ(check.note, "not given: yield strength (--yield-mpa), elastic modulus (--modulus-mpa)");
   EXPECT_TRUE(std::isnan(check.limit));
   EXPECT_EQ(check.value, 1e-4);
@@ -100,6 +100,91 @@ TEST(Judge, WhatIsShownIsNotJudged) {
   const Check check = one("A,1,t,tilt_slope,show,0.01,,m/m,,,,verified,c\n", {measure("tilt_slope", 0.5, 0.0)});
   EXPECT_EQ(check.verdict, Verdict::NotApplicable);
   EXPECT_EQ(check.limit, 0.01);
+}
+
+TEST(Judge, ByTheIntervalOfTheLargestWhereThereIsOne) {
+  const auto with = [](double value, double low, double high) {
+    Measure m = measure("tilt_slope", value, 0.0);
+    m.interval = {low, high};
+    return one(kTilt, {m});
+  };
+  EXPECT_EQ(with(0.012, 0.0101, 0.013).verdict, Verdict::Fail);
+  EXPECT_EQ(with(0.012, 0.0099, 0.013).verdict, Verdict::Undecided);
+  EXPECT_EQ(with(0.0095, 0.006, 0.0099).verdict, Verdict::Pass);
+  EXPECT_EQ(with(0.0105, 0.006, 0.0099).verdict, Verdict::Undecided) << "no pass beyond the limit";
+  EXPECT_NEAR(with(0.012, 0.010, 0.013).sigma, 0.002 / 1.959964, 1e-9);  // 95 % reach the further end
+}
+
+TEST(Judge, FewStationsHaveStudentsT) {
+  Measure m = measure("tilt_slope", 0.0050, 0.0020);
+  EXPECT_EQ(one(kTilt, {m}).verdict, Verdict::Pass);
+  m.freedom = 5;  // 8 stations: 2.57 in place of 1.96
+  EXPECT_EQ(one(kTilt, {m}).verdict, Verdict::Undecided);
+}
+
+TEST(Judge, OfArcsTheShareOfTheirOwnLimits) {
+  const std::string rule = "A,1,arc,settlement_arc,judge,0.001 * S,0.05,m,,,,verified,c\n";
+  Measure m = measure("settlement_arc", 0.012, 0.001);
+  m.arc = 10;
+  m.share = [](const std::function<double(double)>& limit) { return Interval95{0.0105 / limit(10), 0.02 / limit(10)}; };
+  const Check check = one(rule, {m});
+  EXPECT_NEAR(check.interval.low, 0.0105, 1e-12);
+  EXPECT_EQ(check.verdict, Verdict::Fail);
+}
+
+TEST(Judge, ARuleOfAnotherServiceIsShownForComparison) {
+  const std::string header =
+      "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation,service\n";
+  const auto rows = parseLimits(header + "A,1,tilt,tilt_slope,judge,0.01,,m/m,,,,verified,c,new\n", "test");
+  TankFacts facts;
+  const std::vector<Measure> measures = {measure("tilt_slope", 0.02, 0.001)};
+  const Check compared = judge(rows, measures, facts, 20).at(0);
+  EXPECT_EQ(compared.verdict, Verdict::NotApplicable);
+  EXPECT_EQ(compared.role, "for comparison");
+  EXPECT_EQ(compared.limit, 0.01);
+  facts.service = Service::New;
+  EXPECT_EQ(judge(rows, measures, facts, 20).at(0).verdict, Verdict::Fail);
+}
+
+Check named(const char* quantity, Verdict verdict, double share, const char* role = "judged") {
+  Check check;
+  check.quantity = check.name = quantity;
+  check.code = "A";
+  check.verdict = verdict;
+  check.role = role;
+  check.value = share, check.limit = 1.0;
+  return check;
+}
+
+TEST(HeadlineOf, TheGoverningRuleAndNotTheSecondOpinions) {
+  std::vector<Check> checks = {named("second_difference", Verdict::Fail, 1.5), named("curvature", Verdict::Pass, 0.6),
+                               named("settlement_arc", Verdict::Undecided, 1.0)};
+  const Headline dense = headlineOf(checks, true);
+  EXPECT_EQ(dense.word, "PASS");
+  EXPECT_EQ(dense.governing, "A curvature");
+  EXPECT_EQ(dense.utilisation, 0.6);
+  EXPECT_EQ(checks[0].role, "second opinion");
+  EXPECT_EQ(checks[1].role, "governing");
+  for (Check& c : checks) c.role = "judged";
+  EXPECT_EQ(headlineOf(checks, false).word, "UNDECIDED");
+  for (Check& c : checks) c.role = "judged";
+  checks[2].verdict = Verdict::NotEvaluated;
+  EXPECT_EQ(headlineOf(checks, false).word, "FAIL");  // the classic rule where arcs cannot be judged
+}
+
+TEST(HeadlineOf, WorstOfWhatCounts) {
+  std::vector<Check> checks = {named("tilt_height", Verdict::Pass, 0.5)};
+  EXPECT_EQ(headlineOf(checks, true).word, "PASS");
+  checks.push_back(named("slope_10m", Verdict::NotEvaluated, 0.2));
+  EXPECT_EQ(headlineOf(checks, true).word, "INCOMPLETE");
+  checks.push_back(named("neighbour_slope", Verdict::Undecided, 0.9));
+  EXPECT_EQ(headlineOf(checks, true).word, "UNDECIDED");
+  checks.push_back(named("neighbour_bend", Verdict::Fail, 1.3));
+  EXPECT_EQ(headlineOf(checks, true).word, "FAIL");
+  EXPECT_NE(headlineOf(checks, true).sentence.find("130 % of its limit"), std::string::npos);
+  checks = {named("level_9m", Verdict::NotApplicable, 3.0, "for comparison")};
+  EXPECT_EQ(headlineOf(checks, true).word, "INCOMPLETE");
+  EXPECT_EQ(headlineOf(checks, true).governing, "");
 }
 
 TEST(Judge, WhatCouldNotBeHadIsNotApplicable) {

@@ -33,6 +33,17 @@ std::string refusal(const std::vector<Movement>& movements, const std::vector<do
   return "";
 }
 
+TEST(HistoriesOf, TheLargestRateIsComparedWithTheLargestOfAsMany) {
+  const auto at = [](double sigmas) {
+    Movement movement = moved(0.0);
+    movement.stations[90].dz = sigmas * 0.0003 * std::sqrt(2.0);
+    return historiesOf({movement}, {0, 1})[90].significant;
+  };
+  EXPECT_FALSE(at(3.0));  // one of 360 is that far off in most tanks
+  EXPECT_FALSE(at(3.7));
+  EXPECT_TRUE(at(3.9));  // 1 - 0.95^(1/360) is the chance beyond 3.80
+}
+
 TEST(HistoriesOf, FitsALineThroughEverySurvey) {
   const auto histories = historiesOf({moved(-0.001), moved(-0.002), moved(-0.003)}, {0, 1, 2, 3});
   ASSERT_EQ(histories.size(), 360U);

@@ -15,9 +15,9 @@ Synth = Callable[..., Path]
 STEEL = ("--height", 3, "--yield-mpa", 235, "--modulus-mpa", 206_000)
 KEYS = {
     *("code", "clause", "name", "value", "sigma", "limit", "unit", "azimuth_deg", "verdict"),
-    *("source", "citation", "note"),
+    *("source", "citation", "note", "role", "low95", "high95"),
 }
-VERDICTS = {"pass", "fail", "undecided", "not_applicable"}
+VERDICTS = {"pass", "fail", "undecided", "not_applicable", "not_evaluated"}
 LARGE = {"radius": 10, "distance": 9, "scanners": 6, "max_range": 22}
 
 
@@ -39,7 +39,7 @@ def test_every_check_is_complete(datum: dict[str, Any]) -> None:
         assert check["verdict"] in VERDICTS
         assert check["source"] in {"verified", "secondary", "unverified"}
         assert check["citation"]
-        if check["verdict"] == "not_applicable":
+        if check["verdict"] in {"not_applicable", "not_evaluated"}:
             assert check["note"], check["name"]
         else:
             assert None not in (check["value"], check["limit"]), check["name"]
@@ -89,7 +89,7 @@ def test_summary(run: Runner, synth: Synth, tmp_path: Path) -> None:
 def test_without_the_tanks_facts(run: Runner, synth: Synth, tmp_path: Path) -> None:
     assert run(synth(**LARGE), "-o", tmp_path / "out").returncode == 0
     curvature = by_name(read_datum(tmp_path / "out"), "curvature by trigonometric regression")
-    assert curvature["verdict"] == "not_applicable"
+    assert curvature["verdict"] == "not_evaluated"
     for option in ("--height", "--yield-mpa", "--modulus-mpa"):
         assert option in curvature["note"]
 
@@ -120,6 +120,8 @@ def test_printed_limits_are_those_used(run: Runner, synth: Synth, tmp_path: Path
     ("options", "said"),
     [
         (("--height", -2), "facts.height, -2, expected in m, > 0"),
+        (("--height", "26.25 furlongs"), "--height, 26.25 furlongs, expected a length"),
+        (("--service", "old"), "--service"),
         (("--yield-mpa", 0), "facts.yield, 0, expected in MPa, > 50"),
         (("--yield-mpa", 235e6), "facts.yield, 2.35e+08, expected in MPa"),
         (("--modulus-mpa", -1), "facts.modulus, -1, expected in MPa"),
@@ -136,6 +138,27 @@ def test_refused_options(
     assert result.returncode == 2
     assert said in result.stderr
     assert not (tmp_path / "out" / "datum.json").exists()
+
+
+def test_height_takes_units(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    limits = set()
+    for i, height in enumerate(("3.048", "10ft", "120 in", "3048mm", "3.048m")):
+        out = tmp_path / str(i)
+        assert run(synth(**LARGE), "-o", out, *STEEL[2:], "--height", height).returncode == 0
+        limits.add(
+            round(by_name(read_datum(out), "curvature by trigonometric regression")["limit"], 9)
+        )
+    assert limits == {round(11 * 235 / 206_000 / 3.048, 9)}
+
+
+def test_headline(datum: dict[str, Any]) -> None:
+    assert datum["service"] == "in-service"
+    assert set(datum["verdict"]) == {"word", "governing", "utilisation", "sentence"}
+    assert datum["verdict"]["word"] in {"FAIL", "UNDECIDED", "INCOMPLETE", "PASS"}
+    roles = {c["name"]: c["role"] for c in datum["checks"] if c["verdict"] != "not_applicable"}
+    assert roles["curvature by trigonometric regression"] == "governing"
+    new = [c for c in datum["checks"] if c["code"] == "API 650"]
+    assert new and all(c["role"] == "for comparison" for c in new)
 
 
 @pytest.mark.parametrize(("content", "status"), [("code,clause\n", 2), (None, 3)])

@@ -13,6 +13,16 @@
 
 namespace TANK_DATUM_API tank_datum {
 
+/// Whose rules a tank is judged by.
+enum class Service {
+  New,        ///< at construction or after releveling (API 650 7.5)
+  Rebuilt,    ///< reconstructed (API 653 section 10)
+  InService,  ///< API 653 Annex B, EEMUA 159, DeBeer, GB 50473
+};
+
+/// The names used at the command line and in files: "new", "rebuilt", "in-service".
+const char* nameOf(Service service);
+
 /// What is known of the tank beside the scan; NaN or empty when not given.
 struct TankFacts {
   double height = kUnknown;   ///< of the shell, H, at most 100 [m]
@@ -20,6 +30,7 @@ struct TankFacts {
   double modulus = kUnknown;  ///< its elastic modulus, E, 5e4 to 5e5 [MPa]
   std::string roof;           ///< "open" (floating roof) or "fixed"
   std::string foundation;     ///< "ringwall" or "earth"
+  Service service = Service::InService;
 };
 
 /// One line naming the first refused field, its value and what it must be; empty when all are fine.
@@ -44,12 +55,16 @@ struct Measure {
 /// A figure beside its limit.
 struct Check {
   std::string code, clause, name;
+  std::string quantity;                       ///< what is judged
   double value = kUnknown, sigma = kUnknown;  ///< in `unit`; sigma is its standard error
   double limit = kUnknown;                    ///< unknown when something for it is not given
   Interval95 interval;                        ///< 95 %: of the largest of all places, not of the worst one alone
   double azimuth = kUnknown;                  ///< of the worst place [rad]
   std::string unit;
   Verdict verdict = Verdict::NotApplicable;
+  /// What part it plays: "judged", "governing" of the rules on out-of-plane settlement, "second opinion" beside that,
+  /// "shown" beside another limit, "for comparison" as a rule of another service.
+  std::string role;
   std::string trust;     ///< how far the rule's numbers are trusted: verified, secondary, unverified
   std::string note;      ///< why not, or what to know of it
   std::string citation;  ///< of the limit
@@ -61,5 +76,19 @@ struct Check {
 /// @param diameter  of the tank [m]
 std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
                          double diameter);
+
+/// What all checks that count come to: those that are judged, are of the tank's service and are no second opinion.
+struct Headline {
+  std::string word =
+      "INCOMPLETE";       ///< FAIL if one fails, else UNDECIDED, else INCOMPLETE if one is not evaluated, else PASS
+  std::string governing;  ///< the check that says so, or comes nearest to its limit
+  double utilisation = kUnknown;  ///< its value over its limit
+  std::string sentence;
+};
+
+/// @param dense  more than 64 measured stations: the regression's curvature governs out-of-plane settlement; else
+///               Andreani's arcs, or where those cannot be judged the classic rule (ballot B.2.2.5 to B.2.2.8).
+///               Gives the checks their roles.
+Headline headlineOf(std::vector<Check>& checks, bool dense);
 
 }  // namespace tank_datum

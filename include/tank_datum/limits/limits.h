@@ -38,6 +38,7 @@ struct Limit {
   DiameterRange diameter;                                    ///< [m]
   std::string roof;                                          ///< open, fixed, or empty for both
   std::string foundation;                                    ///< ringwall, earth, or empty for both
+  std::string service;                                       ///< new, rebuilt, in-service, or empty for all
   std::string trust;                                         ///< verified, secondary, unverified
   std::string citation;
 };

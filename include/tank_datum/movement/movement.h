@@ -63,11 +63,19 @@ struct StationMovement {
 struct Movement {
   std::string baseline;  ///< name of the earlier survey
   Removal removal = Removal::Nothing;
-  double registration_error = 0.0;        ///< as given [m]
-  double registration_tilt = 0.0;         ///< as given [rad]
-  double azimuth_offset = 0.0;            ///< as given or estimated [rad]
-  double sigma_azimuth_offset = 0.0;      ///< its standard error; 0 when given [rad]
-  double threshold = kUnknown;            ///< of the largest standardised window mean on an unmoved tank, 97 %
+  double registration_error = 0.0;    ///< as given [m]
+  double registration_tilt = 0.0;     ///< as given [rad]
+  double azimuth_offset = 0.0;        ///< as given or estimated [rad]
+  double sigma_azimuth_offset = 0.0;  ///< its standard error; 0 when given [rad]
+  double errors_shown = 1.0;          ///< scatter of the differences over the given sigmas; above 1 it is used
+  double shared_arc = 0.0;            ///< arc within which the differences show shared errors [rad]
+  double mean = kUnknown, sigma_mean = kUnknown;  ///< settlement of the whole, before the removal [m]
+  bool mean_significant = false;                  ///< at 95 %, by itself
+  double tilt_change = kUnknown;                  ///< slope of the change of tilt, before the removal [m/m]
+  double sigma_tilt_change = kUnknown;            ///< along its direction [m/m]
+  double tilt_direction = kUnknown;               ///< towards the part that rose, in the baseline's frame [rad]
+  double tilt_p_value = kUnknown;                 ///< chi-square test on 2 degrees of freedom
+  double threshold = kUnknown;                    ///< of the largest standardised window mean on an unmoved tank, 97 %
   std::vector<StationMovement> stations;  ///< of one survey, in its order: the current one's, or the sparser baseline's
   std::size_t matched = 0;                ///< stations measured in both
   std::size_t significant = 0;

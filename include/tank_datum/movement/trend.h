@@ -16,7 +16,9 @@ struct StationHistory {
   double rate = kUnknown;                ///< least-squares slope of the elevation against time [m per unit of time]
   double sigma_rate = kUnknown;          ///< its standard error, from the surveys' own
 
-  double lod95() const { return kNormal95 * sigma_rate; }  ///< 95 % level of detection of the rate
+  bool significant = false;  ///< of all places shown at once: some unmoved one is in at most 5 % of tanks
+
+  double lod95() const { return kNormal95 * sigma_rate; }  ///< 95 % level of detection of the rate, of this place alone
 };
 
 /// The movements since one baseline, place by place: at the stations of the last survey that was compared. Other

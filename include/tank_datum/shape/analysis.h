@@ -35,6 +35,7 @@ struct Analysis {
   double longest_gap = kUnknown;                ///< arc between neighbouring stations with an elevation [m]
   std::vector<Measure> measures;                ///< the figures, as they go to the limits
   std::vector<Check> checks;
+  Headline headline;               ///< what the checks come to
   std::vector<std::string> notes;  ///< for every reader of the checks
 
   bool valid() const { return !checks.empty(); }

@@ -70,6 +70,7 @@ def extract_datum(
     yield_mpa: float | None = ...,
     modulus_mpa: float | None = ...,
     roof: Literal["open", "fixed"] | None = ...,
+    service: Literal["new", "rebuilt", "in-service"] = ...,
     foundation: Literal["ringwall", "earth"] | None = ...,
     classic_points: int = ...,
     limits: _Path | None = ...,

@@ -13,7 +13,9 @@ const checksWith = (verdict) => (datum.checks || []).filter((check) => check.ver
 
 /** pass, fail or undecided: the worst that any check says. */
 function worstVerdict() {
-  if (!usable || checksWith("fail").length > 0) return "fail";
+  if (!usable) return "fail";
+  if (datum.verdict) return { FAIL: "fail", UNDECIDED: "undecided", INCOMPLETE: "undecided", PASS: "pass" }[datum.verdict.word];
+  if (checksWith("fail").length > 0) return "fail";
   if (checksWith("undecided").length > 0 || datum.status === "partial") return "undecided";
   return checksWith("pass").length > 0 ? "pass" : "none";
 }
@@ -27,8 +29,10 @@ function verdictSentence() {
   const parts = [`${count("pass")} of ${plural(judged, "judged check")} pass`];
   if (failing.length > 0) parts.push(`${failing.length} fail: ${failing.join(", ")}`);
   if (count("undecided") > 0) parts.push(`${count("undecided")} undecided`);
+  if (count("not_evaluated") > 0) parts.push(`${count("not_evaluated")} not evaluated`);
   if (count("not_applicable") > 0) parts.push(`${count("not_applicable")} not applicable`);
-  return `${parts.join("; ")}. Screening, not a code evaluation.`;
+  const headline = datum.verdict ? `${datum.verdict.word}: ${datum.verdict.sentence} ` : "";
+  return `${headline}${parts.join("; ")}. Screening, not a code evaluation.`;
 }
 
 function statusSentence() {

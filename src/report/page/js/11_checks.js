@@ -1,6 +1,6 @@
 // The checks of the codes, each with its value, limit, verdict and how far its rule is trusted.
 
-const kVerdictOrder = ["fail", "undecided", "pass", "not_applicable"];
+const kVerdictOrder = ["fail", "undecided", "pass", "not_evaluated", "not_applicable"];
 
 /** [factor, unit, digits] of a check's figures: the unit that value and limit share. */
 function scaleOf(check) {

@@ -13,8 +13,10 @@ function addMovement() {
 function movementSentence(m) {
   const turned = m.azimuth_offset_deg ? `, this survey turned by ${degrees(m.azimuth_offset_deg, 2)}` : "";
   const moved = m.stations.filter((s) => s.significant).length;
+  const whole = m.mean && known(m.mean.value)
+    ? `Settlement of the whole ${millimetres(m.mean.value, 2)} \u00b1 ${millimetres(2 * m.mean.sigma, 2)} (2\u03c3), ${m.mean.significant ? "significant" : "not significant"}. ` : "";
   return `Since ${m.baseline}: largest ${millimetres(m.max, 2)}, RMS ${millimetres(m.rms, 2)}; ${moved} of ${plural(m.matched, "station")} moved significantly. `
-    + `Removed: ${m.removed}; error of registration ${millimetres(m.registration_error, 2)}${turned}.`;
+    + whole + `Removed: ${m.removed}; error of registration ${millimetres(m.registration_error, 2)}${turned}.`;
 }
 
 const kSurveyColours = ["datum", "reference", "shell", "fit", "tilt"];

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "tank_datum/limits/checks.h"
+
+namespace tank_datum {
+namespace {
+
+/// The rules on out-of-plane settlement, the one to govern first.
+using Ranking = std::array<const char*, 3>;
+
+bool isEvaluated(const Check& check) {
+  return check.verdict == Verdict::Pass || check.verdict == Verdict::Fail || check.verdict == Verdict::Undecided;
+}
+
+void giveRoles(std::vector<Check>& checks, const Ranking& ranking) {
+  const auto judged = [&](const char* quantity) {
+    return std::find_if(checks.begin(), checks.end(),
+                        [&](const Check& c) { return c.quantity == quantity && c.role == "judged"; });
+  };
+  auto governing = checks.end();
+  for (const char* quantity : ranking) {
+    const auto found = judged(quantity);
+    if (found == checks.end()) continue;
+    if (governing == checks.end() || (!isEvaluated(*governing) && isEvaluated(*found))) governing = found;
+  }
+  for (const char* quantity : ranking) {
+    for (auto found = judged(quantity); found != checks.end(); found = judged(quantity)) found->role = "second opinion";
+  }
+  if (governing != checks.end()) governing->role = "governing";
+}
+
+double utilisationOf(const Check& check) { return check.value / check.limit; }
+
+/// The check that a word rests on: the furthest beyond its limit, or nearest to it.
+const Check* worst(const std::vector<Check>& checks, Verdict verdict) {
+  const Check* found = nullptr;
+  for (const Check& c : checks) {
+    if (c.verdict != verdict || (c.role != "judged" && c.role != "governing")) continue;
+    if (!found || utilisationOf(c) > utilisationOf(*found)) found = &c;
+  }
+  return found;
+}
+
+std::string sentenceOf(const Headline& headline, const Check* check) {
+  const char* screening = "Screening for a storage-tank engineer, not a code evaluation.";
+  if (!check) return "No rule could be judged. " + std::string(screening);
+  const std::string rule = check->code + ' ' + check->name;
+  if (headline.word == "INCOMPLETE") return rule + " is not evaluated: " + check->note + ". " + screening;
+  char share[64];
+  std::snprintf(share, sizeof share, " is at %.0f %% of its limit", 100.0 * headline.utilisation);
+  const char* meaning = headline.word == "FAIL"        ? ", beyond it with 95 % confidence. "
+                        : headline.word == "UNDECIDED" ? ", too near or too little seen to decide. "
+                                                       : ", the nearest of all. ";
+  return rule + share + meaning + screening;
+}
+
+}  // namespace
+
+Headline headlineOf(std::vector<Check>& checks, bool dense) {
+  giveRoles(checks, dense ? Ranking{"curvature", "settlement_arc", "second_difference"}
+                          : Ranking{"settlement_arc", "second_difference", "curvature"});
+  Headline headline;
+  const Check* check = nullptr;
+  for (const auto& [verdict, word] : {std::pair(Verdict::Fail, "FAIL"),
+                                      {Verdict::Undecided, "UNDECIDED"},
+                                      {Verdict::NotEvaluated, "INCOMPLETE"},
+                                      {Verdict::Pass, "PASS"}}) {
+    check = worst(checks, verdict);
+    if (!check) continue;
+    headline.word = word;
+    headline.governing = check->code + ' ' + check->name;
+    if (std::isfinite(check->limit)) headline.utilisation = utilisationOf(*check);
+    break;
+  }
+  headline.sentence = sentenceOf(headline, check);
+  return headline;
+}
+
+}  // namespace tank_datum

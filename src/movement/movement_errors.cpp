@@ -1,0 +1,96 @@
+#include "movement/movement_errors.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+/// Robust autocorrelation of standardised values whose neighbours are `lag` places on, not over a gap.
+double correlationAt(const std::vector<double>& values, const std::vector<MatchedStation>& stations, std::size_t lag) {
+  const double step = kTwoPi / static_cast<double>(stations.size());
+  std::vector<double> sums, differences;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t j = (i + lag) % values.size();
+    if (turn(stations[j].direction - stations[i].direction) > (static_cast<double>(lag) + 0.5) * step) continue;
+    sums.push_back(values[i] + values[j]), differences.push_back(values[i] - values[j]);
+  }
+  const double s = std::pow(robustSigma(sums, median(sums)), 2.0);
+  const double d = std::pow(robustSigma(differences, median(differences)), 2.0);
+  return (s - d) / (s + d);
+}
+
+/// The part of two windows that they share, over the root of both: the correlation of means of white noise over them.
+double overlapOf(const MatchedStation& a, const MatchedStation& b) {
+  const double apart = std::abs(std::remainder(a.direction - b.direction, kTwoPi));
+  const double shared = std::min({a.window, b.window, 0.5 * (a.window + b.window) - apart});
+  return shared > 0.0 ? shared / std::sqrt(a.window * b.window) : 0.0;
+}
+
+}  // namespace
+
+MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
+  constexpr std::size_t kFewest = 16, kDense = 65;
+  constexpr double kNone = 0.2;       // correlations below it are none, of some hundred stations
+  constexpr double kCautious = 1.25;  // an arc is known to about a quarter
+  constexpr double kWidest = 30.0 * kDegree;
+  MovementErrors errors;
+  const std::size_t n = stations.size();
+  if (n < kFewest) return errors;
+  std::vector<MatchedStation> level = stations;
+  CommonPart(level, Removal::Tilt, true).removeFrom(level);
+  std::vector<double> values;
+  for (const MatchedStation& m : level) values.push_back(m.dz / m.sigma);
+  const double step = kTwoPi / static_cast<double>(n);
+  double along = 0.0;
+  for (std::size_t lag = 1; n >= kDense && static_cast<double>(lag) * step <= kWidest; ++lag) {
+    const double correlation = correlationAt(values, stations, lag);
+    if (!(correlation > kNone)) break;
+    along += correlation;
+  }
+  if (along > 0.0) errors.shared = kCautious * step * (1.0 + 2.0 * along);
+  // the plane took three degrees of freedom from as many values as are independent
+  const double independent = errors.shared > 0.0 ? std::max(6.0, kTwoPi / errors.shared) : static_cast<double>(n);
+  errors.shown = robustSigma(values, median(values)) / std::sqrt(1.0 - 3.0 / independent);
+  errors.scale = std::max(1.0, errors.shown);
+  return errors;
+}
+
+void widenErrors(std::vector<MatchedStation>& stations, const MovementErrors& errors, double declared) {
+  for (MatchedStation& m : stations) {
+    m.sigma *= errors.scale, m.sigma_baseline *= errors.scale;
+    m.window = declared > 0.0 ? declared : std::max(m.window, errors.shared);
+  }
+}
+
+CommonMotion commonMotion(const std::vector<MatchedStation>& stations, double height, double rim) {
+  const auto count = static_cast<Eigen::Index>(stations.size());
+  Eigen::MatrixXd rows(count, 3), covariance(count, count);
+  Eigen::VectorXd dz(count), weights(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const MatchedStation& m = stations[static_cast<std::size_t>(i)];
+    rows.row(i) << 1.0, std::cos(m.direction), std::sin(m.direction);
+    dz[i] = m.dz, weights[i] = 1.0 / (m.sigma * m.sigma);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const MatchedStation& other = stations[static_cast<std::size_t>(j)];
+      covariance(i, j) = m.sigma * other.sigma * overlapOf(m, other);
+    }
+  }
+  const Eigen::MatrixXd weighted = rows.transpose() * weights.asDiagonal();
+  const Eigen::MatrixXd fit = (weighted * rows).ldlt().solve(weighted);
+  Eigen::MatrixXd spread(3, count);
+  for (Eigen::Index j = 0; j < count; ++j) spread.col(j) = fit * covariance.col(j);
+  const Eigen::Matrix3d errors = spread.lazyProduct(fit.transpose());
+  const Eigen::Vector3d motion = fit * dz;
+  CommonMotion result;
+  result.mean = motion[0], result.sigma_mean = std::sqrt(errors(0, 0) + height * height);
+  result.rim = motion.tail<2>();
+  result.covariance = errors.bottomRightCorner<2, 2>() + rim * rim * Eigen::Matrix2d::Identity();
+  return result;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "movement/epoch_matching.h"
+
+namespace tank_datum {
+
+/// What the differences of two surveys show of their errors.
+struct MovementErrors {
+  double scale = 1.0;   ///< errors over the given sigmas, at least 1
+  double shown = 1.0;   ///< the same as the stations show it, above or below 1
+  double shared = 0.0;  ///< arc within which neighbours share errors; 0: not beyond what the surveys say [rad]
+};
+
+/// Scatter and autocorrelation of dz about a robust plane, by medians: a movement of less than half of the ring hardly
+/// changes them. From 16 stations on; the autocorrelation from 65.
+/// Source of the robust autocovariance: Ma and Genton, J. Time Series Analysis 21, 2000, with the median absolute
+/// deviation as scale.
+MovementErrors shownErrors(const std::vector<MatchedStation>& stations);
+
+/// Gives the stations the larger of given and shown errors, and the wider of the arcs.
+/// @param declared  the user's own arc, which stands; 0: none [rad]
+void widenErrors(std::vector<MatchedStation>& stations, const MovementErrors& errors, double declared);
+
+/// Settlement and tilt of the whole between two surveys: least squares, before anything is removed.
+struct CommonMotion {
+  double mean = 0.0, sigma_mean = 0.0;            ///< [m]
+  Eigen::Vector2d rim = Eigen::Vector2d::Zero();  ///< height at the shell along x and y by a change of tilt [m]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+};
+
+/// @param height, rim  1 sigma of height and tilt that the registration leaves [m]
+CommonMotion commonMotion(const std::vector<MatchedStation>& stations, double height, double rim);
+
+}  // namespace tank_datum

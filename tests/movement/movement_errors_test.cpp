@@ -1,0 +1,105 @@
+#include "movement/movement_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+/// Differences of 1 mm sigma whose errors are means of white noise over `shared` stations.
+std::vector<MatchedStation> differences(std::size_t count, std::size_t shared, unsigned seed, double errors = 0.001) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> white(count);
+  for (double& w : white) w = normal(generator);
+  std::vector<MatchedStation> stations(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    MatchedStation& m = stations[i];
+    m.direction = kTwoPi * static_cast<double>(i) / static_cast<double>(count);
+    m.sigma = 0.001, m.window = 2.0 * kDegree;
+    for (std::size_t k = 0; k < shared; ++k) m.dz += white[(i + k) % count];
+    m.dz *= errors / std::sqrt(static_cast<double>(shared));
+  }
+  return stations;
+}
+
+double meanScale(std::size_t shared, double errors) {
+  double sum = 0.0;
+  for (unsigned seed = 1; seed <= 20; ++seed) sum += shownErrors(differences(360, shared, seed, errors)).shown / 20;
+  return sum;
+}
+
+TEST(ShownErrors, AreThoseOfTheStations) {
+  EXPECT_NEAR(meanScale(1, 0.001), 1.0, 0.07);
+  EXPECT_NEAR(meanScale(1, 0.002), 2.0, 0.14);
+  EXPECT_NEAR(meanScale(5, 0.001), 1.0, 0.10);
+}
+
+TEST(ShownErrors, KnowTheArcThatNeighboursShare) {
+  for (const std::size_t shared : {5U, 20U}) {
+    double arc = 0.0;
+    for (unsigned seed = 1; seed <= 20; ++seed)
+      arc += shownErrors(differences(360, shared, seed)).shared / kDegree / 20;
+    EXPECT_GT(arc, 0.9 * static_cast<double>(shared));
+    EXPECT_LT(arc, 1.6 * static_cast<double>(shared));
+  }
+  EXPECT_LT(shownErrors(differences(360, 1, 3)).shared, 4.0 * kDegree);
+}
+
+TEST(ShownErrors, AreNotMovedByASectorThatIs) {
+  auto stations = differences(360, 1, 5);
+  for (std::size_t i = 100; i < 160; ++i) stations[i].dz -= 0.005;
+  EXPECT_NEAR(shownErrors(stations).shown, 1.0, 0.35);
+  EXPECT_EQ(shownErrors(differences(12, 1, 1, 0.005)).scale, 1.0) << "too few to say";
+}
+
+TEST(WidenErrors, TakesTheLargerAndTheDeclaredArc) {
+  auto stations = differences(8, 1, 1);
+  widenErrors(stations, {2.0, 2.0, 10.0 * kDegree}, 0.0);
+  EXPECT_NEAR(stations[0].sigma, 0.002, 1e-12);
+  EXPECT_NEAR(stations[0].window, 10.0 * kDegree, 1e-12);
+  widenErrors(stations, {1.0, 0.5, 0.0}, 30.0 * kDegree);
+  EXPECT_NEAR(stations[0].sigma, 0.002, 1e-12);
+  EXPECT_NEAR(stations[0].window, 30.0 * kDegree, 1e-12);
+}
+
+TEST(CommonMotion, OfAUniformDropIsSevenSigma) {
+  auto stations = differences(24, 1, 1, 0.0);
+  for (MatchedStation& m : stations) m.dz = -0.002, m.sigma = 0.001 * std::sqrt(2.0);
+  const CommonMotion motion = commonMotion(stations, 0.0, 0.0);
+  EXPECT_NEAR(motion.mean, -0.002, 1e-12);
+  EXPECT_NEAR(motion.sigma_mean, 0.001 * std::sqrt(2.0 / 24.0), 1e-9);
+  EXPECT_NEAR(motion.rim.norm(), 0.0, 1e-12);
+  EXPECT_NEAR(commonMotion(stations, 0.003, 0.0).sigma_mean, std::hypot(0.003, 0.001 * std::sqrt(2.0 / 24.0)), 1e-9);
+}
+
+TEST(CommonMotion, OfATiltIsItsRim) {
+  auto stations = differences(36, 1, 1, 0.0);
+  for (MatchedStation& m : stations) m.dz = 0.003 * std::cos(m.direction) + 0.004 * std::sin(m.direction);
+  const CommonMotion motion = commonMotion(stations, 0.0, 0.0);
+  EXPECT_NEAR(motion.rim.x(), 0.003, 1e-12);
+  EXPECT_NEAR(motion.rim.y(), 0.004, 1e-12);
+  EXPECT_NEAR(motion.covariance(0, 0), 1e-6 * 2.0 / 36.0, 1e-12);
+  for (MatchedStation& m : stations) m.window = 40.0 * kDegree;  // four neighbours share nearly all
+  EXPECT_GT(commonMotion(stations, 0.0, 0.0).covariance(0, 0), 2.5e-6 * 2.0 / 36.0);
+}
+
+TEST(CommonPart, ASectorThatMovedDoesNotMoveTheOthers) {
+  for (const Removal removal : {Removal::Mean, Removal::Tilt}) {
+    auto stations = differences(360, 1, 2, 0.0003);
+    for (std::size_t i = 100; i < 160; ++i) stations[i].dz -= 0.005;
+    for (MatchedStation& m : stations) m.dz += 0.010, m.sigma = 0.0003;
+    CommonPart(stations, removal, true).removeFrom(stations);
+    double others = 0.0, sector = 0.0;
+    for (std::size_t i = 0; i < 360; ++i) (i >= 100 && i < 160 ? sector : others) += stations[i].dz;
+    EXPECT_NEAR(others / 300.0, 0.0, 6e-5);
+    EXPECT_NEAR(sector / 60.0, -0.005, 2e-4);
+  }
+}
+
+}  // namespace
+}  // namespace tank_datum
