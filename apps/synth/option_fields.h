@@ -175,6 +175,24 @@ void fields(Visitor& v, StationOptions& o) {
 }
 
 template <class Visitor>
+void fields(Visitor& v, RegistrationError& o) {
+  v.integer("scanner", o.scanner, within(0, 9999));
+  v.number("dx", o.dx);
+  v.number("dy", o.dy);
+  v.number("dz", o.dz);
+  v.arcsec("tilt_x_arcsec", o.tilt_x, within(-36000, 36000));
+  v.arcsec("tilt_y_arcsec", o.tilt_y, within(-36000, 36000));
+}
+
+template <class Visitor>
+void fields(Visitor& v, RegistrationOptions& o) {
+  v.number("sigma_dz", o.sigma_dz, atLeast(0));
+  v.number("sigma_plan", o.sigma_plan, atLeast(0));
+  v.arcsec("sigma_tilt_arcsec", o.sigma_tilt, within(0, 36000));
+  v.list("errors", o.errors);
+}
+
+template <class Visitor>
 void fields(Visitor& v, ScannerOptions& o) {
   v.list("stations", o.stations);
   v.integer("tank", o.tank, atLeast(0));
@@ -191,6 +209,7 @@ void fields(Visitor& v, ScannerOptions& o) {
   v.angle("row_step_deg", o.row_step, within(0, 30));
   v.number("max_range", o.max_range, above(0));
   v.flag("jitter", o.jitter);
+  v.group("registration", o.registration);
 }
 
 template <class Visitor>

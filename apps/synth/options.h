@@ -167,6 +167,22 @@ struct StationOptions {
   double z = std::numeric_limits<double>::quiet_NaN();  ///< [m]; missing = scanner height above the ground or floor
 };
 
+/// The error with which one scanner's points are brought into the common frame: shifted, and turned about the scanner.
+/// Slopes are of the frame as the points have it: a point dx to the east of the scanner is tilt_x dx too high.
+struct RegistrationError {
+  int scanner = 0;                      ///< index
+  double dx = 0.0, dy = 0.0, dz = 0.0;  ///< [m]
+  double tilt_x = 0.0, tilt_y = 0.0;    ///< of z along x and along y [rad]
+};
+
+/// Errors of all scanners: the listed ones are as listed, the others' are drawn.
+struct RegistrationOptions {
+  double sigma_dz = 0.0;    ///< [m]
+  double sigma_plan = 0.0;  ///< of dx and of dy [m]
+  double sigma_tilt = 0.0;  ///< of either tilt [rad]
+  std::vector<RegistrationError> errors;
+};
+
 struct ScannerOptions {
   std::vector<StationOptions> stations;  ///< empty = `count` of them round the tank
   int tank = 0;                          ///< index of the tank they stand round
@@ -183,6 +199,7 @@ struct ScannerOptions {
   double row_step = 0.0;                ///< between rows [rad], 0 = as columns
   double max_range = 80.0;              ///< [m]
   bool jitter = true;                   ///< the grid of each station begins at a seeded angle
+  RegistrationOptions registration;
 };
 
 struct MeasurementOptions {

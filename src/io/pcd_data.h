@@ -18,8 +18,11 @@ struct Frame {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m]
 };
 
+/// What the field of labels says of each point of a block; empty where there is no such field.
+using Labels = std::vector<std::uint32_t>;
+
 /// Receives the next block, which is never empty; false ends the pass.
-using BlockVisitor = std::function<bool(const Points& block)>;
+using BlockVisitor = std::function<bool(const Points& block, const Labels& labels)>;
 
 /// Rows of a block at most; its bytes and its points together stay in a core's L2 cache.
 constexpr std::size_t kBlockRows = 16384;
@@ -28,6 +31,7 @@ constexpr std::size_t kBlockRows = 16384;
 struct BlockBuffer {
   std::vector<char> bytes;
   Points points;
+  Labels labels;
 };
 
 /// Blocks of a binary file. Each can be decoded by itself, in any order, in any thread with a buffer of its own.
@@ -41,7 +45,7 @@ struct RowChoice {
   std::size_t of(std::size_t rows) const { return rows > first ? (rows - first - 1) / step + 1 : 0; }
 };
 
-/// Fills buffer.points with the finite ones of the chosen points of one block of a binary file.
+/// Fills buffer.points with the finite ones of the chosen points of one block of a binary file, and buffer.labels.
 /// @return of all rows of the block
 /// @throws Error (File) when the file has become shorter
 ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
@@ -54,7 +58,8 @@ ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, con
 ScanCounts visitPcd(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit);
 
 /// The ascii part of visitPcd. Values are separated by blanks, tabs or one comma each; a row has exactly
-/// header.row_values of them. Empty lines are skipped. More rows than POINTS are refused as fewer are.
+/// header.row_values of them. Empty lines and those that begin with # are skipped, as is what follows the last row and
+/// does not begin with a number. More rows than POINTS are refused as fewer are.
 ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit);
 
 }  // namespace tank_datum

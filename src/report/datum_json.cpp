@@ -2,8 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.h"
+#include "io/json_file.h"
+#include "refusals.h"
 #include "report/analysis_json.h"
 #include "report/movement_json.h"
+#include "report/setups_json.h"
 #include "report/shell_report.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/report/report.h"
@@ -16,6 +19,12 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json setupOrigins(const SetupOptions& options) {
+  Json origins = Json::object();
+  for (const auto& [name, at] : options.origins) origins[name] = {at.x(), at.y(), at.z()};
+  return origins;
+}
+
 Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
   Json json;
   json["method"] = nameOf(o.method);
@@ -27,6 +36,10 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
   json["growing"] = {{"angle_deg", toDegrees(o.growing.angle)}};
   json["centre_filter"] = {{"tolerance", o.centre_filter.tolerance}};
   json["spline"] = {{"control_points", o.spline.control_points}, {"check_every", o.spline.check_every}};
+  json["setups"] = {{"error", o.setups.error},
+                    {"tilt_arcsec", toArcSeconds(o.setups.tilt)},
+                    {"bad", nameOf(o.setups.bad)},
+                    {"origins", setupOrigins(o.setups)}};
   json["refine"] = {{"largest_weld", o.refine.largest_weld},
                     {"widest_band", o.refine.widest_band},
                     {"widest_window", o.refine.widest_window},
@@ -42,6 +55,8 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
                    {"reach", o.shell.reach},
                    {"cell_points", o.shell.cell_points}};
   json["pick"] = o.pick;
+  json["accept"] = o.accept;
+  json["level"] = o.level;
   json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
   json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
   return json;
@@ -118,22 +133,50 @@ Json antipodalJson(const Datum& datum) {
           {"h", heights}};
 }
 
+/// What was asked of the thing found, to know whether it is a tank.
+Json testsJson(const std::vector<TankTest>& tests) {
+  Json json = Json::array();
+  for (const TankTest& t : tests) {
+    json.push_back({{"name", t.name},
+                    {"value", number(t.value)},
+                    {"limit", number(t.limit)},
+                    {"unit", t.unit},
+                    {"outcome", nameOf(t.outcome)},
+                    {"finding", t.outcome == TestOutcome::Pass ? Json(nullptr) : Json(t.finding)}});
+  }
+  return json;
+}
+
+Json leanJson(const Datum& datum, const StationOptions& options) {
+  if (!datum.lean.known()) return nullptr;
+  const std::string text = leanText(datum, options);
+  return {{"slope_x", datum.lean.slope.x()},
+          {"slope_y", datum.lean.slope.y()},
+          {"sigma", datum.lean.sigma},
+          {"sentence", text.empty() ? Json(nullptr) : Json(text)}};
+}
+
 }  // namespace
 
 std::string datumJson(const Datum& datum, const Provenance& provenance) {
   Json json;
-  json["schema"] = 1;
+  json["schema"] = kSchema;
   json["version"] = kVersion;
   json["input"] = inputJson(provenance, datum.origin, datum.levelled);
   json["options"] = optionsJson(provenance.options, provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
   json["tank"] = tankJson(datum);
-  if (datum.usable()) {
+  json["tests"] = testsJson(datum.tests);
+  json["lean"] = leanJson(datum, provenance.options.stations);
+  if (datum.hasStations()) {
     json["datum"] = datumSection(datum);
     json["tilt"] = tiltJson(datum.tilt);
     json["antipodal"] = antipodalJson(datum);
     if (datum.analysis.valid()) addAnalysis(json, datum.analysis, datum.stations, datum.origin.z());
+    json["setups"] = setupsSection(datum);
+    json["agreement"] = agreementSection(datum);
+    json["covariance"] = covarianceSection(datum);
     json["stations"] = stationsSection(datum);
     if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
     if (datum.shell.valid()) json["shell"] = shellJson(datum.shell);

@@ -4,8 +4,10 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "refusals.h"
 #include "report/shell_report.h"
 #include "report/sparkline.h"
+#include "setups/setup_report.h"
 #include "tank_datum/report/report.h"
 
 namespace tank_datum {
@@ -109,18 +111,21 @@ std::string checkLines(const std::vector<Check>& checks) {
 std::string summary(const Datum& datum, bool blocks) {
   std::string text = line("status", "%s", nameOf(datum.status));
   if (!datum.message.empty()) text += "               " + datum.message + "\n";
-  if (!datum.usable()) return text;
+  if (!datum.hasStations()) return text;
   const Level& level = datum.level;
   const double z = datum.origin.z();
   text += tankLine(datum);
   text += line("stations", "%zu measured, %zu interpolated, %zu missing", level.measured, level.interpolated,
                level.missing);
+  if (!datum.levelled) text += line("setups", "%s", setupSummary(datum.agreement, datum.stations).c_str());
   text += line("datum", "mean %.4f m, range %.1f mm: lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg",
                level.mean + z, 1e3 * level.range(), level.min + z, toDegrees(level.min_azimuth), level.max + z,
                toDegrees(level.max_azimuth));
   if (blocks) {
     text += line("elevation", "%s from station 0 round", sparkline(datum.stations, kSparklineColumns).c_str());
   }
+  const std::string lean = leanText(datum, {});
+  if (!lean.empty()) text += line("lean", "%s", lean.c_str());
   return text + methodLines(datum) + tiltLine(datum) + antipodalLine(datum.antipodal) + shellSummary(datum.shell) +
          checkLines(datum.analysis.checks);
 }

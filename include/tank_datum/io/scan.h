@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,15 @@ struct ScanCounts {
     invalid += other.invalid;
     return *this;
   }
+};
+
+/// Which setup of a scanner points come from: the file, and what the file's field of labels says.
+struct SetupKey {
+  std::uint32_t source = 0;  ///< number of the file, from 0
+  std::uint32_t label = 0;   ///< 0 in a file without labels
+
+  static constexpr std::uint32_t kUnlabelled = 0xffffffffU;  ///< what the field says is no number from 0 on
+  bool operator==(const SetupKey& other) const { return source == other.source && label == other.label; }
 };
 
 /// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
@@ -50,6 +60,13 @@ class Scan {
   /// The same without a copy: points of any kind in memory, asked for row by row in every pass.
   static Scan fromRows(std::uint64_t rows, Row row);
 
+  /// The same scan in a frame turned about the zero of its own, as when another of its axes looks up. Coordinates in
+  /// the results are the turned frame's.
+  Scan turned(const Eigen::Matrix3d& rotation) const;
+
+  /// The same scan turned about a point of its own frame, as when it was not level.
+  Scan turnedAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation) const;
+
   /// Visits every finite point once, in file order. May be called again for another pass.
   /// @throws Error (File) when the data are shorter or other than the header says
   ScanCounts forEachBlock(const Visitor& visit) const;
@@ -69,6 +86,22 @@ class Scan {
   /// @return of all rows
   /// @throws as forEachBlock
   ScanCounts forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n = 1) const;
+
+  /// The same, told of what is chosen the setup it comes from. Points of one block that come from several setups are
+  /// chosen from and visited setup by setup.
+  using SetupVisitor = std::function<void(const Points& chosen, SetupKey setup)>;
+  ScanCounts forEachChosen(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n = 1) const;
+
+  /// Whether the scan may hold several setups: several files, or points with labels (a field `setup`, `scan_id` or
+  /// `point_source_id`).
+  bool tellsSetups() const;
+
+  /// The file's name without its ending, the label, or both where both are needed.
+  std::string setupName(SetupKey setup) const;
+
+  /// Where the scanner stood, as the file says (PCD VIEWPOINT), relative to origin() [m]; nothing when it does not, or
+  /// when the file holds several setups.
+  std::optional<Eigen::Vector3d> setupOrigin(SetupKey setup) const;
 
   /// Of about every n-th row the point, if it is finite, in file order.
   /// @param n,threads  as for forEachChosen
@@ -95,6 +128,8 @@ class Scan {
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> paths_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d stored_origin_ = Eigen::Vector3d::Zero();  ///< the same point in the frame of the files
+  std::optional<Eigen::Matrix3d> rotation_;                  ///< from their frame to the scan's
   Progress progress_;
 };
 
