@@ -81,17 +81,18 @@ struct Expected {
 
 /// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
 /// more than their errors explain (empirical Bayes).
-void drawTogether(const std::vector<SeriesValue>& series, const Expected& expected, std::vector<SeriesValue>& smooth) {
+bool drawTogether(const std::vector<SeriesValue>& series, const Expected& expected, std::vector<SeriesValue>& smooth) {
   std::vector<double> values, variances;
   for (const SeriesValue& v : series) {
     if (!std::isfinite(v.value)) continue;
     values.push_back(v.value);
     variances.push_back(v.sigma * v.sigma);
   }
-  if (values.size() < 6) return;
+  if (values.size() < 6) return false;
   double ring = median(values);
   const double scatter = robustSigma(values, ring);
-  if (std::abs(ring - expected.slope) < expected.tolerance) ring = expected.slope;
+  const bool usual = std::abs(ring - expected.slope) < expected.tolerance;
+  if (usual) ring = expected.slope;
   const double own = std::max(1e-12, scatter * scatter - median(variances));
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
@@ -99,6 +100,7 @@ void drawTogether(const std::vector<SeriesValue>& series, const Expected& expect
     v.value = weight * v.value + (1.0 - weight) * ring;
     v.sigma *= std::sqrt(weight);
   }
+  return usual;
 }
 
 /// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
@@ -114,8 +116,8 @@ void widen(std::vector<SeriesValue>& series) {
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
-  constexpr double kLeastSigma = 0.001;           // what blends and roughness do to the slope of a lip [m/m]
-  constexpr double kDoubt = 0.1, kFeigned = 0.6;  // of the largest lean that range noise may feign
+  constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
+  constexpr double kDoubt = 0.1, kOddDoubt = 0.3, kFeigned = 0.6;  // of the largest lean that range noise may feign
   constexpr std::size_t kWidest = 4;
   const Slopes found = fitSlopes(foot, sections, 72, kHalfWindow, kLipSlope, priors.sigma_bend);
   std::vector<SeriesValue> series;
@@ -128,9 +130,10 @@ void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& pri
   }
   if (feigned.empty()) return;
   widen(series);
-  const double doubt = median(feigned), least = std::hypot(kLeastSigma, kDoubt * doubt);
+  const double doubt = median(feigned);
   std::vector<SeriesValue> smooth = smoothed(series, kWidest);
-  drawTogether(series, {sections.whole.slope, kFeigned * doubt}, smooth);
+  const bool usual = drawTogether(series, {sections.whole.slope, kFeigned * doubt}, smooth);
+  const double least = std::hypot(kLeastSigma, (usual ? kDoubt : kOddDoubt) * doubt);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const std::size_t k = i / found.stride, next = (k + 1) % smooth.size();
     const double share = static_cast<double>(i - k * found.stride) / static_cast<double>(found.stride);

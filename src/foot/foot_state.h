@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "fit/ring_process.h"
 #include "foot/foot_fit.h"
 #include "tank_datum/foot/refine.h"
 
@@ -52,6 +53,12 @@ struct FootPriors {
 
 /// The slope of a wide surface from the whole ring, that of a narrow one from arcs, each with what it leaves open.
 FootPriors learnPriors(const Foot& foot, const FootSections& sections);
+
+/// The stations' elevations as the ring's own covariance lets neighbours help: each stretch's own fit, then what they
+/// follow all together. Stations whose stretch shows no point of the surface are valid no more.
+/// @param misfit  what blends do to the section's level, common to all [m]
+/// @return  not valid where too few were fitted; else the sigmas hold what stations share [m]
+RingProcess levelStations(Foot& foot, const FootSections& sections, const FootPriors& priors, double misfit);
 
 /// Stations whose fit has no support of its own, lies on something else, or steps off its neighbours.
 std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootSections& sections,

@@ -29,6 +29,7 @@ constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 
 FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPriors& priors) {
   constexpr double kWidestAngle = 10.0 * kPi / 180.0;     // of a curve that a parabola still follows
   constexpr double kKnownSlope = 0.003, kSettled = 1e-4;  // [m/m]
+  constexpr double kGoodEnough = 2e-4;                    // to find the surface with [m]
   const FootPrior prior = priors.at(station);
   const double slope = priors.slope[station];
   const double azimuth = foot.directions[station], datum = foot.datum[station];
@@ -38,7 +39,7 @@ FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& pro
   for (double half = foot.half_step;; half *= 1.4) {
     const auto points = foot.ring.around(azimuth, half, datum, foot.reach);
     FootFit fit = fitFoot(points, profile, datum + profile.offset, slope, level);
-    if (fit.sigma < foot.options.wanted_sigma || half > widest) {
+    if (fit.sigma < std::max(kGoodEnough, foot.options.wanted_sigma) || half > widest) {
       if (priors.settled) {
         fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
       } else {
@@ -58,45 +59,12 @@ std::vector<FootFit> fitStations(const Foot& foot, const FootSections& sections,
   return fits;
 }
 
-/// The fits with the datum's own shape, harmonics to the eighth, taken out of z.
-std::vector<FootFit> withoutShape(const Foot& foot) {
-  constexpr int kOrder = 8;
-  std::vector<double> azimuths, elevations, weights;
-  double mean = 0;
-  for (std::size_t i = 0; i < foot.fits.size(); ++i) {
-    if (!foot.fits[i].valid()) continue;
-    azimuths.push_back(foot.directions[i]);
-    elevations.push_back(foot.fits[i].z);
-    weights.push_back(1.0 / (foot.fits[i].sigma * foot.fits[i].sigma));
-    mean += weights.back();
-  }
-  for (double& w : weights) w *= static_cast<double>(weights.size()) / mean;
-  const PeriodicFit shape = fitHarmonics(azimuths, elevations, weights, kOrder, true, 1e-6);
-  std::vector<FootFit> fits = foot.fits;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (fits[i].valid()) fits[i].z -= shape(foot.directions[i]);
-  }
-  return fits;
-}
-
 /// What blends do to the section's level, as the arcs show it.
 double misfitOf(const FootSections& sections) {
   if (sections.arcs.empty()) return sections.whole.misfit;
   std::vector<double> misfits;
   for (const FootProfile& arc : sections.arcs) misfits.push_back(arc.misfit);
   return median(misfits);
-}
-
-/// What the formal standard errors leave out: roughness common to a window's points, and blends that bend the section.
-void widenSigmas(Foot& foot, double misfit) {
-  std::vector<double> widths;
-  for (const FootFit& fit : foot.fits) {
-    if (fit.valid()) widths.push_back(fit.half_width);
-  }
-  if (widths.empty()) return;
-  const auto apart = static_cast<std::size_t>(std::ceil(median(widths) / foot.half_step));
-  const double common = std::hypot(commonSigma(withoutShape(foot), apart), misfit);
-  for (FootFit& fit : foot.fits) fit.sigma = std::hypot(fit.sigma, common);
 }
 
 void fillStations(std::vector<Station>& stations, const Foot& foot, const std::vector<ShellLine>& shell,
@@ -202,10 +170,11 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   }
   std::vector<bool> strange;
   FootSections sections;
+  FootPriors priors;
   for (int pass = 0; pass < kPasses; ++pass) {
     sections = stackSections(foot, to_stack, scales);
     refined.profile = sections.whole;
-    const FootPriors priors = learnPriors(foot, sections);
+    priors = learnPriors(foot, sections);
     foot.fits = fitStations(foot, sections, priors);
     std::vector<double> elevations;
     for (const FootFit& fit : foot.fits) elevations.push_back(fit.z);
@@ -216,8 +185,8 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   for (std::size_t i = 0; i < strange.size(); ++i) {
     if (strange[i]) foot.fits[i] = {};
   }
+  const RingProcess process = levelStations(foot, sections, priors, misfitOf(sections));
   refined.sections = sectionsOf(foot, shell, refined.profile.band_to, side);
-  widenSigmas(foot, misfitOf(sections));
   fillStations(stations, foot, shell, tank.circle.center);
   const ShellCircle round = fitShellCircle(fits.lines, foot.directions, fits.from, fits.to, tank.circle, priorOf(tank));
   refined.circle = round.circle;
@@ -227,6 +196,10 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   for (const Station& s : stations) measured.push_back(s.flag == StationFlag::Measured);
   flagGaps(stations, measured, station_options);
   bridgeGaps(stations, refined.circle.center, kHighestWave / tank.circle.radius);
+  for (std::size_t i = 0; i < stations.size() && process.valid(); ++i) {
+    if (stations[i].flag == StationFlag::Interpolated)
+      stations[i].z = process.value[i], stations[i].sigma_z = std::max(stations[i].sigma_z, process.sigma[i]);
+  }
   return refined;
 }
 

@@ -17,7 +17,7 @@ struct RefineOptions {
   double largest_weld = 0.013;   ///< leg of the fillet weld in the corner that is kept out of the fits [m]
   double widest_band = 0.3;      ///< the foundation surface is followed no further from the shell [m]
   double widest_window = 1.0;    ///< half the arc that a sparse station may borrow points from [m], at most 10 degrees
-  double wanted_sigma = 0.0002;  ///< a station borrows points until its standard error is this good [m]
+  double wanted_sigma = 0.0001;  ///< a station leans on its neighbours unless its own standard error is this good [m]
   int profile_points = 0;        ///< points of each station's section kept for the report; moves no result
 };
 

@@ -1,0 +1,213 @@
+#include "fit/ring_process.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "tank_datum/fit/harmonics.h"
+
+namespace tank_datum {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+constexpr double kPad = 60.0 * kPi / 180.0;  // of the ring that is run through once more at either end
+
+struct Parameters {
+  double amplitude, length;
+  double scale, nugget;  // the values scatter by the hypotenuse of scale times their standard errors and of the nugget
+
+  double variance(double given) const { return scale * scale * given + nugget * nugget; }
+};
+
+struct State {
+  Vector2d mean, predicted_mean;
+  Matrix2d cov, predicted_cov;
+};
+
+struct Data {
+  std::vector<double> values, variances;
+  double step;
+};
+
+/// The process from one place to the next.
+struct Transition {
+  Matrix2d phi, noise, stationary;
+
+  Transition(const Parameters& p, double step) {
+    const double rate = std::sqrt(3.0) / p.length, decay = std::exp(-rate * step);
+    phi << decay * (1.0 + rate * step), decay * step, -decay * rate * rate * step, decay * (1.0 - rate * step);
+    stationary << p.amplitude * p.amplitude, 0.0, 0.0, rate * rate * p.amplitude * p.amplitude;
+    noise = stationary - phi * stationary * phi.transpose();
+  }
+};
+
+std::size_t padOf(const Data& data) {
+  return std::min(data.values.size() / 2, static_cast<std::size_t>(kPad / data.step));
+}
+
+std::size_t placeAt(const Data& data, std::size_t k) {
+  return (k + data.values.size() - padOf(data)) % data.values.size();
+}
+
+/// Forwards through the padded ring.
+/// @return  how unlikely the values are, by Student's distribution with thirty degrees of freedom: no single stray
+/// value
+///          decides
+double filter(const Data& data, const Parameters& p, std::vector<State>* states) {
+  constexpr double kFreedom = 30.0;
+  const Transition transition(p, data.step);
+  const std::size_t count = data.values.size(), pad = padOf(data);
+  Vector2d mean = Vector2d::Zero();
+  Matrix2d cov = transition.stationary;
+  double unlikely = 0;
+  for (std::size_t k = 0; k < count + 2 * pad; ++k) {
+    if (k > 0) {
+      mean = transition.phi * mean;
+      cov = transition.phi * cov * transition.phi.transpose() + transition.noise;
+    }
+    const Vector2d predicted_mean = mean;
+    const Matrix2d predicted_cov = cov;
+    const std::size_t i = placeAt(data, k);
+    if (std::isfinite(data.values[i])) {
+      const double variance = cov(0, 0) + p.variance(data.variances[i]);
+      const double off = data.values[i] - mean[0];
+      const Vector2d gain = cov.col(0) / variance;
+      mean += gain * off;
+      cov -= gain * cov.row(0);
+      if (k >= pad && k < pad + count) {
+        unlikely += std::log(variance) + (kFreedom + 1.0) * std::log1p(off * off / variance / kFreedom);
+      }
+    }
+    if (states != nullptr) states->push_back({mean, predicted_mean, cov, predicted_cov});
+  }
+  return unlikely;
+}
+
+/// Backwards.
+void smooth(const Data& data, const Parameters& p, RingProcess& result) {
+  std::vector<State> states;
+  filter(data, p, &states);
+  const Transition transition(p, data.step);
+  const std::size_t count = data.values.size(), pad = padOf(data);
+  for (std::size_t k = states.size() - 1; k-- > 0;) {
+    const State& next = states[k + 1];
+    State& state = states[k];
+    const Matrix2d gain = state.cov * transition.phi.transpose() * next.predicted_cov.inverse();
+    state.mean += gain * (next.mean - next.predicted_mean);
+    state.cov += gain * (next.cov - next.predicted_cov) * gain.transpose();
+  }
+  for (std::size_t k = pad; k < pad + count; ++k) {
+    const std::size_t i = placeAt(data, k);
+    result.value[i] = states[k].mean[0];
+    result.sigma[i] = std::sqrt(std::max(0.0, states[k].cov(0, 0)));
+  }
+}
+
+Parameters likeliest(const Data& data, double scatter, double least_amplitude) {
+  constexpr std::array kAmplitudes{1.0, 2.0, 4.0, 8.0, 16.0};  // of the least
+  constexpr std::array kLengths{3.0,  5.0,  8.0, 12.0,
+                                18.0, 25.0, 35.0};  // [deg]; longer ones would not follow a short dip
+  struct Scatter {
+    double scale, nugget;
+  };
+  constexpr std::array kScatters{Scatter{0.4, 0.0}, Scatter{0.5, 0.0}, Scatter{0.6, 0.0}, Scatter{0.8, 0.0},
+                                 Scatter{1.0, 0.0}, Scatter{1.0, 0.4}, Scatter{1.0, 0.7}, Scatter{1.0, 1.0},
+                                 Scatter{1.0, 1.5}, Scatter{1.0, 2.5}, Scatter{1.0, 4.0}};
+  Parameters best{};
+  double least = std::numeric_limits<double>::infinity();
+  for (const double amplitude : kAmplitudes) {
+    for (const double length : kLengths) {
+      for (const Scatter& s : kScatters) {
+        const Parameters p{amplitude * least_amplitude, length * kPi / 180.0, s.scale, s.nugget * scatter};
+        const double unlikely = filter(data, p, nullptr);
+        if (unlikely < least) least = unlikely, best = p;
+      }
+    }
+  }
+  return best;
+}
+
+/// How far each value lies off what the others say, in standard deviations with its sign.
+std::vector<double> offOthers(const Data& data, const Parameters& p, const RingProcess& result,
+                              std::vector<double>& offs) {
+  std::vector<double> ratios(data.values.size(), 0.0);
+  for (std::size_t i = 0; i < data.values.size(); ++i) {
+    if (!std::isfinite(data.values[i])) continue;
+    const double own = p.variance(data.variances[i]), all = result.sigma[i] * result.sigma[i];
+    const double others = 1.0 / std::max(1.0 / all - 1.0 / own, 1e-9 / own);
+    offs[i] = data.values[i] - others * (result.value[i] / all - data.values[i] / own);
+    ratios[i] = offs[i] / std::sqrt(others + own);
+  }
+  return ratios;
+}
+
+/// What is far off counts for what it is off, unless a neighbour is off the same way: that is a dip.
+void doubtStrays(Data& data, const Parameters& p, RingProcess& result, std::vector<double>& strayed) {
+  constexpr double kFar = 4.0, kAlso = 1.5;
+  const std::size_t count = data.values.size();
+  std::vector<double> offs(count, 0.0);
+  const std::vector<double> ratios = offOthers(data, p, result, offs);
+  const auto next = [&](std::size_t i, std::size_t step) {
+    std::size_t j = (i + step) % count;
+    while (j != i && !std::isfinite(data.values[j])) j = (j + step) % count;
+    return j;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::abs(ratios[i]) <= kFar) continue;
+    const auto follows = [&](std::size_t j) { return std::abs(ratios[j]) > kAlso && ratios[j] * ratios[i] > 0.0; };
+    const std::size_t after = next(i, 1), before = next(i, count - 1);
+    if (follows(after) || follows(before)) continue;
+    result.doubt[i] = std::max(result.doubt[i], std::abs(ratios[i]));
+    data.variances[i] += offs[i] * offs[i] / (p.scale * p.scale);
+    for (std::size_t j = (before + 1) % count; j != after; j = (j + 1) % count)
+      strayed[j] = std::max(strayed[j], std::abs(offs[i]));
+  }
+}
+
+}  // namespace
+
+RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude) {
+  constexpr int kOrder = 4;
+  constexpr std::size_t kFewest = 8;
+  RingProcess result;
+  std::vector<double> azimuths, known, weights, errors;
+  const double step = kTwoPi / static_cast<double>(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    azimuths.push_back(static_cast<double>(i) * step);
+    known.push_back(values[i]);
+    errors.push_back(sigmas[i]);
+  }
+  if (known.size() < kFewest) return result;
+  const double usual = std::max(median(errors), 1e-9);
+  for (const double error : errors) weights.push_back(1.0 / (1.0 + error * error / (usual * usual)));
+  const PeriodicFit shape = fitHarmonics(azimuths, known, weights, kOrder, true, 1e-4);
+  Data data{values, {}, step};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    data.values[i] -= shape(static_cast<double>(i) * step);
+    data.variances.push_back(sigmas[i] * sigmas[i]);
+  }
+  const Parameters p = likeliest(data, usual, least_amplitude);
+  result.amplitude = p.amplitude, result.length = p.length, result.nugget = p.nugget;
+  result.value.resize(values.size());
+  result.sigma.resize(values.size());
+  result.doubt.assign(values.size(), 0.0);
+  std::vector<double> strayed(values.size(), 0.0);
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    smooth(data, p, result);
+    doubtStrays(data, p, result, strayed);
+  }
+  smooth(data, p, result);
+  constexpr double kEither = 0.3;  // it is the stray value that is right, or the others
+  for (std::size_t i = 0; i < values.size(); ++i) result.sigma[i] = std::hypot(result.sigma[i], kEither * strayed[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) result.value[i] += shape(static_cast<double>(i) * step);
+  return result;
+}
+
+}  // namespace tank_datum

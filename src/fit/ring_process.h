@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+namespace tank_datum {
+
+/// Values round a ring as one random process saw them.
+struct RingProcess {
+  std::vector<double> value;  ///< what the values follow, at every place, those without a value too
+  std::vector<double> sigma;  ///< its standard error
+  std::vector<double>
+      doubt;             ///< how many standard deviations a value lies off what the others say; 0 where there is none
+  double amplitude = 0;  ///< standard deviation of the process
+  double length = 0;     ///< along which it is alike [rad]
+  double nugget = 0;     ///< what the values scatter beside their standard errors
+
+  bool valid() const { return amplitude > 0.0; }
+};
+
+/// What values at equal steps round a ring follow: low harmonics and a Matern process of order 3/2 (Rasmussen and
+/// Williams 2006, 4.2), whose amplitude and length, and the values' scatter beside their standard errors, are those
+/// under which the values are likeliest. So neighbours help as far as the values show that they are alike, and no
+/// further. A value more than four standard deviations off what the others say counts for what it is off. Kalman filter
+/// and smoother (Rauch, Tung and Striebel 1965), linear in the number of values.
+/// @param values  NaN where unknown
+/// @param sigmas  their standard errors, independent of each other
+/// @param least_amplitude  of the process, however quiet the ring: what a dip may be that only few of the values see
+/// @return not valid for fewer than eight values
+RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude);
+
+}  // namespace tank_datum
