@@ -11,6 +11,9 @@
 #include "core/units.h"
 #include "exit_status.h"
 #include "movement_options.h"
+#include "results/manifest.h"
+#include "results/output_guard.h"
+#include "setups/agreement.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -23,11 +26,16 @@ const std::map<std::string, Method> kMethods = {{"refined", Method::Refined}, {"
 const std::map<std::string, SearchEngine> kEngines = {{"flann", SearchEngine::Flann},
                                                       {"buckets", SearchEngine::Buckets}};
 
+const std::map<std::string, BadSetups> kBadSetups = {
+    {"free", BadSetups::Free}, {"drop", BadSetups::Drop}, {"keep", BadSetups::Keep}};
+
 /// The figures as a person types them, in degrees; the options hold radians.
 struct Typed {
   double angle_deg, zero_azimuth_deg;
   std::string tank, heights;
   std::string search, method;
+  double setup_tilt_arcsec = 0.0;
+  std::string setup_origins, bad_setups;
   TypedMovement movement{MovementOptions{}};
   TypedAnalysis analysis;
 };
@@ -61,6 +69,15 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
       ->check(CLI::PositiveNumber);
   app.add_option("--fit-points", o.crop.fit_points, "of more points in the ring an even share is kept for the fits")
       ->check(CLI::PositiveNumber);
+  app.add_option("--setup-error", o.setups.error,
+                 "how well setups are registered in height and plan, 1 sigma [m]; 0: estimated from their overlaps");
+  app.add_option("--setup-tilt-arcsec", typed.setup_tilt_arcsec,
+                 "how well they are levelled, 1 sigma about each axis; 0: estimated from their overlaps");
+  app.add_option("--setup-origins", typed.setup_origins,
+                 "CSV file name,x,y,z: where setups stood, by file stem or label");
+  app.add_option("--bad-setups", typed.bad_setups,
+                 "a setup far off the others: free of priors, dropped where others see the foot too, or kept")
+      ->check(CLI::IsMember(kBadSetups));
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
   app.add_flag("--accept", o.accept, "take a doubtful tank for one: message says which test it fails");
   app.add_option("--up", command.up, "the axis of the scan that is up; results are in the frame turned so")
@@ -114,6 +131,21 @@ std::vector<double> heightsFrom(const std::string& typed) {
   return heights;
 }
 
+/// Refuses a command whose outputs are among its inputs, before any of these is read.
+void requireInputsUntouched(const Command& command, const std::string& limits, const std::string& config) {
+  std::vector<NamedPath> inputs = inputsOf("baseline", command.baseline);
+  for (const std::string& scan : command.scans) inputs.push_back({"scan", scan});
+  inputs.push_back({"levelling table", command.levelling});
+  inputs.push_back({"limits file", limits});
+  inputs.push_back({"config file", config});
+  std::vector<NamedPath> outputs = outputsOf(command.output, results::kDatumProgram);
+  if (!command.timings.empty()) {
+    for (const NamedPath& output : outputs) requireApart({{"result", output.path}}, {{"--timings", command.timings}});
+  }
+  outputs.push_back({"--timings", command.timings});
+  requireApart(inputs, outputs);
+}
+
 std::string stemOf(const std::string& scan) { return std::filesystem::path(scan).stem().string() + ".datum"; }
 
 }  // namespace
@@ -129,6 +161,8 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   typed.zero_azimuth_deg = command.options.stations.zero_azimuth / kDegree;
   typed.method = nameOf(command.options.method);
   typed.search = nameOf(command.options.normals.search);
+  typed.setup_tilt_arcsec = toArcSeconds(command.options.setups.tilt);
+  typed.bad_setups = nameOf(command.options.setups.bad);
   addOptions(app, command, typed);
   bool print_config = false;
   app.add_flag("--print-config", print_config, "print the options as a --config file and stop")->configurable(false);
@@ -156,14 +190,18 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   o.method = kMethods.at(typed.method);
   typed.movement.putInto(command.movement);
   o.normals.search = kEngines.at(typed.search);
+  o.setups.tilt = typed.setup_tilt_arcsec / toArcSeconds(1.0);
+  o.setups.bad = kBadSetups.at(typed.bad_setups);
+  if (!typed.setup_origins.empty()) o.setups.origins = readSetupOrigins(typed.setup_origins, command.metresPerUnit());
   if (!typed.tank.empty()) o.tank = circleFrom(typed.tank);
   o.shell.heights = heightsFrom(typed.heights);
   if (!command.no_report) o.refine.profile_points = kProfilePoints;
   status = kUsable;
   if (print_limits) std::cout << standardLimitsText();
   if (print_limits) return false;
-  o.analysis = analysisOptions(typed.analysis);
   if (command.output.empty()) command.output = stemOf(command.inputs().front());
+  requireInputsUntouched(command, typed.analysis.limits, app.get_config_ptr()->as<std::string>());
+  o.analysis = analysisOptions(typed.analysis);
   if (print_config) std::cout << app.config_to_str(true, true);
   return !print_config;
 }

@@ -10,9 +10,13 @@
 #include "foot_frame.h"
 #include "locate/foot_unit.h"
 #include "refusals.h"
+#include "setups/agreement.h"
+#include "setups/setup_report.h"
+#include "setups/setup_shares.h"
 #include "shell/shell_measures.h"
 #include "shell/shell_survey_impl.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/core/parallel.h"
 #include "trust/tests_of_tank.h"
 
 namespace tank_datum {
@@ -60,6 +64,14 @@ void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
   datum.circle = datum.refined.circle;
 }
 
+/// What the stations share through the setups that see them.
+void shareErrors(Datum& datum, const Ring& ring) {
+  const FootProfile& profile = datum.refined.profile;
+  const FoundationBand band{profile.band_from, profile.band_to, profile.slope, profile.noise};
+  const SetupShares shares = setupShares(ring, datum.tank, datum.stations, datum.circle.center, band);
+  datum.covariance = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
+}
+
 /// A missing station keeps its place on the fitted circle, and nothing else.
 void blankMissing(Datum& datum) {
   for (Station& s : datum.stations) {
@@ -100,7 +112,7 @@ bool isElsewhere(const Circle& circle, const Tank& tank, double reach) {
 }
 
 /// What the stations' elevations mean, and whether there are any.
-Datum described(Datum datum, const DatumOptions& options, const ShellEvidence& shell) {
+Datum described(Datum datum, const DatumOptions& options) {
   const bool refined = options.method == Method::Refined;
   const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin) + ": ";
   if (!refined && !datum.curve.valid()) {
@@ -113,7 +125,6 @@ Datum described(Datum datum, const DatumOptions& options, const ShellEvidence& s
     return stopped(datum, Status::NoCrease,
                    candidate + "no foundation surface meets the shell along enough of its foot");
   }
-  if (refined) dropOffCircle(datum.stations, datum.circle, shell);
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {
     return stopped(datum, Status::NoCrease,
@@ -142,7 +153,7 @@ Datum judged(Datum datum, const DatumOptions& options) {
 void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
 
 Datum meant(Datum datum, const DatumOptions& options) {
-  datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);
+  datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations, datum.covariance);
   datum.antipodal = antipodalOf(datum.stations);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {
@@ -151,6 +162,8 @@ Datum meant(Datum datum, const DatumOptions& options) {
   }
   const std::string units = doubtfulUnits(datum.circle.radius);
   if (!units.empty()) datum.message += (datum.message.empty() ? "" : "; ") + units;
+  const std::string setups = setupMessage(datum.agreement, datum.stations);
+  if (!setups.empty()) datum.message += (datum.message.empty() ? "" : "; ") + setups;
   warnOfSteps(datum);
   return datum;
 }
@@ -158,8 +171,9 @@ Datum meant(Datum datum, const DatumOptions& options) {
 std::string firstError(const DatumOptions& options) {
   for (const std::string& error :
        {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
-        firstError(options.centre_filter), firstError(options.spline), firstError(options.refine),
-        firstError(options.stations), firstError(options.analysis), firstError(options.shell)}) {
+        firstError(options.centre_filter), firstError(options.spline), firstError(options.setups),
+        firstError(options.refine), firstError(options.stations), firstError(options.analysis),
+        firstError(options.shell)}) {
     if (!error.empty()) return error;
   }
   if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
@@ -248,6 +262,7 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   requireValid(given);
   const double unit = footUnit(tank.circle.radius, tank.resolution);
   const DatumOptions options = inUnits(given, unit);
+  const ThreadScope threads(options.threads);
   const auto begin = [&](const char* stage) {
     if (observer) observer(stage);
   };
@@ -263,8 +278,13 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   const AlsoGathered shell{
       [&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
       [&bands](const Points& block) { bands.add(block); }};
-  const Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
+  Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
   datum.counts = ring.counts;
+  begin("setups");
+  datum.agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
+  if (ring.search.empty() || datum.agreement.repeated_points > 0) {
+    thinForSearch(ring, tank, options.crop, options.threads);
+  }
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }
@@ -282,7 +302,11 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
     frame.backFrom(datum);
   }
   begin("deformation");
-  datum = described(std::move(datum), options, evidence);
+  if (datum.refined.valid()) {
+    dropOffCircle(datum.stations, datum.circle, evidence);
+    shareErrors(datum, ring);
+  }
+  datum = described(std::move(datum), options);
   if (!datum.usable()) return datum;
   const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
   datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());
@@ -292,7 +316,7 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
   begin("checks");
   datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis,
-                           shellMeasures(datum.shell, options.analysis.facts));
+                           shellMeasures(datum.shell, options.analysis.facts), datum.covariance);
   return datum;
 }
 

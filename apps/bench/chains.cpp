@@ -1,6 +1,5 @@
 #include "chains.h"
 
-#include <omp.h>
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/search/kdtree.h>
@@ -12,6 +11,7 @@
 
 #include "background_records.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum::bench {
 namespace {
@@ -46,8 +46,7 @@ void runStockSteps(const Cloud::Ptr& cloud, const DatumOptions& options, StageMe
   const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
   tree->setInputCloud(cloud);
   meter.begin("normals");
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(
-      static_cast<unsigned>(options.threads > 0 ? options.threads : omp_get_max_threads()));
+  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(static_cast<unsigned>(threadCount(options.threads)));
   estimation.setInputCloud(cloud);
   estimation.setSearchMethod(tree);
   estimation.setKSearch(options.normals.k);

@@ -1,11 +1,13 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "results/output_guard.h"
 #include "scene_file.h"
 #include "tank_datum/core/error.h"
 
@@ -49,6 +51,9 @@ constexpr Setting kNumbers[] = {
     {"--arc-deg", "/scanner/arc_deg", "the scanners are spread over"},
     {"--first-azimuth-deg", "/scanner/first_azimuth_deg", "of the first scanner"},
     {"--max-range", "/scanner/max_range", "[m]"},
+    {"--setup-sigma-dz", "/scanner/registration/sigma_dz", "error of each scanner's height, 1 sigma [m]"},
+    {"--setup-sigma-plan", "/scanner/registration/sigma_plan", "of its x and its y, 1 sigma [m]"},
+    {"--setup-sigma-tilt-arcsec", "/scanner/registration/sigma_tilt_arcsec", "of its two tilts, 1 sigma"},
     {"--near-datum", "/near_datum", "keep only points this near to the datum line [m]"},
     {"--seed", "/seed", "of everything random"},
 };
@@ -145,7 +150,9 @@ void declare(CLI::App& app, Command& command, Given& given) {
   app.add_option("--offset", given.offset, "X,Y,Z added to every coordinate [m]");
   app.add_flag("--ascii", command.ascii, "a text PCD");
   app.add_flag("--double", command.doubles, "coordinates of 8 bytes");
-  app.add_flag("--stations-split", command.split, "one file per scanner: OUT_1.pcd, OUT_2.pcd ...");
+  app.add_flag("--per-setup,--stations-split", command.split,
+               "one file per scanner, with its VIEWPOINT: OUT_1.pcd, OUT_2.pcd ...");
+  app.add_flag("--label-setups", command.label_setups, "a field `setup` with the number of each point's scanner");
   app.add_flag("--quiet", command.quiet, "say nothing on stdout");
   app.add_option("--threads", command.threads, "0 = as many as the machine has");
   for (const Setting& s : kNumbers) app.add_option(s.flag, given.numbers[s.flag], s.help);
@@ -168,6 +175,19 @@ Json overlaid(Json scene, const CLI::App& app, const Given& given) {
   return scene;
 }
 
+/// The files that the command writes; of those of --stations-split the ones that are there.
+std::vector<NamedPath> outputsOf(const Command& command) {
+  std::vector<NamedPath> all = {{"--output", command.output}, {"--truth", command.truth}};
+  const std::filesystem::path whole(command.output), folder = whole.has_parent_path() ? whole.parent_path() : ".";
+  std::error_code unknown;
+  for (std::filesystem::directory_iterator at(folder, unknown), end; !unknown && at != end; at.increment(unknown)) {
+    if (command.split && at->path().filename().string().rfind(whole.stem().string() + "_", 0) == 0) {
+      all.push_back({"--output", at->path().string()});
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
@@ -184,12 +204,14 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
     status = 2;
     return false;
   }
-  const Json file = given.scene_file.empty() ? Json::object() : readJson(given.scene_file);
-  command.scene = sceneFromJson(overlaid(file, app, given));
   if (command.truth.empty()) {
     const bool named = command.output.size() > 4 && command.output.substr(command.output.size() - 4) == ".pcd";
     command.truth = (named ? command.output.substr(0, command.output.size() - 4) : command.output) + ".truth.json";
   }
+  requireApart({{"scene file", given.scene_file}}, outputsOf(command));
+  requireApart({{"scan", command.output}}, {{"--truth", command.truth}});
+  const Json file = given.scene_file.empty() ? Json::object() : readJson(given.scene_file);
+  command.scene = sceneFromJson(overlaid(file, app, given));
   return true;
 }
 

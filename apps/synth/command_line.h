@@ -10,8 +10,9 @@ struct Command {
   std::string output;  ///< PCD
   std::string truth;   ///< JSON
   bool ascii = false;
-  bool doubles = false;  ///< coordinates of 8 bytes instead of 4
-  bool split = false;    ///< one PCD per scanner: OUT_1.pcd, OUT_2.pcd ...
+  bool doubles = false;       ///< coordinates of 8 bytes instead of 4
+  bool split = false;         ///< one PCD per scanner: OUT_1.pcd, OUT_2.pcd ..., each with its VIEWPOINT
+  bool label_setups = false;  ///< a field `setup`: the scanner's number, from 1
   bool quiet = false;
   unsigned threads = 0;  ///< 0 = as many as the machine has
   SceneOptions scene;

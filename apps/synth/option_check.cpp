@@ -28,6 +28,7 @@ class Checker {
     const double rounded = std::round(degrees(value) * 1e10) / 1e10;  // 360 deg may be 360.00000000000006 on return
     number(name, rounded, limit);
   }
+  void arcsec(const char* name, double value, Limit limit = {}) { angle(name, 3600.0 * value, limit); }
   void integer(const char* name, int value, Limit limit = {}) { number(name, value, limit); }
   void unsignedInteger(const char*, std::uint64_t) {}
   void optional(const char* name, double value) {
@@ -105,6 +106,10 @@ void checkTank(Checker& check, const std::string& name, const TankOptions& tank)
     check.refuse(name + "foundation.slab_width", shown(f.slab_width), "> crown_outer");
   else if (f.kind == "pad" && f.pad_width <= f.weld)
     check.refuse(name + "foundation.pad_width", shown(f.pad_width), "> weld");
+  else if (f.kind == "pad" && f.concentric)
+    check.refuse(name + "foundation.concentric", "true", "false for a pad, which has no kerb");
+  else if (f.kind == "pad" && !f.sectors.empty())
+    check.refuse(name + "foundation.sectors", "given", "none for a pad, which the shell stands on");
   if (check.error.empty()) checkSoil(check, name, tank);
 }
 
@@ -127,7 +132,14 @@ void checkScene(Checker& check, const SceneOptions& scene) {
     check.refuse("scanner.distance", shown(s.distance), "< 0.9 radius for a scanner inside");
   else if (!s.inside && s.stations.empty() && s.distance < 0.5)
     check.refuse("scanner.distance", shown(s.distance), ">= 0.5 for a scanner outside");
-  else if (scene.clutter.max_gap < scene.clutter.min_gap)
+  for (std::size_t i = 0; i < s.registration.errors.size() && check.error.empty(); ++i) {
+    const int count = s.stations.empty() ? s.count : static_cast<int>(s.stations.size());
+    if (s.registration.errors[i].scanner >= count)
+      check.refuse("scanner.registration.errors[" + std::to_string(i) + "].scanner",
+                   std::to_string(s.registration.errors[i].scanner), "the index of a scanner");
+  }
+  if (!check.error.empty()) return;
+  if (scene.clutter.max_gap < scene.clutter.min_gap)
     check.refuse("clutter.max_gap", shown(scene.clutter.max_gap), ">= min_gap");
 }
 

@@ -66,6 +66,14 @@ void fields(Visitor& v, Soil& o) {
 }
 
 template <class Visitor>
+void fields(Visitor& v, Sector& o) {
+  v.angle("azimuth_deg", o.azimuth);
+  v.angle("width_deg", o.width, within(0.1, 360));
+  v.number("rise", o.rise);
+  v.number("edge", o.edge, atLeast(0.05));
+}
+
+template <class Visitor>
 void fields(Visitor& v, Foundation& o) {
   v.choice("kind", o.kind, {"pad", "annular_plate", "crown"});
   v.number("weld", o.weld, within(0, 0.05));
@@ -75,6 +83,8 @@ void fields(Visitor& v, Foundation& o) {
   v.number("plate_width", o.plate_width, above(0));
   v.number("plate_thickness", o.plate_thickness, above(0));
   v.number("plate_width_variation", o.plate_width_variation, atLeast(0));
+  v.number("plate_slope", o.plate_slope, within(-0.3, 0.3));
+  v.list("plate_slope_waves", o.plate_slope_waves);
   v.number("ringwall_width", o.ringwall_width, above(0));
   v.number("crown_inner", o.crown_inner, above(0));
   v.number("crown_outer", o.crown_outer, above(0));
@@ -83,6 +93,8 @@ void fields(Visitor& v, Foundation& o) {
   v.number("slab_width", o.slab_width, above(0));
   v.number("roughness", o.roughness, atLeast(0));
   v.number("roughness_length", o.roughness_length, atLeast(0.001));
+  v.flag("concentric", o.concentric);
+  v.list("sectors", o.sectors);
 }
 
 template <class Visitor>
@@ -163,6 +175,24 @@ void fields(Visitor& v, StationOptions& o) {
 }
 
 template <class Visitor>
+void fields(Visitor& v, RegistrationError& o) {
+  v.integer("scanner", o.scanner, within(0, 9999));
+  v.number("dx", o.dx);
+  v.number("dy", o.dy);
+  v.number("dz", o.dz);
+  v.arcsec("tilt_x_arcsec", o.tilt_x, within(-36000, 36000));
+  v.arcsec("tilt_y_arcsec", o.tilt_y, within(-36000, 36000));
+}
+
+template <class Visitor>
+void fields(Visitor& v, RegistrationOptions& o) {
+  v.number("sigma_dz", o.sigma_dz, atLeast(0));
+  v.number("sigma_plan", o.sigma_plan, atLeast(0));
+  v.arcsec("sigma_tilt_arcsec", o.sigma_tilt, within(0, 36000));
+  v.list("errors", o.errors);
+}
+
+template <class Visitor>
 void fields(Visitor& v, ScannerOptions& o) {
   v.list("stations", o.stations);
   v.integer("tank", o.tank, atLeast(0));
@@ -179,6 +209,7 @@ void fields(Visitor& v, ScannerOptions& o) {
   v.angle("row_step_deg", o.row_step, within(0, 30));
   v.number("max_range", o.max_range, above(0));
   v.flag("jitter", o.jitter);
+  v.group("registration", o.registration);
 }
 
 template <class Visitor>

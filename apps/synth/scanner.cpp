@@ -1,5 +1,6 @@
 #include "scanner.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -43,6 +44,22 @@ double elevationBelow(const Scene& scene, double x, double y) {
   return scene.tank(o.tank).floor.elevation(x - tank.x, y - tank.y);
 }
 
+/// As listed, else drawn.
+RegistrationError registrationOf(const SceneOptions& scene, std::size_t number) {
+  const RegistrationOptions& o = scene.scanner.registration;
+  for (const RegistrationError& error : o.errors)
+    if (error.scanner == static_cast<int>(number)) return error;
+  RegistrationError drawn;
+  Random random({scene.seed, 603, number});
+  drawn.scanner = static_cast<int>(number);
+  drawn.dz = o.sigma_dz * random.gaussian();
+  drawn.tilt_x = o.sigma_tilt * random.gaussian();
+  drawn.tilt_y = o.sigma_tilt * random.gaussian();
+  drawn.dx = o.sigma_plan * random.gaussian();
+  drawn.dy = o.sigma_plan * random.gaussian();
+  return drawn;
+}
+
 /// Whether the azimuth is within the angle the ring of the scanner's tank subtends, with half a metre beside it.
 bool inField(const Scene& scene, const ScanStation& station, double azimuth) {
   const ScannerOptions& o = scene.options().scanner;
@@ -68,12 +85,24 @@ std::vector<ScanStation> scanStations(const Scene& scene) {
     s.first_azimuth = o.jitter ? random.uniform(0.0, 2.0 * kPi) : 0.0;
     s.first_elevation = o.min_elevation + (o.jitter ? random.uniform() * rowStep(o) : 0.0);
     s.rows = 1 + static_cast<int>(std::floor((o.max_elevation - s.first_elevation) / rowStep(o) + 1e-9));
+    s.registration = registrationOf(scene.options(), stations.size());
     const int columns = static_cast<int>(std::floor(2.0 * kPi / o.step + 1e-9));
     for (int j = 0; j < columns; ++j)
       if (inField(scene, s, s.first_azimuth + j * o.step)) s.columns.push_back(j);
     stations.push_back(std::move(s));
   }
   return stations;
+}
+
+Eigen::Vector3d ScanStation::registered(const Eigen::Vector3d& point) const {
+  const RegistrationError& r = registration;
+  if (r.dx == 0.0 && r.dy == 0.0 && r.dz == 0.0 && r.tilt_x == 0.0 && r.tilt_y == 0.0) return point;
+  // the horizontal axis across the steepest rise, turned by the angle of that rise
+  const Eigen::Vector3d turn(r.tilt_y, -r.tilt_x, 0.0);
+  const double angle = turn.norm();
+  Eigen::Vector3d arm = point - position;
+  if (angle > 0.0) arm = Eigen::AngleAxisd(angle, turn / angle) * arm;
+  return position + arm + Eigen::Vector3d(r.dx, r.dy, r.dz);
 }
 
 Eigen::Vector3d rayDirection(const ScannerOptions& options, const ScanStation& station, int column, int row) {

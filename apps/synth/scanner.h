@@ -9,12 +9,16 @@ namespace tank_datum::synth {
 
 /// A scanner where it stands, with the grid of its rays.
 struct ScanStation {
+  /// Where a point is said to be: shifted and turned by the registration's error.
+  Eigen::Vector3d registered(const Eigen::Vector3d& point) const;
+
   Eigen::Vector3d position;      ///< without the offset [m]
   int inside = -1;               ///< index of the tank it stands in
   double first_azimuth = 0.0;    ///< of column 0 [rad]
   double first_elevation = 0.0;  ///< of row 0 [rad]
   std::vector<int> columns;      ///< those in the field
   int rows = 0;
+  RegistrationError registration;
 };
 
 std::vector<ScanStation> scanStations(const Scene& scene);

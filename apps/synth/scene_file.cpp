@@ -30,6 +30,9 @@ class Reader {
   void angle(const char* name, double& value, Limit = {}) {
     if (const Json* node = find(name)) value = radians(asNumber(name, *node));
   }
+  void arcsec(const char* name, double& value, Limit = {}) {
+    if (const Json* node = find(name)) value = radians(asNumber(name, *node) / 3600.0);
+  }
   void optional(const char* name, double& value) {
     const Json* node = find(name);
     if (node != nullptr && !node->is_null()) value = asNumber(name, *node);
@@ -116,6 +119,9 @@ class Writer {
   void number(const char* name, double value, Limit = {}) { json[name] = value; }
   void angle(const char* name, double value, Limit = {}) {
     json[name] = std::round(degrees(value) * 1e10) / 1e10;  // 60, not 59.99999999999999
+  }
+  void arcsec(const char* name, double value, Limit = {}) {
+    json[name] = std::round(3600.0 * degrees(value) * 1e10) / 1e10;
   }
   void optional(const char* name, double value) { json[name] = std::isnan(value) ? Json() : Json(value); }
   void integer(const char* name, int value, Limit = {}) { json[name] = value; }

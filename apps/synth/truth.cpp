@@ -97,6 +97,16 @@ Json tankJson(const TruthTank& tank, const std::array<double, 3>& offset) {
   return json;
 }
 
+Json registrationJson(const Truth& truth, std::size_t scanner) {
+  const RegistrationError& r = truth.registration[scanner];
+  const auto arcsec = [](double angle) { return 3600.0 * degrees(angle); };
+  return {{"dx", r.dx},
+          {"dy", r.dy},
+          {"dz", r.dz},
+          {"tilt_x_arcsec", arcsec(r.tilt_x)},
+          {"tilt_y_arcsec", arcsec(r.tilt_y)}};
+}
+
 }  // namespace
 
 Truth truthOf(const Scene& scene, int stations) {
@@ -104,8 +114,10 @@ Truth truthOf(const Scene& scene, int stations) {
   truth.options = scene.options();
   const auto& offset = truth.options.offset;
   const std::vector<ScanStation> scanners = scanStations(scene);
-  for (const ScanStation& s : scanners)
+  for (const ScanStation& s : scanners) {
     truth.scanners.push_back(s.position + Eigen::Vector3d(offset[0], offset[1], offset[2]));
+    truth.registration.push_back(s.registration);
+  }
   for (int i = 0; i < static_cast<int>(scene.tanks().size()); ++i)
     truth.tanks.push_back(truthOfTank(scene, scanners, i, stations));
   return truth;
@@ -116,8 +128,11 @@ Json toJson(const Truth& truth) {
   json["seed"] = truth.options.seed;
   json["options"] = toJson(truth.options);
   json["scanners"] = Json::array();
-  for (const Eigen::Vector3d& s : truth.scanners)
-    json["scanners"].push_back({{"x", s.x()}, {"y", s.y()}, {"z", s.z()}});
+  for (std::size_t i = 0; i < truth.scanners.size(); ++i) {
+    const Eigen::Vector3d& s = truth.scanners[i];
+    json["scanners"].push_back(
+        {{"x", s.x()}, {"y", s.y()}, {"z", s.z()}, {"registration", registrationJson(truth, i)}});
+  }
   json["tanks"] = Json::array();
   for (const TruthTank& tank : truth.tanks) json["tanks"].push_back(tankJson(tank, truth.options.offset));
   return json;

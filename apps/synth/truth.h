@@ -43,7 +43,8 @@ struct TruthTank {
 
 struct Truth {
   SceneOptions options;
-  std::vector<Eigen::Vector3d> scanners;  ///< in the frame of the output [m]
+  std::vector<Eigen::Vector3d> scanners;        ///< in the frame of the output [m]
+  std::vector<RegistrationError> registration;  ///< of each scanner
   std::vector<TruthTank> tanks;
 };
 

@@ -14,9 +14,11 @@
 #include "tank_datum/locate/crop.h"
 #include "tank_datum/locate/locate.h"
 #include "tank_datum/search/normals.h"
+#include "tank_datum/setups/setups.h"
 #include "tank_datum/shape/analysis.h"
 #include "tank_datum/shape/deformation.h"
 #include "tank_datum/shell/shell_survey.h"
+#include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
 #include "tank_datum/trust/tank_tests.h"
 
@@ -40,6 +42,7 @@ struct DatumOptions {
   GrowingOptions growing;
   CentreFilterOptions centre_filter;
   SplineOptions spline;
+  SetupOptions setups;
   RefineOptions refine;
   StationOptions stations;
   AnalysisOptions analysis;
@@ -82,6 +85,8 @@ struct Datum {
   ClosedSpline curve;  ///< the paper's
   Refined refined;     ///< not valid with Method::Paper
   std::vector<Station> stations;
+  SetupAgreement agreement;      ///< of the scanner's setups
+  StationCovariance covariance;  ///< of their z; empty: each station by itself, sigma_z
   Level level;
   Tilt tilt;
   Antipodal antipodal;

@@ -15,21 +15,6 @@ namespace {
 
 constexpr std::size_t kPointsPerCell = 40;  // enough for a mode, few enough for cells finer than the lobes of a shell
 
-/// The densest place of sorted values: the half-sample mode (Bickel and Fruehwirth 2006).
-double halfSampleMode(const std::vector<double>& sorted) {
-  std::size_t first = 0, count = sorted.size();
-  while (count > 3) {
-    const std::size_t half = (count + 1) / 2;
-    std::size_t best = first;
-    for (std::size_t i = first; i + half <= first + count; ++i) {
-      if (sorted[i + half - 1] - sorted[i] < sorted[best + half - 1] - sorted[best]) best = i;
-    }
-    first = best;
-    count = half;
-  }
-  return sorted[first + count / 2];
-}
-
 /// Replaces cells that stand apart from the running median of their neighbours by NaN: pipes, boxes, outliers.
 void dropStrays(std::vector<double>& radius, double noise, double cell_arc) {
   constexpr std::ptrdiff_t kReach = 4;

@@ -76,6 +76,27 @@ void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& fra
   points.resize(kept);
 }
 
+std::uint32_t labelOf(double value) {
+  const double whole = std::nearbyint(value);
+  return whole >= 0.0 && whole < static_cast<double>(SetupKey::kUnlabelled) ? static_cast<std::uint32_t>(whole)
+                                                                            : SetupKey::kUnlabelled;
+}
+
+void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, std::size_t rows, const Frame& frame,
+                  Labels& labels) {
+  labels.clear();
+  const std::array<Load, 3> loads = {loadOf(xyz[0]), loadOf(xyz[1]), loadOf(xyz[2])};
+  const Load load = loadOf(label);
+  for (std::size_t i = 0; i < rows; ++i) {
+    bool finite = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double stored = loads[axis](xyz[axis].first + i * xyz[axis].stride);
+      finite = finite && std::isfinite(stored * frame.metres_per_unit - frame.origin[static_cast<Eigen::Index>(axis)]);
+    }
+    if (finite) labels.push_back(labelOf(load(label.first + i * label.stride)));
+  }
+}
+
 std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame) {
   const auto is_float = [](const CoordinateColumn& column) { return column.type == 'F' && column.size == 4; };
   const bool stays_finite =

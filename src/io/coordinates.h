@@ -28,6 +28,13 @@ using CoordinateColumns = std::array<CoordinateColumn, 3>;
 /// Replaces points by the finite ones of the rows, in order.
 void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, Points& points);
 
+/// What a field of labels says, as a number; SetupKey::kUnlabelled for what is no whole number from 0 on.
+std::uint32_t labelOf(double value);
+
+/// Replaces labels by those of the finite rows, in order, as decodeRows has their points.
+void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, std::size_t rows, const Frame& frame,
+                  Labels& labels);
+
 /// How many of the rows decodeRows would leave out.
 std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame);
 

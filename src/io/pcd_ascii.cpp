@@ -137,6 +137,7 @@ ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Fram
   std::array<std::size_t, 3> at{};
   for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = header.columns[header.xyz[axis]].first_value;
   Points points;
+  Labels labels;
   ScanCounts counts;
   while (const auto line = lines.next()) {
     if (counts.points == header.points) {
@@ -151,13 +152,18 @@ ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Fram
       throw rowError(file, counts.points + 1, many + " values", std::to_string(values.size()));
     }
     ++counts.points;
-    if (!appendFinite({values[at[0]], values[at[1]], values[at[2]]}, frame, points)) ++counts.invalid;
+    if (!appendFinite({values[at[0]], values[at[1]], values[at[2]]}, frame, points)) {
+      ++counts.invalid;
+    } else if (header.label) {
+      labels.push_back(labelOf(values[header.columns[*header.label].first_value]));
+    }
     if (points.size() < kBlockRows) continue;
-    if (!visit(points)) return counts;
+    if (!visit(points, labels)) return counts;
     points.clear();
+    labels.clear();
   }
   if (counts.points < header.points) throw countError(file, header, std::to_string(counts.points) + " whole ones");
-  if (!points.empty()) visit(points);
+  if (!points.empty()) visit(points, labels);
   return counts;
 }
 

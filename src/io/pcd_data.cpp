@@ -39,12 +39,16 @@ CoordinateColumns columnsOfFields(const PcdHeader& header, const char* fields, s
   return xyz;
 }
 
+CoordinateColumn columnOf(const PcdColumn& column, const char* first, std::size_t stride) {
+  return {first, stride, column.type, column.size};
+}
+
 ScanCounts visitBinary(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit) {
   ScanCounts counts;
   BlockBuffer buffer;
   for (std::uint64_t block = 0; block < binaryBlockCount(header); ++block) {
     counts += decodeBinaryBlock(file, header, frame, block, buffer);
-    if (!buffer.points.empty() && !visit(buffer.points)) break;
+    if (!buffer.points.empty() && !visit(buffer.points, buffer.labels)) break;
   }
   return counts;
 }
@@ -70,11 +74,19 @@ ScanCounts visitCompressed(const InputFile& file, const PcdHeader& header, const
   if (header.points == 0) return counts;
   const std::unique_ptr<char[]> fields = decompress(file, header);
   Points points;
+  Labels labels;
   while (counts.points < header.points) {
     const std::size_t rows = std::min<std::size_t>(kBlockRows, header.points - counts.points);
-    decodeRows(columnsOfFields(header, fields.get(), counts.points), rows, frame, points);
+    const CoordinateColumns xyz = columnsOfFields(header, fields.get(), counts.points);
+    decodeRows(xyz, rows, frame, points);
+    if (header.label) {
+      const PcdColumn& column = header.columns[*header.label];
+      const auto stride = static_cast<std::size_t>(column.size);
+      const char* first = fields.get() + column.offset * header.points + counts.points * stride;
+      decodeLabels(columnOf(column, first, stride), xyz, rows, frame, labels);
+    }
     counts += {rows, rows - points.size()};
-    if (!points.empty() && !visit(points)) break;
+    if (!points.empty() && !visit(points, labels)) break;
   }
   return counts;
 }
@@ -92,7 +104,13 @@ ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, con
   const std::size_t rows = std::min<std::size_t>(rowsPerBlock(header), header.points - begin);
   buffer.bytes.resize(rows * header.row_bytes);
   file.read(header.data_offset + begin * header.row_bytes, buffer.bytes.data(), buffer.bytes.size());
-  decodeRows(columnsOfRows(header, buffer.bytes.data(), choice), choice.of(rows), frame, buffer.points);
+  const CoordinateColumns xyz = columnsOfRows(header, buffer.bytes.data(), choice);
+  decodeRows(xyz, choice.of(rows), frame, buffer.points);
+  if (header.label) {
+    const PcdColumn& column = header.columns[*header.label];
+    const char* first = buffer.bytes.data() + choice.first * header.row_bytes + column.offset;
+    decodeLabels(columnOf(column, first, choice.step * header.row_bytes), xyz, choice.of(rows), frame, buffer.labels);
+  }
   if (choice.step == 1) return {rows, rows - buffer.points.size()};
   return {rows, countInvalid(columnsOfRows(header, buffer.bytes.data(), {}), rows, frame)};
 }

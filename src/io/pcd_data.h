@@ -18,8 +18,11 @@ struct Frame {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m]
 };
 
+/// What the field of labels says of each point of a block; empty where there is no such field.
+using Labels = std::vector<std::uint32_t>;
+
 /// Receives the next block, which is never empty; false ends the pass.
-using BlockVisitor = std::function<bool(const Points& block)>;
+using BlockVisitor = std::function<bool(const Points& block, const Labels& labels)>;
 
 /// Rows of a block at most; its bytes and its points together stay in a core's L2 cache.
 constexpr std::size_t kBlockRows = 16384;
@@ -28,6 +31,7 @@ constexpr std::size_t kBlockRows = 16384;
 struct BlockBuffer {
   std::vector<char> bytes;
   Points points;
+  Labels labels;
 };
 
 /// Blocks of a binary file. Each can be decoded by itself, in any order, in any thread with a buffer of its own.
@@ -41,7 +45,7 @@ struct RowChoice {
   std::size_t of(std::size_t rows) const { return rows > first ? (rows - first - 1) / step + 1 : 0; }
 };
 
-/// Fills buffer.points with the finite ones of the chosen points of one block of a binary file.
+/// Fills buffer.points with the finite ones of the chosen points of one block of a binary file, and buffer.labels.
 /// @return of all rows of the block
 /// @throws Error (File) when the file has become shorter
 ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,

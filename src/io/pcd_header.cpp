@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -212,6 +213,27 @@ void findXyz(const Lines& lines, PcdHeader& header) {
   }
 }
 
+/// The first of the names that a field of one value a row has.
+void findLabel(PcdHeader& header) {
+  for (const char* name : {"setup", "scan_id", "point_source_id"}) {
+    for (std::size_t i = 0; i < header.columns.size() && !header.label; ++i) {
+      if (header.columns[i].name == name && header.columns[i].count == 1) header.label = i;
+    }
+  }
+}
+
+/// Where the scanner stood. Zeros are what writers put who do not know.
+void parseViewpoint(const Lines& lines, PcdHeader& header) {
+  if (!lines.has("VIEWPOINT") || lines.list("VIEWPOINT").size() < 3) return;
+  std::array<double, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view text = lines.list("VIEWPOINT")[axis];
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), place[axis]);
+    if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(place[axis])) return;
+  }
+  if (place != std::array<double, 3>{}) header.viewpoint = place;
+}
+
 void parsePoints(const Lines& lines, PcdHeader& header) {
   const auto width = lines.number("WIDTH");
   const std::uint64_t height = lines.number("HEIGHT").value_or(1);
@@ -250,6 +272,8 @@ PcdHeader readPcdHeader(const InputFile& file) {
   parseEncoding(lines, header);
   parseColumns(lines, header);
   findXyz(lines, header);
+  findLabel(header);
+  parseViewpoint(lines, header);
   parsePoints(lines, header);
   checkPcdSize(file, header);
   return header;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct PcdColumn {
 /// A PCD header that is consistent with itself and with the size of its file.
 struct PcdHeader {
   std::vector<PcdColumn> columns;
-  std::array<std::size_t, 3> xyz{};  ///< where x, y and z stand in columns
+  std::array<std::size_t, 3> xyz{};                ///< where x, y and z stand in columns
+  std::optional<std::size_t> label;                ///< where the field stands that tells setups apart, if there is one
+  std::optional<std::array<double, 3>> viewpoint;  ///< in stored units; none where the line says 0 0 0 or is missing
   std::uint64_t points = 0;
   PcdEncoding encoding = PcdEncoding::Ascii;
   std::uint64_t data_offset = 0;  ///< bytes before the first row, or before the compressed block
@@ -38,9 +41,10 @@ struct PcdHeader {
 ///
 /// Header lines may come in any order, DATA last, keywords and the word after DATA in any case, after a byte order mark
 /// or not. FIELDS (COLUMNS in old files), SIZE and TYPE are needed, and POINTS or WIDTH; COUNT and HEIGHT default to 1.
-/// VERSION may be missing, else it is 0.5, 0.6 or 0.7 with or without the 0. VIEWPOINT is not applied. x, y and z (or
-/// X, Y, Z) must be there once each with COUNT 1; other fields are free. One of COUNT 0 is not there; one of a negative
-/// COUNT leads back in the row, as PCL writes it.
+/// VERSION may be missing, else it is 0.5, 0.6 or 0.7 with or without the 0. VIEWPOINT is where the scanner stood, and
+/// is not applied to the points. A field `setup`, `scan_id` or `point_source_id` of one value a row is the label of the
+/// setup. x, y and z (or X, Y, Z) must be there once each with COUNT 1; other fields are free. One of COUNT 0 is not
+/// there; one of a negative COUNT leads back in the row, as PCL writes it.
 ///
 /// Refused: unknown or repeated keywords, WIDTH x HEIGHT other than POINTS, more POINTS than the file can hold, a
 /// compressed block whose size is not POINTS rows, a header above 64 KiB, rows above 64 KiB. Bytes behind the last row

@@ -131,9 +131,11 @@ void requireReplaceable(const std::string& path) {
                   "a file, or the name of a new one");
 }
 
-PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format)
+PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format, const PcdHeading& heading)
     : path_(std::move(path)), temporary_(temporaryName(path_)), fields_(std::move(fields)), format_(format) {
   checkFields(fields_);
+  if (heading.comment.find('\n') != std::string::npos)
+    throw wrongUse("PcdWriter comment", "\"" + echo(heading.comment) + "\"", "a line");
   requireReplaceable(path_);
   std::string names = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
   for (const PcdField& f : fields_) {
@@ -142,10 +144,16 @@ PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format form
     types += std::string(" ") + f.type;
     counts += " 1";
   }
-  std::string header = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + names + "\n" + sizes + "\n" +
-                       types + "\n" + counts + "\nWIDTH ";
+  std::string header = "# .PCD v0.7 - Point Cloud Data file format\n" +
+                       (heading.comment.empty() ? "" : "# " + heading.comment + "\n") + "VERSION 0.7\n" + names + "\n" +
+                       sizes + "\n" + types + "\n" + counts + "\nWIDTH ";
   width_at_ = static_cast<std::streamoff>(header.size());
-  header += paddedCount(0) + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS ";
+  header += paddedCount(0) + "\nHEIGHT 1\nVIEWPOINT ";
+  for (const double at : heading.viewpoint) {
+    appendAscii(at, header);
+    header += ' ';
+  }
+  header += "1 0 0 0\nPOINTS ";
   points_at_ = static_cast<std::streamoff>(header.size());
   header += paddedCount(0) + (format_ == Format::Ascii ? "\nDATA ascii\n" : "\nDATA binary\n");
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <string>
@@ -14,6 +15,12 @@ struct PcdField {
   int size = 4;     ///< bytes: 4 or 8 for 'F'; 1, 2, 4 or 8 else
 };
 
+/// What a file says of itself beside its points.
+struct PcdHeading {
+  std::string comment;                   ///< a line that readers skip, at the head of the file; none when empty
+  std::array<double, 3> viewpoint = {};  ///< where the scanner stood, in the frame and units of the rows; zero: unknown
+};
+
 /// Streams rows into a binary or ascii PCD in bounded memory. The file appears under its name only when commit()
 /// returns; before that, and after a failure, only a temporary file exists beside it, which the destructor removes.
 class PcdWriter {
@@ -21,7 +28,8 @@ class PcdWriter {
   enum class Format { Ascii, Binary };
 
   /// @throws Error (File) when the file cannot be made
-  PcdWriter(std::string path, std::vector<PcdField> fields, Format format = Format::Binary);
+  PcdWriter(std::string path, std::vector<PcdField> fields, Format format = Format::Binary,
+            const PcdHeading& heading = {});
   ~PcdWriter();
   PcdWriter(const PcdWriter&) = delete;
   PcdWriter& operator=(const PcdWriter&) = delete;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -27,7 +28,7 @@ Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>
   std::optional<Eigen::Vector3d> origin;
   for (const auto& source : sources) {
     if (origin) break;
-    source->visit(Eigen::Vector3d::Zero(), [&](const Points& block) {
+    source->visit(Eigen::Vector3d::Zero(), [&](const Points& block, const Labels&) {
       origin = firstAmong(block);
       return !origin;
     });
@@ -81,7 +82,7 @@ ScanCounts Scan::forEachBlock(const Visitor& visit) const {
   ScanCounts total;
   Points turned;
   for (const auto& source : sources_) {
-    total += source->visit(stored_origin_, [&](const Points& block) {
+    total += source->visit(stored_origin_, [&](const Points& block, const Labels&) {
       visit(rotation_ ? turnInto(turned, block, *rotation_) : block);
       return true;
     });
@@ -96,6 +97,11 @@ double Scan::coordinateStep() const {
 }
 
 ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n) const {
+  return forEachChosen(
+      choose, threads, [&visit](const Points& chosen, SetupKey) { visit(chosen); }, n);
+}
+
+ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n) const {
   if (n < 1) throw Error(Error::Kind::Option, "io", "n of the rows looked at", "0", "at least 1");
   const Chooser from_turned = [&](std::uint64_t at, const Points& points, Points& chosen) {
     thread_local Points turned;
@@ -103,15 +109,36 @@ ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor
   };
   ScanCounts total;
   std::uint64_t block = 0;
-  for (const auto& source : sources_) {
-    source->choose(stored_origin_, {rotation_ ? from_turned : choose, n}, threads, block,
-                   [&](const ScanCounts& read, const Points& chosen) {
-                     total += read;
-                     if (!chosen.empty()) visit(chosen);
-                     if (progress_) progress_(total.points);
-                   });
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const auto told = [&](const ScanCounts& read, const Points& chosen, std::uint32_t label) {
+      total += read;
+      if (!chosen.empty()) visit(chosen, {static_cast<std::uint32_t>(i), label});
+      if (progress_) progress_(total.points);
+    };
+    sources_[i]->choose(stored_origin_, {rotation_ ? from_turned : choose, n}, threads, block, told);
   }
   return total;
+}
+
+bool Scan::tellsSetups() const {
+  return sources_.size() > 1 || (sources_.size() == 1 && !sources_.front()->labelField().empty());
+}
+
+std::string Scan::setupName(SetupKey setup) const {
+  const std::string field = sources_[setup.source]->labelField();
+  const std::string label = setup.label == SetupKey::kUnlabelled ? "none" : std::to_string(setup.label);
+  const bool has_file = setup.source < paths_.size();
+  const std::string file = has_file ? std::filesystem::path(paths_[setup.source]).stem().string() : "scan";
+  if (field.empty()) return file;
+  return sources_.size() > 1 ? file + ":" + label : label;
+}
+
+std::optional<Eigen::Vector3d> Scan::setupOrigin(SetupKey setup) const {
+  if (!sources_[setup.source]->labelField().empty()) return std::nullopt;
+  std::optional<Eigen::Vector3d> place = sources_[setup.source]->viewpoint();
+  if (place) *place -= stored_origin_;
+  if (place && rotation_) *place = *rotation_ * *place;
+  return place;
 }
 
 Points Scan::everyNth(std::uint64_t n, int threads) const {
@@ -120,7 +147,7 @@ Points Scan::everyNth(std::uint64_t n, int threads) const {
                                       4'000'000));  // a header may promise more than there is
   const auto choose = [](std::uint64_t, const Points& points, Points& chosen) { chosen = points; };
   forEachChosen(
-      choose, threads, [&](const Points& chosen) { all.insert(all.end(), chosen.begin(), chosen.end()); }, n);
+      choose, threads, [&all](const Points& chosen) { all.insert(all.end(), chosen.begin(), chosen.end()); }, n);
   return all;
 }
 

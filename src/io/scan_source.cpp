@@ -12,21 +12,62 @@
 namespace tank_datum {
 namespace {
 
+/// What is chosen of a block, label by label.
+struct ChosenOfLabel {
+  std::uint32_t label = 0;
+  Points points;
+};
+
+/// Asks the chooser for a block: once, or once for each of its labels in rising order.
+void chooseByLabel(const Scan::Chooser& choose, std::uint64_t block, const Points& points, const Labels& labels,
+                   std::vector<ChosenOfLabel>& chosen) {
+  Labels found = labels;
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  chosen.resize(std::max<std::size_t>(1, found.size()));
+  if (found.size() < 2) {
+    chosen.front().label = found.empty() ? 0 : found.front();
+    chosen.front().points.clear();
+    choose(block, points, chosen.front().points);
+    return;
+  }
+  Points alike;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    alike.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (labels[i] == found[k]) alike.push_back(points[i]);
+    }
+    chosen[k].label = found[k];
+    chosen[k].points.clear();
+    choose(block, alike, chosen[k].points);
+  }
+}
+
+/// Tells what was chosen of one block, its counts with the first.
+void tell(const Scan::Source::ChosenVisitor& told, const ScanCounts& read, const std::vector<ChosenOfLabel>& chosen) {
+  for (std::size_t k = 0; k < chosen.size(); ++k) told(k == 0 ? read : ScanCounts{}, chosen[k].points, chosen[k].label);
+}
+
 /// Block by block, for what cannot be read from any place: only the choice is thinned.
 void chooseInOrder(const Scan::Source& source, const Eigen::Vector3d& origin, const Scan::Source::Choice& choice,
                    std::uint64_t& block, const Scan::Source::ChosenVisitor& told) {
-  Points thinned, chosen;
+  Points thinned;
+  Labels labels;
+  std::vector<ChosenOfLabel> chosen;
   std::uint64_t finite = 0;
-  const ScanCounts all = source.visit(origin, [&](const Points& points) {
+  const ScanCounts all = source.visit(origin, [&](const Points& points, const Labels& of_points) {
     thinned.clear();
-    for (std::size_t i = block % choice.n; i < points.size(); i += choice.n) thinned.push_back(points[i]);
-    chosen.clear();
-    choice.choose(block++, thinned, chosen);
+    labels.clear();
+    for (std::size_t i = block % choice.n; i < points.size(); i += choice.n) {
+      thinned.push_back(points[i]);
+      if (!of_points.empty()) labels.push_back(of_points[i]);
+    }
+    chooseByLabel(choice.choose, block++, thinned, labels, chosen);
     finite += points.size();
-    told({points.size(), 0}, chosen);
+    tell(told, {points.size(), 0}, chosen);
     return true;
   });
-  told({all.points - finite, all.invalid}, {});
+  told({all.points - finite, all.invalid}, {}, 0);
 }
 
 class PcdSource : public Scan::Source {
@@ -55,13 +96,21 @@ class PcdSource : public Scan::Source {
     return visitPcd(file_, header_, {metres_per_unit_, origin}, visit);
   }
 
+  std::string labelField() const override { return header_.label ? header_.columns[*header_.label].name : ""; }
+
+  std::optional<Eigen::Vector3d> viewpoint() const override {
+    if (!header_.viewpoint) return std::nullopt;
+    const auto& at = *header_.viewpoint;
+    return Eigen::Vector3d(at[0], at[1], at[2]) * metres_per_unit_;
+  }
+
   void choose(const Eigen::Vector3d& origin, const Choice& choice, int threads, std::uint64_t& block,
               const ChosenVisitor& told) const override {
     if (header_.encoding != PcdEncoding::Binary) return chooseInOrder(*this, origin, choice, block, told);
     constexpr std::uint64_t kRound = 64;  // blocks; a million rows between two calls of told
     const Frame frame{metres_per_unit_, origin};
     const std::uint64_t count = binaryBlockCount(header_);
-    std::vector<Points> chosen(kRound);
+    std::vector<std::vector<ChosenOfLabel>> chosen(kRound);
     std::vector<ScanCounts> read(kRound);
     for (std::uint64_t begin = 0; begin < count; begin += kRound) {
       const auto blocks = static_cast<std::size_t>(std::min(kRound, count - begin));
@@ -69,10 +118,9 @@ class PcdSource : public Scan::Source {
         thread_local BlockBuffer buffer;
         const std::uint64_t number = block + begin + i;
         read[i] = decodeBinaryBlock(file_, header_, frame, begin + i, buffer, {number % choice.n, choice.n});
-        chosen[i].clear();
-        choice.choose(number, buffer.points, chosen[i]);
+        chooseByLabel(choice.choose, number, buffer.points, buffer.labels, chosen[i]);
       });
-      for (std::size_t i = 0; i < blocks; ++i) told(read[i], chosen[i]);
+      for (std::size_t i = 0; i < blocks; ++i) tell(told, read[i], chosen[i]);
     }
     block += count;
   }
@@ -96,7 +144,7 @@ class ArraySource : public Scan::Source {
     Points block;
     while (counts.points < rows_) {
       counts += fill(counts.points, {1.0, origin}, {}, block);
-      if (!block.empty() && !visit(block)) break;
+      if (!block.empty() && !visit(block, {})) break;
     }
     return counts;
   }
@@ -108,7 +156,7 @@ class ArraySource : public Scan::Source {
       const ScanCounts read = fill(begin, {1.0, origin}, {block % choice.n, choice.n}, points);
       chosen.clear();
       choice.choose(block, points, chosen);
-      told(read, chosen);
+      told(read, chosen, 0);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "io/pcd_data.h"
@@ -25,12 +26,18 @@ class Scan::Source {
     const Chooser& choose;
     std::uint64_t n = 1;
   };
-  /// Told the rows read since the last call, and what was chosen of them.
-  using ChosenVisitor = std::function<void(const ScanCounts& read, const Points& chosen)>;
+  /// Told the rows read since the last call, and what was chosen of them, all of one label.
+  using ChosenVisitor = std::function<void(const ScanCounts& read, const Points& chosen, std::uint32_t label)>;
 
   /// @param block  number of the source's first block; raised by the blocks read
   virtual void choose(const Eigen::Vector3d& origin, const Choice& choice, int threads, std::uint64_t& block,
                       const ChosenVisitor& told) const = 0;
+
+  /// The field that tells the setups of one file apart; empty when there is none.
+  virtual std::string labelField() const { return {}; }
+
+  /// Where the scanner stood [m], in the scan's own frame, if the file says so.
+  virtual std::optional<Eigen::Vector3d> viewpoint() const { return std::nullopt; }
 };
 
 std::shared_ptr<const Scan::Source> pcdSource(const std::string& path, double metres_per_unit);

@@ -28,28 +28,62 @@ std::string firstError(const CropOptions& options) {
 
 namespace {
 
+/// Numbers setups as they come. Points of one setup come together, so that the last one is asked first.
+class SetupNumbers {
+ public:
+  std::uint16_t of(SetupKey key) {
+    if (last_ < setups_.size() && setups_[last_] == key) return static_cast<std::uint16_t>(last_);
+    const auto found = std::find(setups_.begin(), setups_.end(), key);
+    last_ = static_cast<std::size_t>(found - setups_.begin());
+    if (found == setups_.end() && setups_.size() <= kMostSetups) setups_.push_back(key);
+    return static_cast<std::uint16_t>(last_);
+  }
+  std::vector<SetupKey> take() { return std::move(setups_); }
+
+ private:
+  std::vector<SetupKey> setups_;  // one more than the most says that there are too many
+  std::size_t last_ = 0;
+};
+
 /// A growing set of points that keeps those of the lower hashes whenever it would grow beyond its bound.
 class EvenShare {
  public:
-  explicit EvenShare(std::size_t most) : most_(most) {}
+  /// @param tells_setups  whether the points' setups are to be kept with them
+  EvenShare(std::size_t most, bool tells_setups) : most_(most), tells_setups_(tells_setups) {}
 
   /// Whether a point would be kept so far.
   bool wants(const Eigen::Vector3d& point) const { return pointHash(point) < limit_; }
 
-  void add(const Eigen::Vector3d& point) {
+  void add(const Eigen::Vector3d& point, std::uint16_t setup) {
     if (!wants(point)) return;
     kept_.push_back(point);
+    if (tells_setups_) setups_.push_back(setup);
     while (kept_.size() > most_) {
       limit_ /= 2;
-      kept_.erase(std::remove_if(kept_.begin(), kept_.end(), [&](const auto& p) { return !wants(p); }), kept_.end());
+      drop();
     }
   }
-  Points take() { return std::move(kept_); }
+  Points takePoints() { return std::move(kept_); }
+  std::vector<std::uint16_t> takeSetups() { return std::move(setups_); }
 
  private:
+  void drop() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (!wants(kept_[i])) continue;
+      kept_[kept] = kept_[i];
+      if (tells_setups_) setups_[kept] = setups_[i];
+      ++kept;
+    }
+    kept_.resize(kept);
+    if (tells_setups_) setups_.resize(kept);
+  }
+
   std::size_t most_;
+  bool tells_setups_;
   std::uint64_t limit_ = std::uint64_t{1} << 32;
   Points kept_;
+  std::vector<std::uint16_t> setups_;
 };
 
 }  // namespace
@@ -63,6 +97,22 @@ double reachOf(const Tank& tank, const CropOptions& options) {
 /// Enlarged by the accuracy of the coarse figures.
 double widestReach(const Tank& tank, const CropOptions& options) {
   return reachOf(tank, options) + 2.0 * tank.resolution;
+}
+
+void dropStrays(Ring& ring, const Tank& tank, int threads) {
+  const double finest = 1e-4 * tank.circle.radius;
+  const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
+  if (!holdsStrays(sample)) return;
+  const std::vector<bool> is_stray = findStrays(ring.points, closingEdge(sample));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (is_stray[i]) continue;
+    ring.points[kept] = ring.points[i];
+    if (!ring.point_setups.empty()) ring.point_setups[kept] = ring.point_setups[i];
+    ++kept;
+  }
+  ring.points.resize(kept);
+  if (!ring.point_setups.empty()) ring.point_setups.resize(kept);
 }
 
 }  // namespace
@@ -81,7 +131,8 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   ring.reach = reachOf(tank, options);
   const double reach = widestReach(tank, options);
   const RingShape shape(tank, reach);
-  EvenShare share(options.fit_points);
+  EvenShare share(options.fit_points, scan.tellsSetups());
+  SetupNumbers numbers;
   const auto choose = [&](std::uint64_t block, const Points& points, Points& chosen) {
     thread_local std::vector<char> wanted;
     wanted.assign(points.size(), 0);
@@ -90,28 +141,30 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
       if (wanted[i] || (shape.holds(points[i]) && share.wants(points[i]))) chosen.push_back(points[i]);
     }
   };
-  const auto keep = [&](const Points& chosen) {
+  const auto keep = [&](const Points& chosen, SetupKey setup) {
     if (also.add) also.add(chosen);
     for (const auto& p : chosen) {
-      if (shape.holds(p)) share.add(p);
+      if (shape.holds(p)) share.add(p, numbers.of(setup));
     }
   };
   ring.counts = scan.forEachChosen(choose, threads, keep, rowStride(scan, tank, options));
-  ring.points = share.take();
-  if (tank.strays) {
-    const double finest = 1e-4 * tank.circle.radius;
-    const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
-    if (holdsStrays(sample)) ring.points = withoutStrays(ring.points, closingEdge(sample));
-  }
+  ring.points = share.takePoints();
+  ring.setups = numbers.take();
+  if (ring.setups.size() > 1 && ring.setups.size() <= kMostSetups) ring.point_setups = share.takeSetups();
+  if (tank.strays) dropStrays(ring, tank, threads);
+  if (ring.point_setups.empty()) thinForSearch(ring, tank, options, threads);
+  return ring;
+}
+
+void thinForSearch(Ring& ring, const Tank& tank, const CropOptions& options, int threads) {
   if (ring.points.size() <= options.search_points) {
     ring.search = ring.points;
-    return ring;
+    return;
   }
   // surfaces fill one layer of voxels: twice the ring's width all round is the area to spread the points over
-  const double area = 2.0 * kTwoPi * tank.circle.radius * 2.0 * reach;
+  const double area = 2.0 * kTwoPi * tank.circle.radius * 2.0 * widestReach(tank, options);
   const double smallest = 0.5 * std::sqrt(area / static_cast<double>(options.search_points));
   ring.search = VoxelSample(ring.points, options.search_points, smallest, threads).points();
-  return ring;
 }
 
 }  // namespace tank_datum

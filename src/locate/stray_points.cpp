@@ -63,15 +63,23 @@ double closingEdge(const VoxelSample& sample) {
   return sample.edgeWithAlone(kAlone);
 }
 
-Points withoutStrays(const Points& points, double edge) {
+std::vector<bool> findStrays(const Points& points, double edge) {
   constexpr std::uint32_t kCompany = 5;  // points in 27 cells, itself included; where surfaces close there are 18
   const double cell = 2.0 * edge;
   CellCounts counts;
   counts.reserve(points.size());
   for (const auto& p : points) ++counts[cellOf(p, cell)];
+  std::vector<bool> is_stray;
+  is_stray.reserve(points.size());
+  for (const auto& p : points) is_stray.push_back(countAround(counts, cellOf(p, cell), kCompany) < kCompany);
+  return is_stray;
+}
+
+Points withoutStrays(const Points& points, double edge) {
+  const std::vector<bool> is_stray = findStrays(points, edge);
   Points kept;
-  for (const auto& p : points) {
-    if (countAround(counts, cellOf(p, cell), kCompany) >= kCompany) kept.push_back(p);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!is_stray[i]) kept.push_back(points[i]);
   }
   return kept;
 }

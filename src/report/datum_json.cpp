@@ -2,9 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.h"
+#include "io/json_file.h"
 #include "refusals.h"
 #include "report/analysis_json.h"
 #include "report/movement_json.h"
+#include "report/setups_json.h"
 #include "report/shell_report.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/report/report.h"
@@ -17,6 +19,12 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json setupOrigins(const SetupOptions& options) {
+  Json origins = Json::object();
+  for (const auto& [name, at] : options.origins) origins[name] = {at.x(), at.y(), at.z()};
+  return origins;
+}
+
 Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
   Json json;
   json["method"] = nameOf(o.method);
@@ -28,6 +36,10 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
   json["growing"] = {{"angle_deg", toDegrees(o.growing.angle)}};
   json["centre_filter"] = {{"tolerance", o.centre_filter.tolerance}};
   json["spline"] = {{"control_points", o.spline.control_points}, {"check_every", o.spline.check_every}};
+  json["setups"] = {{"error", o.setups.error},
+                    {"tilt_arcsec", toArcSeconds(o.setups.tilt)},
+                    {"bad", nameOf(o.setups.bad)},
+                    {"origins", setupOrigins(o.setups)}};
   json["refine"] = {{"largest_weld", o.refine.largest_weld},
                     {"widest_band", o.refine.widest_band},
                     {"widest_window", o.refine.widest_window},
@@ -148,7 +160,7 @@ Json leanJson(const Datum& datum, const StationOptions& options) {
 
 std::string datumJson(const Datum& datum, const Provenance& provenance) {
   Json json;
-  json["schema"] = 1;
+  json["schema"] = kSchema;
   json["version"] = kVersion;
   json["input"] = inputJson(provenance, datum.origin, datum.levelled);
   json["options"] = optionsJson(provenance.options, provenance);
@@ -162,6 +174,9 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
     json["tilt"] = tiltJson(datum.tilt);
     json["antipodal"] = antipodalJson(datum);
     if (datum.analysis.valid()) addAnalysis(json, datum.analysis, datum.stations, datum.origin.z());
+    json["setups"] = setupsSection(datum);
+    json["agreement"] = agreementSection(datum);
+    json["covariance"] = covarianceSection(datum);
     json["stations"] = stationsSection(datum);
     if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
     if (datum.shell.valid()) json["shell"] = shellJson(datum.shell);

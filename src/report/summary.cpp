@@ -7,6 +7,7 @@
 #include "refusals.h"
 #include "report/shell_report.h"
 #include "report/sparkline.h"
+#include "setups/setup_report.h"
 #include "tank_datum/report/report.h"
 
 namespace tank_datum {
@@ -116,6 +117,7 @@ std::string summary(const Datum& datum, bool blocks) {
   text += tankLine(datum);
   text += line("stations", "%zu measured, %zu interpolated, %zu missing", level.measured, level.interpolated,
                level.missing);
+  if (!datum.levelled) text += line("setups", "%s", setupSummary(datum.agreement, datum.stations).c_str());
   text += line("datum", "mean %.4f m, range %.1f mm: lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg",
                level.mean + z, 1e3 * level.range(), level.min + z, toDegrees(level.min_azimuth), level.max + z,
                toDegrees(level.max_azimuth));

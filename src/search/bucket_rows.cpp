@@ -1,9 +1,8 @@
-#include <omp.h>
-
 #include <limits>
 
 #include "search/bucket_kernels.h"
 #include "search/bucket_walk.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 
@@ -88,18 +87,15 @@ void BucketTree::fillBucket(std::size_t bucket, std::size_t k, std::int32_t* row
 
 void BucketTree::nearestOfAll(std::size_t k, int threads, std::int32_t* rows, const RowsDone& done) const {
   if (size() == 0 || k == 0) return;
-  const auto count = static_cast<std::ptrdiff_t>(buckets());
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
-  {
+  constexpr std::size_t kAtOnce = 64;  // buckets that share their scratch space
+  forEachIndex((buckets() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t part) {
     Batch batch;
-#pragma omp for schedule(dynamic, 64)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      const auto bucket = static_cast<std::size_t>(i);
+    for (std::size_t bucket = part * kAtOnce; bucket < std::min(buckets(), (part + 1) * kAtOnce); ++bucket) {
       fillBucket(bucket, k, rows, batch);
       const std::size_t begin = firstOf(depth_, bucket);
       if (done) done(&ids_[begin], firstOf(depth_, bucket + 1) - begin);
     }
-  }
+  });
 }
 
 }  // namespace tank_datum

@@ -1,11 +1,10 @@
 #include "tank_datum/search/bucket_tree.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "search/bucket_walk.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -32,13 +31,22 @@ BucketTree::BucketTree(const std::vector<Eigen::Vector3f>& points, int threads)
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i] = {{points[i].x(), points[i].y(), points[i].z()}, static_cast<std::uint32_t>(i)};
   }
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads())
-#pragma omp single
-  build(rows, 0, 0);
+  std::size_t level = 0;
+  for (; level < depth_ && points.size() >> level > kTaskPoints; ++level) {
+    forEachIndex(std::size_t{1} << level, threads, [&](std::size_t node) { split(rows, level, node); });
+  }
+  forEachIndex(std::size_t{1} << level, threads, [&](std::size_t node) { build(rows, level, node); });
 }
 
-/// Splits the node's points at the median of their longest extent. Each task has its rows to itself.
 void BucketTree::build(std::vector<Row>& rows, std::size_t level, std::size_t node) {
+  split(rows, level, node);
+  if (level == depth_) return;
+  build(rows, level + 1, 2 * node);
+  build(rows, level + 1, 2 * node + 1);
+}
+
+/// Boxes the node's points and parts them at the median of their longest extent. Each node has its rows to itself.
+void BucketTree::split(std::vector<Row>& rows, std::size_t level, std::size_t node) {
   const std::size_t begin = firstOf(level, node), end = firstOf(level, node + 1);
   constexpr float kFar = std::numeric_limits<float>::infinity();
   Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
@@ -65,10 +73,6 @@ void BucketTree::build(std::vector<Row>& rows, std::size_t level, std::size_t no
   const auto at = [&](std::size_t i) { return rows.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(begin), at(firstOf(level + 1, 2 * node + 1)), at(end),
                    [axis](const Row& a, const Row& b) { return a.xyz[axis] < b.xyz[axis]; });
-#pragma omp task shared(rows) if (end - begin > kTaskPoints)
-  build(rows, level + 1, 2 * node);
-  build(rows, level + 1, 2 * node + 1);
-#pragma omp taskwait
 }
 
 std::vector<FoundPoint> BucketTree::nearest(const Eigen::Vector3f& place, std::size_t k) const {

@@ -9,6 +9,7 @@
 #include "fit/circular_series.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -123,10 +124,9 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
   for (const Station& s : stations) elevations.push_back(s.z);
   elevations = filledUp(elevations);
   std::vector<std::vector<ShellCell>> rows(bands.heights().size());
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < rows.size(); ++k) {
+  forEachIndex(rows.size(), 0, [&](std::size_t k) {
     const Points points = bands.points(k);
-    if (points.size() < kPlenty) continue;
+    if (points.size() < kPlenty) return;
     const PolarRing ring(points, circle.center);
     const ShellOutline outline = outlineBand(ring, circle.radius);
     rows[k].resize(stations.size());
@@ -135,7 +135,7 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
                            circle.radius, options.half_band);
     }
     dropPoor(rows[k]);
-  }
+  });
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (std::none_of(rows[k].begin(), rows[k].end(), [](const ShellCell& cell) { return cell.seen(); })) continue;
     grid.heights.push_back(bands.heights()[k]);

@@ -50,5 +50,41 @@ TEST(ForEachIndex, ThrowsWhatTheWorkThrowsAndStops) {
   EXPECT_THROW(forEachIndex(1000, 2, work), std::out_of_range);
 }
 
+TEST(ForEachIndex, OneThreadIsTheCallers) {
+  const auto caller = std::this_thread::get_id();
+  forEachIndex(100, 1, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+}
+
+TEST(ForEachRun, GivesEachIndexOnceInRunsThatAreNotEmpty) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{1000}}) {
+    for (const int threads : {1, 3}) {
+      std::vector<int> done(count, 0);
+      forEachRun(count, threads, [&](std::size_t begin, std::size_t end) {
+        EXPECT_LT(begin, end);
+        for (std::size_t i = begin; i < end; ++i) ++done[i];
+      });
+      EXPECT_EQ(done, std::vector<int>(count, 1));
+    }
+  }
+}
+
+TEST(ThreadScope, IsWhatNoNumberMeansUntilItEnds) {
+  const int cores = threadCount(0);
+  {
+    const ThreadScope outer(3);
+    EXPECT_EQ(threadCount(0), 3);
+    EXPECT_EQ(threadCount(5), 5);
+    {
+      const ThreadScope inner(1);
+      const auto caller = std::this_thread::get_id();
+      forEachIndex(100, 0, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+      const ThreadScope none(0);
+      EXPECT_EQ(threadCount(0), 1);
+    }
+    EXPECT_EQ(threadCount(0), 3);
+  }
+  EXPECT_EQ(threadCount(0), cores);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -28,6 +28,15 @@ struct ScanCounts {
   }
 };
 
+/// Which setup of a scanner points come from: the file, and what the file's field of labels says.
+struct SetupKey {
+  std::uint32_t source = 0;  ///< number of the file, from 0
+  std::uint32_t label = 0;   ///< 0 in a file without labels
+
+  static constexpr std::uint32_t kUnlabelled = 0xffffffffU;  ///< what the field says is no number from 0 on
+  bool operator==(const SetupKey& other) const { return source == other.source && label == other.label; }
+};
+
 /// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
 ///
 /// Coordinates are read in double and reduced by a local origin before anybody sees them, so that float32 work on
@@ -77,6 +86,22 @@ class Scan {
   /// @return of all rows
   /// @throws as forEachBlock
   ScanCounts forEachChosen(const Chooser& choose, int threads, const Visitor& visit, std::uint64_t n = 1) const;
+
+  /// The same, told of what is chosen the setup it comes from. Points of one block that come from several setups are
+  /// chosen from and visited setup by setup.
+  using SetupVisitor = std::function<void(const Points& chosen, SetupKey setup)>;
+  ScanCounts forEachChosen(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n = 1) const;
+
+  /// Whether the scan may hold several setups: several files, or points with labels (a field `setup`, `scan_id` or
+  /// `point_source_id`).
+  bool tellsSetups() const;
+
+  /// The file's name without its ending, the label, or both where both are needed.
+  std::string setupName(SetupKey setup) const;
+
+  /// Where the scanner stood, as the file says (PCD VIEWPOINT), relative to origin() [m]; nothing when it does not, or
+  /// when the file holds several setups.
+  std::optional<Eigen::Vector3d> setupOrigin(SetupKey setup) const;
 
   /// Of about every n-th row the point, if it is finite, in file order.
   /// @param n,threads  as for forEachChosen

@@ -26,7 +26,23 @@ struct Ring {
   Points search;      ///< these thinned by voxels to an even spacing, for the search of edge points
   double reach = 0;   ///< half-width used [m]
   ScanCounts counts;  ///< what the pass over the scan met
+  std::vector<SetupKey> setups;  ///< those with points in the ring, in the order of the scan
+  std::vector<std::uint16_t>
+      point_setups;  ///< of each point the index of its setup; empty when there is one setup only
+
+  /// How many setups the points can be told apart by.
+  std::size_t setupCount() const { return point_setups.empty() ? 1 : setups.size(); }
+  /// Index of a point's setup.
+  std::uint16_t setupOf(std::size_t point) const {
+    return point_setups.empty() ? std::uint16_t{0} : point_setups[point];
+  }
 };
+
+/// So many setups a ring can tell apart; of a scan with more, the points' setups are not known.
+constexpr std::size_t kMostSetups = 200;
+
+/// Thins the points by voxels into ring.search; again after they were moved.
+void thinForSearch(Ring& ring, const Tank& tank, const CropOptions& options, int threads = 0);
 
 /// A part of the scan beside the ring.
 struct AlsoGathered {
@@ -48,6 +64,7 @@ std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& o
 /// accuracy of the coarse figures). Of more than options.fit_points, those are kept whose hash is lowest, so that
 /// memory and the time of the fits are bounded; where there are several times as many, every n-th row is looked at
 /// only. Up to there the result does not depend on the order of the points.
+/// A ring of several setups has its search points only after thinForSearch: they are adjusted to each other first.
 /// @param also     another part of the scan, gathered in the same pass: a scan is long to read
 /// @param threads  0 means all cores; the ring does not depend on it
 Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also = {},

@@ -63,6 +63,7 @@ class BucketTree {
   static float squaredGap(const Box& box, const Eigen::Vector3f& place);
   static float squaredGap(const Box& a, const Box& b);
   void build(std::vector<Row>& rows, std::size_t level, std::size_t node);
+  void split(std::vector<Row>& rows, std::size_t level, std::size_t node);
   template <typename From, typename Visit>
   void forEachBucket(const From& from, const float& squared_reach, const Visit& visit) const;
   void gather(std::size_t bucket, float squared_reach, Batch& batch) const;

@@ -41,6 +41,8 @@ struct Station {
   double radius = kUnknown, sigma_radius = kUnknown;  ///< distance from the centre and its standard error [m]
   std::optional<std::size_t> n_shell, n_foundation;   ///< points behind z; none with the paper's method
   double window = kUnknown;                           ///< arc along which the points behind z lie [rad]
+  std::optional<std::size_t> n_setups;                ///< setups of the scanner that see it
+  double sigma_setup = kUnknown;                      ///< part of sigma_z that stations share through setups [m]
   StationFlag flag = StationFlag::Missing;
   double z_paper = kUnknown;                                ///< the paper's B-spline [m]
   double z_tilt = kUnknown;                                 ///< the fitted plane here [m]

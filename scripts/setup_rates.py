@@ -1,0 +1,239 @@
+"""The table of calibration for setups that disagree: errors, and how often sigma covers them.
+
+Every survey is scanned anew with its seed and compared with its truth: six setups registered with
+2 mm, 10 arc-seconds and 2 mm in plan, one file each; the same with labels in one file; merged
+without labels; perfectly registered; one setup 10 mm too high, or tilted by 60 arc-seconds; one
+file given twice. Pairs of surveys of an unmoved tank tell the rate of false movement.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+ROOT = Path(__file__).resolve().parents[1]
+BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin"))
+SCENE = ROOT / "tests" / "scenes" / "setups60.json"
+MM = 1e3
+
+Array = NDArray[np.float64]
+Files = list[Path]
+
+
+@dataclass(frozen=True)
+class Survey:
+    """Figures of one survey; lengths in mm."""
+
+    measured: int
+    rms: float
+    out_of_plane: float
+    largest: float
+    within: float
+    tilt: float
+    sigma: float
+    sigma_setup: float
+    message: str
+    bad: list[str]
+
+
+def call(name: str, *args: object) -> None:
+    command = [str(BIN / name), *map(str, args)]
+    result = subprocess.run(command, capture_output=True, text=True)
+    if result.returncode not in (0, 1):
+        raise SystemExit(f"setup_rates: {' '.join(command)}: {result.stderr.strip()}")
+
+
+def scanned(folder: Path, seed: int, *options: object) -> Files:
+    """The files of one survey, one a setup or one in all."""
+    scan = folder / f"survey_{seed}.pcd"
+    call("tank_datum_synth", "--scene", SCENE, "-o", scan, "--seed", seed, "--quiet", *options)
+    return sorted(folder.glob(f"survey_{seed}_*.pcd")) or [scan]
+
+
+def column(rows: list[dict[str, str]], name: str) -> Array:
+    return np.array([float(row[name]) if row[name] else math.nan for row in rows])
+
+
+def compared(out: Path, truth_file: Path) -> Survey:
+    """A result beside its truth."""
+    with (out / "stations.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    datum: dict[str, Any] = json.loads((out / "datum.json").read_text())
+    truth = json.loads(truth_file.read_text())["tanks"][0]
+    measured = np.array([row["flag"] == "measured" for row in rows])
+    x, y, z = (column(rows, name) for name in ("x", "y", "z"))
+    azimuth = np.arctan2(y - truth["center"][1], x - truth["center"][0])
+    true_azimuth = np.radians([s["azimuth_deg"] for s in truth["stations"]])
+    true_z = np.array([s["z"] for s in truth["stations"]])
+    error = (z - np.interp(azimuth, true_azimuth, true_z, period=2 * math.pi))[measured]
+    at = azimuth[measured]
+    plane = np.column_stack([np.ones(len(at)), np.cos(at), np.sin(at)])
+    left = error - plane @ np.linalg.lstsq(plane, error)[0]
+    sigma = column(rows, "sigma_z")[measured]
+    shared = column(rows, "sigma_setup")[measured]
+    return Survey(
+        measured=int(measured.sum()),
+        rms=MM * float(np.sqrt(np.mean(error**2))),
+        out_of_plane=MM * float(np.sqrt(np.mean(left**2))),
+        largest=MM * float(np.abs(left).max()),
+        within=100 * float(np.mean(np.abs(error) <= 2 * sigma)),
+        tilt=tilt_error(datum["tilt"], truth["tilt"]),
+        sigma=MM * float(np.median(sigma)),
+        sigma_setup=MM * float(np.median(shared)),
+        message=datum["message"],
+        bad=[s["name"] for s in datum["setups"] if s["verdict"] == "bad"],
+    )
+
+
+def tilt_error(found: dict[str, Any], true: dict[str, Any]) -> float:
+    """Error of the slope along the true tilt, in sigmas."""
+    turned = math.radians(found["direction_deg"] - true["direction_deg"])
+    return float((found["slope"] * math.cos(turned) - true["slope"]) / found["sigma_slope"])
+
+
+ERRORS = ("--setup-sigma-dz", 0.002, "--setup-sigma-plan", 0.002, "--setup-sigma-tilt-arcsec", 10)
+
+
+def separate(folder: Path, seed: int) -> Files:
+    return scanned(folder, seed, "--per-setup", *ERRORS)
+
+
+def labelled(folder: Path, seed: int) -> Files:
+    return scanned(folder, seed, "--label-setups", *ERRORS)
+
+
+def merged(folder: Path, seed: int) -> Files:
+    return scanned(folder, seed, *ERRORS)
+
+
+def perfect(folder: Path, seed: int) -> Files:
+    return scanned(folder, seed, "--per-setup")
+
+
+def one_high(folder: Path, seed: int) -> Files:
+    bad = 'scanner/registration/errors=[{"scanner": 2, "dz": 0.010}]'
+    return scanned(folder, seed, "--per-setup", *ERRORS, "--set", bad)
+
+
+def one_tilted(folder: Path, seed: int) -> Files:
+    bad = 'scanner/registration/errors=[{"scanner": 2, "tilt_x_arcsec": 60}]'
+    return scanned(folder, seed, "--per-setup", *ERRORS, "--set", bad)
+
+
+def twice(folder: Path, seed: int) -> Files:
+    files = perfect(folder, seed)
+    again = files[0].with_name(files[0].stem + "_again.pcd")
+    again.write_bytes(files[0].read_bytes())
+    return [*files, again]
+
+
+KINDS: dict[str, Callable[[Path, int], Files]] = {
+    "separate": separate,
+    "labelled": labelled,
+    "merged": merged,
+    "perfect": perfect,
+    "one_high": one_high,
+    "one_tilted": one_tilted,
+    "twice": twice,
+}
+
+
+def run(kind: str, seed: int, keep: Path | None = None) -> Survey:
+    with tempfile.TemporaryDirectory(prefix="tank_datum_setups_") as temporary:
+        folder = Path(temporary)
+        files = KINDS[kind](folder, seed)
+        out = keep if keep else folder / "out"
+        call("tank_datum", *files, "-o", out, "--no-report", "--no-checksum", "--quiet")
+        return compared(out, folder / f"survey_{seed}.truth.json")
+
+
+def row(kind: str, surveys: list[Survey]) -> str:
+    def worst(name: str) -> float:
+        return max(float(getattr(s, name)) for s in surveys)
+
+    def mean(name: str) -> float:
+        return sum(float(getattr(s, name)) for s in surveys) / len(surveys)
+
+    tilts = 100 * sum(abs(s.tilt) <= 2 for s in surveys) / len(surveys)
+    named = 100 * sum(bool(s.bad) for s in surveys) / len(surveys)
+    said = 100 * sum(bool(s.message) for s in surveys) / len(surveys)
+    cells = [
+        kind,
+        str(len(surveys)),
+        f"{worst('rms'):.2f}",
+        f"{worst('out_of_plane'):.2f}",
+        f"{worst('largest'):.2f}",
+        f"{min(s.measured for s in surveys)}",
+        f"{mean('within'):.1f}",
+        f"{tilts:.0f}",
+        f"{mean('sigma'):.2f}",
+        f"{mean('sigma_setup'):.2f}",
+        f"{named:.0f}",
+        f"{said:.0f}",
+    ]
+    return "| " + " | ".join(cells) + " |"
+
+
+COLUMNS = (
+    "surveys",
+    "number",
+    "RMS",
+    "RMS out of plane",
+    "largest out of plane",
+    "measured",
+    "within 2 sigma [%]",
+    "tilt within 2 sigma [%]",
+    "median sigma_z",
+    "median sigma_setup",
+    "a setup named bad [%]",
+    "a message [%]",
+)
+
+
+def false_movement(pairs: int, first_seed: int) -> str:
+    """How many pairs of surveys of an unmoved tank have a station that moved significantly."""
+    moved = 0
+    for pair in range(pairs):
+        with tempfile.TemporaryDirectory(prefix="tank_datum_pairs_") as temporary:
+            folder = Path(temporary)
+            run("separate", first_seed + 2 * pair, folder / "before")
+            run("separate", first_seed + 2 * pair + 1, folder / "after")
+            result = folder / "movement"
+            call("tank_datum_compare", folder / "before", folder / "after", "-o", result, "--quiet")
+            text = next(result.glob("*.json")).read_text()
+            moved += '"significant": true' in text
+    return f"false movement: {moved} of {pairs} pairs"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="scripts/setup_rates.py", description=__doc__)
+    parser.add_argument("--seeds", type=int, default=20, help="surveys of each kind (%(default)s)")
+    parser.add_argument("--first-seed", type=int, default=1, help="(%(default)s)")
+    parser.add_argument("--kinds", default=",".join(KINDS), help="of %(default)s")
+    parser.add_argument("--pairs", type=int, default=0, help="pairs for movement (%(default)s)")
+    args = parser.parse_args()
+    print(f"| {' | '.join(COLUMNS)} |\n{'|---' * len(COLUMNS)}|", flush=True)
+    seeds = range(args.first_seed, args.first_seed + args.seeds)
+    for kind in args.kinds.split(","):
+        print(row(kind, [run(kind, seed) for seed in seeds]), flush=True)
+    print("\nmm; errors of the measured stations; the worst survey, means of shares and sigmas.")
+    if args.pairs:
+        print(false_movement(args.pairs, args.first_seed + 1000))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

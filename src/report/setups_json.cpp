@@ -1,0 +1,101 @@
+#include "report/setups_json.h"
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+const char* sourceOf(bool estimated, double given) {
+  return given > 0.0 ? "given" : estimated ? "overlaps" : "assumed";
+}
+
+/// From and to of every run of stations that it sees, as azimuths.
+Json seenArcs(const Setup& setup, const Datum& datum) {
+  Json arcs = Json::array();
+  const std::size_t count = datum.stations.size();
+  std::vector<char> seen(count, 0);
+  for (const std::size_t i : setup.seen) seen[i] = 1;
+  if (setup.seen.size() == count) return Json::array({{0.0, 360.0}});
+  for (const std::size_t i : setup.seen) {
+    if (seen[(i + count - 1) % count]) continue;
+    std::size_t last = i;
+    while (seen[(last + 1) % count]) last = (last + 1) % count;
+    arcs.push_back({toDegrees(datum.stations[i].azimuth), toDegrees(datum.stations[last].azimuth)});
+  }
+  return arcs;
+}
+
+Json setupJson(const Setup& setup, const Datum& datum) {
+  const bool moved = datum.agreement.adjusted();
+  const Eigen::Vector3d origin = setup.origin + datum.origin;
+  const auto sigma = [&](double value) { return moved ? number(value) : Json(nullptr); };
+  return {{"name", setup.name},
+          {"origin", setup.origin_known ? Json{origin.x(), origin.y(), origin.z()} : Json(nullptr)},
+          {"turned_about", {origin.x(), origin.y(), origin.z()}},
+          {"points", setup.points},
+          {"stations", setup.stations},
+          {"sees_deg", seenArcs(setup, datum)},
+          {"dz", setup.correction.dz},
+          {"sigma_dz", sigma(setup.sigma.dz)},
+          {"tilt_x", setup.correction.tilt_x},
+          {"sigma_tilt_x", sigma(setup.sigma.tilt_x)},
+          {"tilt_y", setup.correction.tilt_y},
+          {"sigma_tilt_y", sigma(setup.sigma.tilt_y)},
+          {"dx", setup.correction.dx},
+          {"sigma_dx", sigma(setup.sigma.dx)},
+          {"dy", setup.correction.dy},
+          {"sigma_dy", sigma(setup.sigma.dy)},
+          {"rms_before", number(setup.rms_before)},
+          {"rms_after", number(setup.rms_after)},
+          {"verdict", nameOf(setup.verdict)}};
+}
+
+}  // namespace
+
+Json setupsSection(const Datum& datum) {
+  if (datum.levelled) return nullptr;
+  Json list = Json::array();
+  for (const Setup& setup : datum.agreement.setups) list.push_back(setupJson(setup, datum));
+  return list;
+}
+
+Json covarianceSection(const Datum& datum) {
+  if (datum.covariance.empty()) return nullptr;
+  Json independent = Json::array(), factors = Json::array();
+  const StationCovariance& covariance = datum.covariance;
+  for (Eigen::Index i = 0; i < covariance.independent.size(); ++i)
+    independent.push_back(number(covariance.independent[i]));
+  for (Eigen::Index row = 0; row < covariance.factors.rows(); ++row) {
+    Json values = Json::array();
+    for (Eigen::Index i = 0; i < covariance.factors.cols(); ++i) {
+      values.push_back(std::isfinite(covariance.independent[i]) ? Json(covariance.factors(row, i)) : Json(nullptr));
+    }
+    factors.push_back(values);
+  }
+  return {{"independent", independent}, {"factors", factors}};
+}
+
+Json agreementSection(const Datum& datum) {
+  const SetupAgreement& agreement = datum.agreement;
+  if (datum.levelled || agreement.setups.empty()) return nullptr;
+  Json json = {{"rms_before", number(agreement.rms_before)},
+               {"rms_after", number(agreement.rms_after)},
+               {"repeated_points", agreement.repeated_points},
+               {"unlabelled_discrepancy", number(agreement.unlabelled_discrepancy)}};
+  if (!agreement.adjusted()) return json;
+  json["sigma_height"] = agreement.spread.height;
+  json["sigma_tilt_arcsec"] = toArcSeconds(agreement.spread.tilt);
+  json["sigma_plan"] = agreement.spread.plan;
+  json["height_from"] = sourceOf(agreement.height_estimated, agreement.given.height);
+  json["tilt_from"] = sourceOf(agreement.height_estimated, agreement.given.tilt);
+  json["plan_from"] = sourceOf(agreement.plan_estimated, agreement.given.plan);
+  return json;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,157 @@
+#include "setups/agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "setups/merged_scans.h"
+#include "setups/repeated_points.h"
+#include "setups/setup_adjustment.h"
+#include "setups/setup_ring.h"
+#include "setups/setup_views.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, const SetupOptions& options) {
+  std::vector<Setup> setups(ring.setupCount());
+  std::vector<Eigen::Vector3d> sums(setups.size(), Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    sums[ring.setupOf(i)] += ring.points[i];
+    ++setups[ring.setupOf(i)].points;
+  }
+  for (std::size_t s = 0; s < setups.size() && s < ring.setups.size(); ++s) {
+    Setup& setup = setups[s];
+    setup.name = scan.setupName(ring.setups[s]);
+    const auto given = options.origins.find(setup.name);
+    const auto said = scan.setupOrigin(ring.setups[s]);
+    setup.origin_known = given != options.origins.end() || said;
+    if (given != options.origins.end()) {
+      setup.origin = given->second - scan.origin();
+    } else if (said) {
+      setup.origin = *said;
+    } else if (setup.points > 0) {
+      setup.origin = sums[s] / static_cast<double>(setup.points);
+    }
+  }
+  return setups;
+}
+
+/// Moves every point by its setup's correction.
+void move(Ring& ring, const std::vector<Setup>& setups, int threads) {
+  constexpr std::size_t kParts = 64;
+  const std::size_t count = ring.points.size();
+  forEachIndex(kParts, threads, [&](std::size_t part) {
+    for (std::size_t i = count * part / kParts; i < count * (part + 1) / kParts; ++i) {
+      const Setup& setup = setups[ring.setupOf(i)];
+      ring.points[i] = setup.correction(ring.points[i], setup.origin);
+    }
+  });
+}
+
+SetupVerdict verdictOf(const Setup& setup, bool bad, bool overlaps) {
+  constexpr double kPlainly = 3.0;  // sigmas
+  if (setup.points == 0) return SetupVerdict::Unseen;
+  if (!overlaps) return SetupVerdict::Alone;
+  if (bad) return SetupVerdict::Bad;
+  const SetupMotion::Vector moved = setup.correction.vector(), sigma = setup.sigma.vector();
+  for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) {
+    if (std::abs(moved[i]) > kPlainly * sigma[i]) return SetupVerdict::Adjusted;
+  }
+  return SetupVerdict::Agrees;
+}
+
+void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
+  for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
+    Setup& setup = agreement.setups[s];
+    const auto at = static_cast<Eigen::Index>(s) * SetupMotion::kParameters;
+    setup.correction = SetupMotion::of(-adjusted.errors.segment<SetupMotion::kParameters>(at));
+    setup.sigma = SetupMotion::of(adjusted.covariance.diagonal().segment<SetupMotion::kParameters>(at).cwiseSqrt());
+    setup.rms_before = adjusted.rms_before[s];
+    setup.rms_after = adjusted.rms_after[s];
+    setup.verdict = verdictOf(setup, adjusted.bad[s], std::isfinite(setup.rms_before));
+  }
+  agreement.spread = adjusted.spread;
+  agreement.height_estimated = adjusted.height_estimated;
+  agreement.plan_estimated = adjusted.plan_estimated;
+  agreement.rms_before = adjusted.all_before;
+  agreement.rms_after = adjusted.all_after;
+  agreement.covariance = adjusted.covariance;
+}
+
+}  // namespace
+
+Eigen::Vector3d SetupMotion::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& origin) const {
+  const Eigen::Vector3d arm = point - origin;
+  return point +
+         Eigen::Vector3d(dx - tilt_x * arm.z(), dy - tilt_y * arm.z(), dz + tilt_x * arm.x() + tilt_y * arm.y());
+}
+
+const char* nameOf(BadSetups bad) {
+  switch (bad) {
+    case BadSetups::Free:
+      return "free";
+    case BadSetups::Drop:
+      return "drop";
+    case BadSetups::Keep:
+      return "keep";
+  }
+  return "";
+}
+
+const char* nameOf(SetupVerdict verdict) {
+  switch (verdict) {
+    case SetupVerdict::Single:
+      return "single";
+    case SetupVerdict::Unseen:
+      return "unseen";
+    case SetupVerdict::Alone:
+      return "alone";
+    case SetupVerdict::Agrees:
+      return "agrees";
+    case SetupVerdict::Adjusted:
+      return "adjusted";
+    case SetupVerdict::Bad:
+      return "bad";
+    case SetupVerdict::Duplicate:
+      return "duplicate";
+  }
+  return "";
+}
+
+std::string firstError(const SetupOptions& options) {
+  char text[96] = "";
+  if (!(options.error >= 0.0 && std::isfinite(options.error))) {
+    std::snprintf(text, sizeof text, "setups.error = %g m (must be >= 0)", options.error);
+  } else if (!(options.tilt >= 0.0 && std::isfinite(options.tilt))) {
+    std::snprintf(text, sizeof text, "setups.tilt = %g rad (must be >= 0)", options.tilt);
+  }
+  return text;
+}
+
+SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const SetupOptions& options, int threads) {
+  SetupAgreement agreement;
+  if (ring.points.empty()) return agreement;
+  const RepeatedPoints repeated = removeRepeated(ring);
+  agreement.repeated_points = repeated.removed;
+  agreement.setups = setupsOf(ring, scan, options);
+  if (agreement.setups.size() < 2) {
+    agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
+    return agreement;
+  }
+  std::vector<Eigen::Vector3d> origins;
+  for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
+  const SetupRing polar(ring, tank, threads);
+  const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
+  agreement.given = {options.error, options.tilt, options.error};
+  fill(agreement, adjustSetups(views, agreement.setups.size(), options));
+  for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
+    constexpr double kAllOfIt = 0.9;
+    if (repeated.of_setups[s] >= kAllOfIt) agreement.setups[s].verdict = SetupVerdict::Duplicate;
+  }
+  move(ring, agreement.setups, threads);
+  return agreement;
+}
+
+}  // namespace tank_datum

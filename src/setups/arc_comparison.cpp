@@ -1,0 +1,228 @@
+#include "setups/arc_comparison.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/statistics.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kFewest = 12;       // points of a setup that make its offset worth looking at
+constexpr std::size_t kFewestOfBin = 6;   // points of a bin that tell its scatter
+constexpr std::size_t kFewestOfPart = 3;  // points of one setup in one bin that make a first median
+
+/// The points of the bins that two setups or more have, by bin.
+struct Bin {
+  std::vector<ArcPoint> points;  // setup: the index among those of the arc
+  double height = 0.0;           // of the surface [m]
+  double noise = 0.0;            // of the points about it [m]
+};
+
+struct Arc {
+  std::vector<std::size_t> setups;
+  std::vector<Bin> bins;
+  Eigen::VectorXd offsets;
+  double along = 0.0, bend = 0.0;
+
+  double residual(const Bin& bin, const ArcPoint& p) const {
+    return p.value - bin.height - offsets[p.setup] - (along + bend * p.t) * p.t;
+  }
+};
+
+std::size_t setupsIn(const std::vector<ArcPoint>& points) {
+  std::vector<std::uint16_t> seen;
+  for (const ArcPoint& p : points) {
+    if (std::find(seen.begin(), seen.end(), p.setup) == seen.end()) seen.push_back(p.setup);
+  }
+  return seen.size();
+}
+
+/// Leaves out what lies off a bin's densest place, bins that one setup has to itself, and setups with few points.
+Arc sorted(const std::vector<ArcPoint>& points, double window) {
+  std::map<std::uint16_t, Bin> bins;
+  for (const ArcPoint& p : points) bins[p.bin].points.push_back(p);
+  std::map<std::uint16_t, std::size_t> counts;
+  for (auto at = bins.begin(); at != bins.end();) {
+    std::vector<ArcPoint>& own = at->second.points;
+    std::vector<double> values;
+    for (const ArcPoint& p : own) values.push_back(p.value);
+    std::sort(values.begin(), values.end());
+    const double mode = halfSampleMode(values);
+    own.erase(
+        std::remove_if(own.begin(), own.end(), [&](const ArcPoint& p) { return std::abs(p.value - mode) > window; }),
+        own.end());
+    const bool shared = own.size() >= kFewestOfBin && setupsIn(own) > 1;
+    if (shared) {
+      for (const ArcPoint& p : own) ++counts[p.setup];
+    }
+    at = shared ? std::next(at) : bins.erase(at);
+  }
+  Arc arc;
+  std::map<std::uint16_t, std::uint16_t> index;
+  for (const auto& [setup, count] : counts) {
+    if (count < kFewest) continue;
+    index[setup] = static_cast<std::uint16_t>(arc.setups.size());
+    arc.setups.push_back(setup);
+  }
+  for (auto& [number, bin] : bins) {
+    Bin kept;
+    for (ArcPoint p : bin.points) {
+      const auto found = index.find(p.setup);
+      if (found == index.end()) continue;
+      p.setup = found->second;
+      kept.points.push_back(p);
+    }
+    if (setupsIn(kept.points) > 1) arc.bins.push_back(std::move(kept));
+  }
+  return arc;
+}
+
+/// First offsets: medians of the differences between the setups' medians, bin by bin, from the setup most bins have.
+void guessOffsets(Arc& arc) {
+  const std::size_t count = arc.setups.size();
+  std::vector<std::vector<double>> medians(arc.bins.size(), std::vector<double>(count, std::nan("")));
+  std::vector<std::size_t> has(count, 0);
+  for (std::size_t b = 0; b < arc.bins.size(); ++b) {
+    std::vector<std::vector<double>> values(count);
+    for (const ArcPoint& p : arc.bins[b].points) values[p.setup].push_back(p.value);
+    for (std::size_t s = 0; s < count; ++s) {
+      if (values[s].size() < kFewestOfPart) continue;
+      medians[b][s] = median(values[s]);
+      ++has[s];
+    }
+  }
+  const auto first = static_cast<std::size_t>(std::max_element(has.begin(), has.end()) - has.begin());
+  arc.offsets = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
+  for (std::size_t s = 0; s < count; ++s) {
+    std::vector<double> differences;
+    for (const auto& row : medians) {
+      if (std::isfinite(row[s] - row[first])) differences.push_back(row[s] - row[first]);
+    }
+    if (!differences.empty()) arc.offsets[static_cast<Eigen::Index>(s)] = median(differences);
+  }
+  for (Bin& bin : arc.bins) {
+    std::vector<double> heights;
+    for (const ArcPoint& p : bin.points) heights.push_back(p.value - arc.offsets[p.setup]);
+    bin.height = median(heights);
+  }
+}
+
+/// Scatter of every bin about its height; that of all stands in for a few points.
+void findNoise(Arc& arc) {
+  constexpr double kPooled = 10.0;
+  std::vector<double> all;
+  for (Bin& bin : arc.bins) {
+    std::vector<double> residuals;
+    for (const ArcPoint& p : bin.points) residuals.push_back(arc.residual(bin, p));
+    bin.noise = robustSigma(residuals, 0.0);
+    all.push_back(bin.noise);
+  }
+  const double pooled = median(all);
+  for (Bin& bin : arc.bins) {
+    const auto n = static_cast<double>(bin.points.size());
+    bin.noise = std::max(std::sqrt((kPooled * pooled * pooled + n * bin.noise * bin.noise) / (kPooled + n)), 1e-7);
+  }
+}
+
+/// Normal equations of offsets, slope and bend, the bins' heights eliminated.
+struct Equations {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+};
+
+Equations equationsOf(const Arc& arc, const ArcPrior& prior) {
+  const auto count = static_cast<Eigen::Index>(arc.setups.size()), size = count + 2;
+  Equations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
+  Eigen::VectorXd row(size), mean(size);
+  for (const Bin& bin : arc.bins) {
+    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd products = Eigen::VectorXd::Zero(size);
+    mean.setZero();
+    double weights = 0.0, mean_value = 0.0;
+    for (const ArcPoint& p : bin.points) {
+      const double w = tukeyWeight(arc.residual(bin, p) / bin.noise) / (bin.noise * bin.noise);
+      if (w == 0.0) continue;
+      // three of a row's entries are not zero
+      const Eigen::Index own = p.setup;
+      const double t = p.t, tt = p.t * p.t, v = p.value - bin.height;
+      squares(own, own) += w;
+      squares(own, count) += w * t;
+      squares(own, count + 1) += w * tt;
+      squares(count, count) += w * tt;
+      squares(count, count + 1) += w * t * tt;
+      squares(count + 1, count + 1) += w * tt * tt;
+      products[own] += w * v;
+      products[count] += w * t * v;
+      products[count + 1] += w * tt * v;
+      mean[own] += w;
+      mean[count] += w * t;
+      mean[count + 1] += w * tt;
+      mean_value += w * v;
+      weights += w;
+    }
+    if (!(weights > 0.0)) continue;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      squares(count, i) = squares(i, count);
+      squares(count + 1, i) = squares(i, count + 1);
+    }
+    squares(count + 1, count) = squares(count, count + 1);
+    sum.matrix += squares - mean * mean.transpose() / weights;
+    sum.right += products - mean * (mean_value / weights);
+  }
+  sum.matrix(count, count) += 1.0 / (prior.sigma_along * prior.sigma_along);
+  sum.matrix(count + 1, count + 1) += 1.0 / (prior.sigma_bend * prior.sigma_bend);
+  return sum;
+}
+
+/// Weighted mean of what is left in each bin becomes its height.
+void setHeights(Arc& arc) {
+  for (Bin& bin : arc.bins) {
+    double weights = 0.0, sum = 0.0;
+    for (const ArcPoint& p : bin.points) {
+      const double left = arc.residual(bin, p), w = tukeyWeight(left / bin.noise);
+      weights += w;
+      sum += w * left;
+    }
+    if (weights > 0.0) bin.height += sum / weights;
+  }
+}
+
+}  // namespace
+
+std::optional<ArcOffsets> compareArc(const std::vector<ArcPoint>& points, const ArcPrior& prior) {
+  constexpr int kIterations = 6;
+  Arc arc = sorted(points, prior.window);
+  const auto count = static_cast<Eigen::Index>(arc.setups.size());
+  if (count < 2 || arc.bins.empty()) return std::nullopt;
+  guessOffsets(arc);
+  ArcOffsets result;
+  result.setups = arc.setups;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    findNoise(arc);
+    const Equations sum = equationsOf(arc, prior);
+    const Eigen::Matrix2d slopes = sum.matrix.bottomRightCorner<2, 2>();
+    const Eigen::MatrixXd across = sum.matrix.topRightCorner(count, 2) * slopes.inverse();
+    result.information = sum.matrix.topLeftCorner(count, count) - across * sum.matrix.bottomLeftCorner(2, count);
+    const Eigen::VectorXd right = sum.right.head(count) - across * sum.right.tail<2>();
+    // the sum of the offsets is nowhere in the data: any weight on it sets it to zero
+    const double gauge = result.information.trace() / static_cast<double>(count * count);
+    if (!(gauge > 0.0)) return std::nullopt;
+    const Eigen::MatrixXd fixed = result.information + Eigen::MatrixXd::Constant(count, count, gauge);
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(fixed);
+    if (!lu.isInvertible()) return std::nullopt;
+    result.offsets = lu.solve(right);
+    result.offsets.array() -= result.offsets.mean();
+    const Eigen::Vector2d along =
+        slopes.inverse() * (sum.right.tail<2>() - sum.matrix.bottomLeftCorner(2, count) * result.offsets);
+    arc.offsets = result.offsets;
+    arc.along = along[0];
+    arc.bend = along[1];
+    setHeights(arc);
+  }
+  return result;
+}
+
+}  // namespace tank_datum

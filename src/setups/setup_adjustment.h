@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "setups/arc_comparison.h"
+#include "tank_datum/setups/setups.h"
+
+namespace tank_datum {
+
+/// What one arc says of the setups that see it.
+struct ArcView {
+  bool shell = false;      ///< radii of the shell, else elevations of the foundation
+  ArcOffsets seen;         ///< of the points as they were given
+  Eigen::MatrixXd motion;  ///< [k x 5] what the parameters of each setup's error do to its offset here
+};
+
+/// The errors of all setups, five parameters each in the order of SetupMotion, as far as the overlaps and the priors
+/// tell them.
+struct SetupAdjustment {
+  Eigen::VectorXd errors;
+  Eigen::MatrixXd covariance;
+  SetupSpread spread;
+  bool height_estimated = false, plan_estimated = false;
+  std::vector<bool> bad;
+  std::vector<double> rms_before, rms_after;  ///< of each setup's foundation against the others', NaN without any [m]
+  double all_before = kUnknown, all_after = kUnknown;
+};
+
+/// Least squares of the differences in the overlaps with priors on every parameter (Bayes), so that the common part of
+/// all setups, which no overlap sees, is zero and stays in the covariance.
+///
+/// The priors' sigmas are those of the options, or variance components: restricted maximum likelihood by the fixed
+/// point of Harville 1977 (sigma^2 = x'x / effective number), with a weak log-normal prior about 2 mm, 10 arc-seconds
+/// and 2 mm; these figures are taken as they are where fewer than three of the parameters are determined. Offsets of an
+/// arc have an error of their own on top of that of their points, from the residuals (median of the squares).
+/// A setup is bad when its error, as the overlaps alone tell it, is beyond what chi squared allows once in 300 times
+/// under the sigmas of the others: its priors are then freed, and the rest is adjusted again. Fewer than half of the
+/// setups can be bad.
+SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setups, const SetupOptions& options);
+
+}  // namespace tank_datum

@@ -1,0 +1,105 @@
+#include "setups/setup_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/statistics.h"
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+std::string millimetres(double metres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f mm", 1e3 * metres);
+  return text;
+}
+
+void append(std::string& text, const std::string& part) { text += (text.empty() ? "" : "; ") + part; }
+
+/// How many stations are seen by setups with one of the verdicts alone.
+std::size_t seenByBadAlone(const SetupAgreement& agreement, const std::vector<Station>& stations) {
+  std::vector<char> good(stations.size(), 0), bad(stations.size(), 0);
+  for (const Setup& setup : agreement.setups) {
+    for (const std::size_t i : setup.seen) (setup.verdict == SetupVerdict::Bad ? bad : good)[i] = 1;
+  }
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < stations.size(); ++i) alone += bad[i] && !good[i];
+  return alone;
+}
+
+/// What is wrong with a bad setup, the larger of the two.
+std::string faultOf(const Setup& setup) {
+  constexpr double kFar = 30.0;  // [m], at which a tilt is compared with a shift
+  const double tilt = std::hypot(setup.correction.tilt_x, setup.correction.tilt_y);
+  const double plan = std::hypot(setup.correction.dx, setup.correction.dy);
+  char text[64];
+  if (kFar * tilt > std::max(std::abs(setup.correction.dz), plan)) {
+    std::snprintf(text, sizeof text, "tilted by %.0f arc-seconds", toArcSeconds(tilt));
+  } else if (std::abs(setup.correction.dz) >= plan) {
+    std::snprintf(text, sizeof text, "%.1f mm too %s", 1e3 * std::abs(setup.correction.dz),
+                  setup.correction.dz < 0.0 ? "high" : "low");
+  } else {
+    std::snprintf(text, sizeof text, "%.1f mm off in plan", 1e3 * plan);
+  }
+  return text;
+}
+
+double sharedError(const std::vector<Station>& stations) {
+  std::vector<double> sigmas;
+  for (const Station& s : stations) {
+    if (std::isfinite(s.sigma_setup)) sigmas.push_back(s.sigma_setup);
+  }
+  return median(std::move(sigmas));
+}
+
+double ownError(const std::vector<Station>& stations) {
+  std::vector<double> sigmas;
+  for (const Station& s : stations) {
+    if (std::isfinite(s.sigma_setup))
+      sigmas.push_back(std::sqrt(std::max(0.0, s.sigma_z * s.sigma_z - s.sigma_setup * s.sigma_setup)));
+  }
+  return median(std::move(sigmas));
+}
+
+}  // namespace
+
+std::string setupMessage(const SetupAgreement& agreement, const std::vector<Station>& stations) {
+  constexpr double kPlain = 2.0;  // times the stations' own error: a disagreement worth a word
+  std::string text;
+  for (const Setup& setup : agreement.setups) {
+    if (setup.verdict == SetupVerdict::Bad)
+      append(text, "setup " + setup.name + " does not agree with the others: " + faultOf(setup));
+    if (setup.verdict == SetupVerdict::Duplicate)
+      append(text, "setup " + setup.name + " holds the points of another one: used once");
+  }
+  const std::size_t alone = seenByBadAlone(agreement, stations);
+  if (alone > 0) append(text, std::to_string(alone) + " stations are seen by it alone");
+  const bool named = std::any_of(agreement.setups.begin(), agreement.setups.end(),
+                                 [](const Setup& s) { return s.verdict == SetupVerdict::Duplicate; });
+  if (agreement.repeated_points > 0 && !named)
+    append(text,
+           std::to_string(agreement.repeated_points) + " points near the foot are there more than once: used once");
+  if (agreement.unlabelled_discrepancy > kPlain * ownError(stations)) {
+    append(text, "scans of several setups disagree by about " + millimetres(agreement.unlabelled_discrepancy) +
+                     " here: give them as separate files");
+  }
+  return text;
+}
+
+std::string setupSummary(const SetupAgreement& agreement, const std::vector<Station>& stations) {
+  std::string text = std::to_string(std::max<std::size_t>(1, agreement.setups.size()));
+  if (!agreement.adjusted()) return text;
+  if (std::isfinite(agreement.rms_before)) {
+    text += ", disagreeing by " + millimetres(agreement.rms_before) + ", adjusted";
+  } else {
+    text += ", none sees what another sees";
+  }
+  for (const Setup& setup : agreement.setups) {
+    if (setup.verdict == SetupVerdict::Bad) text += ", " + setup.name + " bad";
+  }
+  return text + "; shared error " + millimetres(sharedError(stations));
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,88 @@
+#include "setups/setup_ring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+double turnOf(const Eigen::Vector2d& arm) {
+  const double azimuth = std::atan2(arm.y(), arm.x());
+  return azimuth >= 0.0 ? azimuth : azimuth + kTwoPi;
+}
+
+std::size_t cellOf(double azimuth) {
+  return std::min(SetupRing::kCells - 1, static_cast<std::size_t>(azimuth / kTwoPi * SetupRing::kCells));
+}
+
+}  // namespace
+
+SetupRing::SetupRing(const Ring& ring, const Tank& tank, int threads) {
+  sortIntoCells(ring, tank.circle.center, threads);
+  findOutline(tank, ring.reach, threads);
+}
+
+void SetupRing::sortIntoCells(const Ring& ring, const Eigen::Vector2d& center, int threads) {
+  constexpr std::size_t kParts = 32;
+  const std::size_t count = ring.points.size();
+  std::vector<float> turns(count);  // fine enough for a cell
+  forEachIndex(kParts, threads, [&](std::size_t part) {
+    for (std::size_t i = count * part / kParts; i < count * (part + 1) / kParts; ++i) {
+      turns[i] = static_cast<float>(turnOf(ring.points[i].head<2>() - center));
+    }
+  });
+  starts_.assign(kCells + 1, 0);
+  for (const float turn : turns) ++starts_[cellOf(static_cast<double>(turn)) + 1];
+  for (std::size_t cell = 0; cell < kCells; ++cell) starts_[cell + 1] += starts_[cell];
+  std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+  std::vector<std::uint32_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    order[next[cellOf(static_cast<double>(turns[i]))]++] = static_cast<std::uint32_t>(i);
+  }
+  entries_.resize(count);
+  forEachIndex(kCells, threads, [&](std::size_t cell) {
+    for (std::size_t at = starts_[cell]; at < starts_[cell + 1]; ++at) {
+      const std::size_t i = order[at];
+      const Eigen::Vector2d arm = ring.points[i].head<2>() - center;
+      entries_[at] = {turnOf(arm), arm.norm(), ring.points[i].z(), ring.setupOf(i)};
+    }
+  });
+}
+
+void SetupRing::findOutline(const Tank& tank, double reach, int threads) {
+  constexpr std::size_t kFewest = 5;
+  outline_.assign(kCells, kUnknown);
+  forEachIndex(kCells, threads, [&](std::size_t cell) {
+    std::vector<double> radii;
+    for (const Entry* e = begin(cell); e != end(cell); ++e) {
+      if (e->z > tank.foot(e->azimuth) + 0.3 * reach) radii.push_back(e->radius);
+    }
+    std::sort(radii.begin(), radii.end());
+    if (radii.size() >= kFewest) outline_[cell] = halfSampleMode(radii);
+  });
+}
+
+double SetupRing::outlineAt(double azimuth) const {
+  constexpr std::ptrdiff_t kFurthest = 3;
+  const auto count = static_cast<std::ptrdiff_t>(kCells);
+  const double position = azimuth / kTwoPi * static_cast<double>(kCells) - 0.5;
+  const auto left = static_cast<std::ptrdiff_t>(std::floor(position));
+  const double share = position - static_cast<double>(left);
+  const auto cell = [&](std::ptrdiff_t i) { return outline_[static_cast<std::size_t>((i + count) % count)]; };
+  const double between = (1.0 - share) * cell(left) + share * cell(left + 1);
+  if (std::isfinite(between)) return between;
+  for (std::ptrdiff_t away = 0; away <= kFurthest; ++away) {
+    if (std::isfinite(cell(left - away))) return cell(left - away);
+    if (std::isfinite(cell(left + 1 + away))) return cell(left + 1 + away);
+  }
+  return kUnknown;
+}
+
+}  // namespace tank_datum

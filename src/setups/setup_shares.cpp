@@ -1,0 +1,195 @@
+#include "setups/setup_shares.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "setups/merged_scans.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kSeen = 0.01;  // share of a station's points from which on a setup is said to see it
+
+/// Points of each setup in equal cells of azimuth, the stations standing in the middle of some of them.
+class CellCounts {
+ public:
+  CellCounts(const Ring& ring, const Tank& tank, const std::vector<Station>& stations, const FoundationBand& band);
+
+  /// Adds those within half a window of a cell's middle.
+  void add(std::size_t cell, double half_window, Eigen::Ref<Eigen::RowVectorXd> foundation,
+           Eigen::Ref<Eigen::RowVectorXd> shell) const;
+  std::size_t cellOf(double direction) const;
+  void count(const Ring& ring, const Eigen::Vector2d& center);
+
+ private:
+  struct Level {
+    double radius, z;
+  };
+  /// Radius and elevation of the nearest station with both.
+  std::vector<Level> levels(const std::vector<Station>& stations) const;
+
+  std::size_t cells_;
+  double first_, step_, side_, reach_;
+  FoundationBand band_;
+  std::vector<Level> levels_;
+  Eigen::MatrixXd foundation_, shell_;  // [cells x setups]
+};
+
+CellCounts::CellCounts(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
+                       const FoundationBand& band)
+    : side_(tank.side == Side::Outside ? 1.0 : -1.0), reach_(ring.reach), band_(band) {
+  constexpr std::size_t kFewest = 360;
+  cells_ = stations.size() * ((kFewest + stations.size() - 1) / stations.size());
+  first_ = stations.front().direction;
+  step_ = kTwoPi / static_cast<double>(cells_);
+  levels_ = levels(stations);
+  foundation_ = shell_ =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cells_), static_cast<Eigen::Index>(ring.setupCount()));
+}
+
+std::size_t CellCounts::cellOf(double direction) const {
+  const double turn = (direction - first_) / kTwoPi;
+  return static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * static_cast<double>(cells_))) % cells_;
+}
+
+std::vector<CellCounts::Level> CellCounts::levels(const std::vector<Station>& stations) const {
+  std::vector<Level> levels(cells_, {kUnknown, kUnknown});
+  for (const Station& s : stations) {
+    if (std::isfinite(s.z) && std::isfinite(s.radius)) levels[cellOf(s.direction)] = {s.radius, s.z};
+  }
+  const std::vector<Level> known = levels;
+  for (std::size_t i = 0; i < cells_; ++i) {
+    for (std::size_t away = 1; away < cells_ / 2 && std::isnan(levels[i].z); ++away) {
+      for (const std::size_t j : {(i + away) % cells_, (i + cells_ - away) % cells_}) {
+        if (std::isnan(levels[i].z) && std::isfinite(known[j].z)) levels[i] = known[j];
+      }
+    }
+  }
+  return levels;
+}
+
+void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
+  constexpr double kNear = 5.0;       // noises of the foundation's points
+  constexpr double kRoughly = 0.01;   // what the datum may run in a cell, and the shell [reach]
+  constexpr double kShellFrom = 0.1;  // above the datum [reach]
+  const double near = kNear * band_.noise + kRoughly * reach_;
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    const Eigen::Vector2d arm = ring.points[i].head<2>() - center;
+    const std::size_t cell = cellOf(std::atan2(arm.y(), arm.x()));
+    const Level& level = levels_[cell];
+    const double d = side_ * (arm.norm() - level.radius), h = ring.points[i].z() - level.z;
+    const auto row = static_cast<Eigen::Index>(cell), column = static_cast<Eigen::Index>(ring.setupOf(i));
+    if (d >= band_.from && d <= band_.to && std::abs(h - band_.slope * d) < near) {
+      foundation_(row, column) += 1.0;
+    } else if (std::abs(d) < near && h > kShellFrom * reach_) {
+      shell_(row, column) += 1.0;
+    }
+  }
+}
+
+void CellCounts::add(std::size_t cell, double half_window, Eigen::Ref<Eigen::RowVectorXd> foundation,
+                     Eigen::Ref<Eigen::RowVectorXd> shell) const {
+  const auto beside = static_cast<std::size_t>(std::max(0.0, std::floor(half_window / step_ + 1e-9)));
+  for (std::size_t k = 0; k <= 2 * std::min(beside, cells_ / 2 - 1); ++k) {
+    const auto row = static_cast<Eigen::Index>((cell + cells_ + k - std::min(beside, cells_ / 2 - 1)) % cells_);
+    foundation += foundation_.row(row);
+    shell += shell_.row(row);
+  }
+}
+
+/// An interpolated station leans on both sides alike.
+void fillInterpolated(const std::vector<Station>& stations, Eigen::MatrixXd& shares) {
+  const std::size_t count = stations.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stations[i].flag != StationFlag::Interpolated) continue;
+    for (const bool up : {false, true}) {
+      for (std::size_t away = 1; away < count; ++away) {
+        const std::size_t j = (i + (up ? away : count - away)) % count;
+        if (stations[j].flag != StationFlag::Measured) continue;
+        shares.row(static_cast<Eigen::Index>(i)) += 0.5 * shares.row(static_cast<Eigen::Index>(j));
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+SetupShares setupShares(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
+                        const Eigen::Vector2d& center, const FoundationBand& band) {
+  SetupShares shares;
+  const auto rows = static_cast<Eigen::Index>(stations.size()), columns = static_cast<Eigen::Index>(ring.setupCount());
+  shares.foundation = shares.shell = Eigen::MatrixXd::Zero(rows, columns);
+  CellCounts counts(ring, tank, stations, band);
+  counts.count(ring, center);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const Station& s = stations[static_cast<std::size_t>(i)];
+    if (s.flag != StationFlag::Measured) continue;
+    Eigen::RowVectorXd foundation = Eigen::RowVectorXd::Zero(columns), shell = foundation;
+    counts.add(counts.cellOf(s.direction), 0.5 * s.window, foundation, shell);
+    if (foundation.sum() > 0.0) shares.foundation.row(i) = foundation / foundation.sum();
+    if (shell.sum() > 0.0) shares.shell.row(i) = shell / shell.sum();
+  }
+  fillInterpolated(stations, shares.foundation);
+  fillInterpolated(stations, shares.shell);
+  return shares;
+}
+
+Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares& shares,
+                             const std::vector<Station>& stations, double slope) {
+  constexpr double kNothing = 1e-6;  // [m]
+  const auto count = static_cast<Eigen::Index>(stations.size());
+  const Eigen::Index parameters = agreement.covariance.rows();
+  if (parameters == 0) return Eigen::MatrixXd(0, count);
+  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(count, parameters);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Station& station = stations[static_cast<std::size_t>(i)];
+    if (!std::isfinite(station.z)) continue;
+    for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
+      const auto column = static_cast<Eigen::Index>(s);
+      const double share = shares.foundation(i, column), sideways = slope * (shares.shell(i, column) - share);
+      const Eigen::Vector3d& origin = agreement.setups[s].origin;
+      derivatives.block<1, SetupMotion::kParameters>(i, column * SetupMotion::kParameters) << share,
+          share * (station.x - origin.x()), share * (station.y - origin.y()), sideways * std::cos(station.direction),
+          sideways * std::sin(station.direction);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(agreement.covariance);
+  const Eigen::MatrixXd roots = own.eigenvectors() * own.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const Eigen::MatrixXd moved = derivatives * roots;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> turn(moved.transpose() * moved);
+  const Eigen::MatrixXd rows = (moved * turn.eigenvectors()).transpose();  // the least first
+  Eigen::Index first = 0;
+  while (first < parameters && rows.row(first).cwiseAbs().maxCoeff() < kNothing) ++first;
+  return rows.bottomRows(parameters - first).colwise().reverse();
+}
+
+StationCovariance shareSetupErrors(SetupAgreement& agreement, std::vector<Station>& stations, const SetupShares& shares,
+                                   double slope) {
+  StationCovariance covariance = independentCovariance(stations);
+  covariance.factors = agreement.unlabelled_discrepancy > 0.0
+                           ? mergedFactors(stations, agreement.unlabelled_discrepancy / std::sqrt(2.0))
+                           : setupFactors(agreement, shares, stations, slope);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    Station& station = stations[i];
+    if (!std::isfinite(station.z)) continue;
+    const auto column = static_cast<Eigen::Index>(i);
+    station.sigma_setup = covariance.factors.col(column).norm();
+    station.sigma_z = std::hypot(station.sigma_z, station.sigma_setup);
+    std::size_t seen = 0;
+    for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
+      if (shares.foundation(column, static_cast<Eigen::Index>(s)) < kSeen) continue;
+      ++seen;
+      if (station.flag != StationFlag::Measured) continue;
+      ++agreement.setups[s].stations;
+      agreement.setups[s].seen.push_back(i);
+    }
+    station.n_setups = seen;
+  }
+  return covariance;
+}
+
+}  // namespace tank_datum

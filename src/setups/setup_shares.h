@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "tank_datum/locate/crop.h"
+#include "tank_datum/locate/locate.h"
+#include "tank_datum/setups/setups.h"
+#include "tank_datum/stations/station_covariance.h"
+#include "tank_datum/stations/stations.h"
+
+namespace tank_datum {
+
+/// The foundation surface that the stations were fitted to, across the shell.
+struct FoundationBand {
+  double from, to;  ///< distances from the shell [m]
+  double slope;     ///< outwards [m/m]
+  double noise;     ///< of its points [m]
+};
+
+/// What each setup has in each station: shares that sum to 1 over the setups, or to 0 where a station is not known.
+struct SetupShares {
+  Eigen::MatrixXd foundation, shell;  ///< [stations x setups]
+};
+
+/// Counts the points of each setup in every station's window; an interpolated station has what the measured ones beside
+/// it have.
+/// @param center  about which the stations stand [m]
+SetupShares setupShares(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
+                        const Eigen::Vector2d& center, const FoundationBand& band);
+
+/// What the setups' remaining errors do to the stations, as the shared part of their covariance: F = L^T J^T with J the
+/// derivatives of the elevations by the setups' parameters and L L^T their covariance; rotated such that rows that move
+/// no station by a micrometre can be left out.
+Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares& shares,
+                             const std::vector<Station>& stations, double slope);
+
+/// Fills n_setups, sigma_setup and the total sigma_z of the stations, and how many stations each setup sees.
+/// @return the stations' covariance
+StationCovariance shareSetupErrors(SetupAgreement& agreement, std::vector<Station>& stations, const SetupShares& shares,
+                                   double slope);
+
+}  // namespace tank_datum

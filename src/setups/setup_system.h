@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "setups/setup_adjustment.h"
+
+namespace tank_datum {
+
+/// Parameters of one kind have one prior sigma: heights, tilts, places.
+constexpr std::size_t kParameterKinds = 3;
+using KindSigmas = std::array<double, kParameterKinds>;
+inline std::size_t kindOf(Eigen::Index parameter) {
+  const Eigen::Index own = parameter % SetupMotion::kParameters;
+  return own == 0 ? 0 : own < 3 ? 1 : 2;
+}
+
+/// The overlaps as normal equations of the setups' parameters.
+struct SetupSystem {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+};
+
+/// The parameters and their covariance under priors.
+struct SetupSolution {
+  Eigen::VectorXd errors;
+  Eigen::MatrixXd covariance;
+  KindSigmas determined{};  ///< of each kind the number of parameters that the overlaps tell
+};
+
+/// @param sigmas  one per parameter
+SetupSolution solveSetups(const SetupSystem& system, const Eigen::VectorXd& sigmas);
+
+/// One prior sigma per parameter; those of freed setups are so wide that the overlaps alone tell them.
+Eigen::VectorXd priorSigmas(const KindSigmas& kinds, const std::vector<bool>& freed);
+
+/// The variance components of a system.
+/// @param start  for the fixed point, and the middle of the weak prior
+/// @param held   kinds whose sigma is not to change
+KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
+                          const std::array<bool, kParameterKinds>& held, const std::vector<bool>& freed);
+
+}  // namespace tank_datum

@@ -1,0 +1,112 @@
+#include "setups/setup_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/units.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kCellsOfArc = SetupRing::kCells / SetupRing::kArcs;
+constexpr double kArc = kTwoPi / static_cast<double>(SetupRing::kArcs);
+
+// Lengths are shares of the ring's reach, which is 0.5 m, or half of the radius of what is smaller than a metre.
+constexpr double kClear = 0.04;             // of the shell: no weld, no blend [reach]
+constexpr double kWidest = 0.7;             // the foundation is looked at so far out [reach]
+constexpr double kFootBin = 0.04;           // of distance [reach]
+constexpr double kShellFrom = 0.15;         // above the foot the shell is looked at from here [reach]
+constexpr double kShellBin = 0.1;           // of height [reach]
+constexpr double kDeepest = 0.4;            // the foundation lies no further from the coarse foot [reach]
+constexpr double kWindow = 0.08;            // what lies further off its bin's densest place is something else [reach]
+constexpr std::size_t kMostOfArc = 60'000;  // points of an arc; of more every n-th is taken
+
+struct ArcPoints {
+  std::vector<ArcPoint> foot, shell;
+  double foot_radius = 0.0, foot_z = 0.0, shell_z = 0.0;  ///< means [m]
+};
+
+bool seesSeveral(const SetupRing::Entry* begin, const SetupRing::Entry* end) {
+  return std::any_of(begin, end, [&](const SetupRing::Entry& e) { return e.setup != begin->setup; });
+}
+
+ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, std::size_t arc) {
+  const SetupRing::Entry* begin = ring.begin(arc * kCellsOfArc);
+  const SetupRing::Entry* end = ring.end((arc + 1) * kCellsOfArc - 1);
+  ArcPoints all;
+  if (begin == end || !seesSeveral(begin, end)) return all;
+  const double middle = (static_cast<double>(arc) + 0.5) * kArc, foot = tank.foot(middle);
+  const double side = tank.side == Side::Outside ? 1.0 : -1.0;
+  const std::size_t every = static_cast<std::size_t>(end - begin) / kMostOfArc + 1;
+  for (const SetupRing::Entry* e = begin; e < end;
+       e += std::min<std::ptrdiff_t>(end - e, static_cast<std::ptrdiff_t>(every))) {
+    const double outline = ring.outlineAt(e->azimuth);
+    if (!std::isfinite(outline)) continue;
+    const double t = (e->azimuth - middle) * outline, d = side * (e->radius - outline), h = e->z - foot;
+    if (d >= kClear * reach && d < kWidest * reach && std::abs(h) < kDeepest * reach) {
+      all.foot.push_back({t, e->z, static_cast<std::uint16_t>(d / (kFootBin * reach)), e->setup});
+      all.foot_radius += e->radius;
+      all.foot_z += e->z;
+    } else if (std::abs(d) < kWindow * reach && h >= kShellFrom * reach) {
+      all.shell.push_back({t, e->radius - outline, static_cast<std::uint16_t>(h / (kShellBin * reach)), e->setup});
+      all.shell_z += e->z;
+    }
+  }
+  all.foot_radius /= std::max<double>(1.0, static_cast<double>(all.foot.size()));
+  all.foot_z /= std::max<double>(1.0, static_cast<double>(all.foot.size()));
+  all.shell_z /= std::max<double>(1.0, static_cast<double>(all.shell.size()));
+  return all;
+}
+
+/// What a setup's error does to an elevation at a place.
+SetupMotion::Vector motionOfFoot(const Eigen::Vector3d& arm) {
+  return (SetupMotion::Vector() << 1.0, arm.x(), arm.y(), 0.0, 0.0).finished();
+}
+
+/// And to a radius, in the direction outwards.
+SetupMotion::Vector motionOfShell(const Eigen::Vector3d& arm, double azimuth) {
+  const double c = std::cos(azimuth), s = std::sin(azimuth);
+  return (SetupMotion::Vector() << 0.0, -c * arm.z(), -s * arm.z(), c, s).finished();
+}
+
+}  // namespace
+
+std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double reach,
+                              const std::vector<Eigen::Vector3d>& origins, int threads) {
+  constexpr double kSettlement = 0.01;   // slope of a datum along its shell [m/m]
+  constexpr double kHighestWave = 0.03;  // bend of a datum times the radius
+  constexpr double kLobe = 0.02;         // slope that the shell's outline leaves over [m/m]
+  const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, kWindow * reach};
+  const ArcPrior shell_prior{kLobe, 10.0 * kHighestWave / tank.circle.radius, kWindow * reach};
+  std::vector<std::optional<ArcView>> found(2 * SetupRing::kArcs);
+  forEachIndex(SetupRing::kArcs, threads, [&](std::size_t arc) {
+    const ArcPoints points = pointsOf(ring, tank, reach, arc);
+    const double azimuth = (static_cast<double>(arc) + 0.5) * kArc;
+    const Eigen::Vector2d out(std::cos(azimuth), std::sin(azimuth));
+    for (const bool shell : {false, true}) {
+      const auto seen = compareArc(shell ? points.shell : points.foot, shell ? shell_prior : foot_prior);
+      if (!seen) continue;
+      const double radius = shell ? tank.circle.radius : points.foot_radius;
+      Eigen::Vector3d place;
+      place << tank.circle.center + radius * out, (shell ? points.shell_z : points.foot_z);
+      ArcView view;
+      view.shell = shell;
+      view.seen = *seen;
+      view.motion.resize(static_cast<Eigen::Index>(seen->setups.size()), SetupMotion::kParameters);
+      for (std::size_t i = 0; i < seen->setups.size(); ++i) {
+        const Eigen::Vector3d arm = place - origins[seen->setups[i]];
+        view.motion.row(static_cast<Eigen::Index>(i)) = shell ? motionOfShell(arm, azimuth) : motionOfFoot(arm);
+      }
+      found[2 * arc + (shell ? 1 : 0)] = std::move(view);
+    }
+  });
+  std::vector<ArcView> views;
+  for (auto& view : found) {
+    if (view) views.push_back(std::move(*view));
+  }
+  return views;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,146 @@
+"""The rooms of src/: who may include whom, and that src/README.md names what is there."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')
+PARALLEL = Path("src/core/parallel.cpp")
+PROGRAMS = {"bench", "rates", "synth", "view"}
+
+
+def rooms_in_order() -> list[str]:
+    """The rooms from src/CMakeLists.txt, bottom first; "." is src itself."""
+    text = (ROOT / "src/CMakeLists.txt").read_text()
+    return re.search(r"foreach\(room ([^)]*)\)", text)[1].split()
+
+
+ORDER = rooms_in_order()
+
+
+def sources(*folders: str) -> list[Path]:
+    return [
+        path.relative_to(ROOT)
+        for folder in folders
+        for path in sorted((ROOT / folder).rglob("*"))
+        if path.suffix in {".h", ".hpp", ".cpp"}
+    ]
+
+
+def room_of(path: Path) -> str:
+    """Where a file of src/ or include/tank_datum/ lives."""
+    parts = path.parts[2:] if path.parts[0] == "include" else path.parts[1:]
+    return parts[0] if len(parts) > 1 else "."
+
+
+def target_of(include: str) -> str | None:
+    """The room of an included header of the project, "apps" of a program's; None of any other."""
+    for base in ("src", "include"):
+        if (ROOT / base / include).is_file():
+            return room_of(Path(base) / include)
+    return "apps" if (ROOT / "apps" / include).is_file() else None
+
+
+def broken_rule(path: Path, include: str) -> str | None:
+    """What an include line of a file breaks, if anything."""
+    target = target_of(include)
+    if path.parts[0] == "apps":
+        inside = [part for part in (path.parts[1], Path(include).parts[0]) if part in PROGRAMS]
+        if target == "apps" and len(inside) == 2 and inside[0] != inside[1]:
+            return f"the program {inside[0]} includes a header of its sibling {inside[1]}"
+        return None
+    if target is None:
+        return None
+    room = room_of(path)
+    if target == "apps":
+        return "the library includes a program's header"
+    if room != "python" and ORDER.index(target) > ORDER.index(room):
+        return f"{room} includes {target}, which stands above it"
+    if path.parts[0] == "include" and not include.startswith("tank_datum/"):
+        return "a public header includes a private one"
+    return None
+
+
+def violations(text: str, path: Path) -> list[str]:
+    found = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        match = INCLUDE.match(line)
+        rule = broken_rule(path, match[1]) if match else None
+        if rule:
+            found.append(f"{path}:{number}: {rule}")
+    return found
+
+
+def test_every_room_has_its_folder_and_every_folder_its_room() -> None:
+    folders = {path.name for path in (ROOT / "src").iterdir() if path.is_dir()}
+    assert folders - {"cmake", "python", "doc"} == set(ORDER) - {"."}
+
+
+def test_includes_go_down_only() -> None:
+    found = []
+    for path in sources("src", "include", "apps"):
+        found += violations((ROOT / path).read_text(), path)
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize(
+    ("path", "include", "rule"),
+    [
+        (
+            "src/locate/crop.cpp",
+            "shell/shell_bands.h",
+            "locate includes shell, which stands above it",
+        ),
+        ("src/movement/epoch.cpp", "tank_datum/report/report.h", "movement includes report"),
+        ("src/shape/analysis.cpp", "tank_datum/datum.h", "shape includes ., which stands above it"),
+        (
+            "include/tank_datum/foot/refine.h",
+            "foot/shell_line.h",
+            "a public header includes a private",
+        ),
+        ("src/python/options.cpp", "exit_status.h", "the library includes a program's header"),
+        (
+            "apps/view/scene.cpp",
+            "synth/scene.h",
+            "the program view includes a header of its sibling",
+        ),
+    ],
+)
+def test_a_forbidden_include_is_named_with_file_line_and_rule(
+    path: str, include: str, rule: str
+) -> None:
+    (found,) = violations(f'#pragma once\n#include "{include}"\n', Path(path))
+    assert found.startswith(f"{path}:2: ")
+    assert rule in found
+
+
+def test_allowed_includes_are_not_named() -> None:
+    text = '#include "core/units.h"\n#include "tank_datum/datum.h"\n#include <vector>\n'
+    assert violations(text, Path("src/report/summary.cpp")) == []
+
+
+def test_one_way_to_be_parallel() -> None:
+    raw = [
+        f"{path}:{number}: a raw OpenMP region; use forEachIndex of core/parallel.h"
+        for path in sources("src", "include", "apps")
+        if path != PARALLEL
+        for number, line in enumerate((ROOT / path).read_text().splitlines(), start=1)
+        if "#pragma omp" in line or "omp.h" in line
+    ]
+    assert not raw, "\n".join(raw)
+
+
+def test_the_maintainers_page_is_short_and_names_what_is_there() -> None:
+    page = (ROOT / "src/README.md").read_text()
+    assert len(page.splitlines()) <= 60
+    for name in re.findall(r"`([\w./]+\.(?:h|hpp|cpp|py|csv|txt)|[\w./]+/)`", page):
+        assert any((ROOT / base / name).exists() for base in (".", "src", "include/tank_datum")), (
+            f"src/README.md names {name}, which is not there"
+        )
+    code = "\n".join((ROOT / path).read_text() for path in sources("src", "include"))
+    for name in re.findall(r"`([A-Z][A-Za-z]+|[a-z]+[A-Z][A-Za-z]*)(?:\(\))?`", page):
+        assert re.search(rf"\b{name}\b", code), f"src/README.md names {name}, which is not there"
+    table = re.findall(r"^\| `([a-z]+)/` \|", page, re.MULTILINE)
+    assert table == [room for room in ORDER if room != "."] + ["python"], "rooms in order"

@@ -1,0 +1,90 @@
+#include "setups/arc_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tank_datum {
+namespace {
+
+constexpr ArcPrior kPrior{0.01, 0.001, 0.04};
+
+/// Points of `setups` on a surface with a step between bins 2 and 3, a slope and a bend along it; setup s is s mm high.
+std::vector<ArcPoint> madeArc(std::size_t setups, std::size_t per_setup, double noise, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> place(-0.6, 0.6);
+  std::vector<ArcPoint> points;
+  for (std::size_t s = 0; s < setups; ++s) {
+    for (std::size_t i = 0; i < per_setup; ++i) {
+      const double t = place(random);
+      const auto bin = static_cast<std::uint16_t>(i % 6);
+      const double surface = (bin < 3 ? 0.010 : 0.0) + 0.004 * t + 0.0005 * t * t;
+      points.push_back(
+          {t, surface + 0.001 * static_cast<double>(s) + noise * normal(random), bin, static_cast<std::uint16_t>(s)});
+    }
+  }
+  return points;
+}
+
+TEST(ArcComparison, OffsetsAreFoundWhateverTheSurface) {
+  std::mt19937_64 random(1);
+  const auto seen = compareArc(madeArc(3, 300, 0.0005, random), kPrior);
+  ASSERT_TRUE(seen);
+  ASSERT_EQ(seen->setups, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_NEAR(seen->offsets[1] - seen->offsets[0], 0.001, 0.00015);
+  EXPECT_NEAR(seen->offsets[2] - seen->offsets[0], 0.002, 0.00015);
+  EXPECT_NEAR(seen->offsets.sum(), 0.0, 1e-12);
+}
+
+TEST(ArcComparison, InformationIsThatOfTheMeansOfThePoints) {
+  std::mt19937_64 random(2);
+  constexpr double kNoise = 0.001;
+  double squares = 0.0, said = 0.0;
+  constexpr int kTrials = 200;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto seen = compareArc(madeArc(2, 240, kNoise, random), kPrior);
+    ASSERT_TRUE(seen);
+    const double error = seen->offsets[1] - seen->offsets[0] - 0.001;
+    squares += error * error / kTrials;
+    said += 1.0 / seen->information(0, 0) / kTrials;
+    EXPECT_NEAR(seen->information(0, 0) + seen->information(0, 1), 0.0, 1e-6 * seen->information(0, 0));
+  }
+  EXPECT_NEAR(said, 2.0 * kNoise * kNoise / 240.0, 0.15 * said);
+  EXPECT_NEAR(squares, said, 0.3 * said);
+}
+
+TEST(ArcComparison, AThirdOfThePointsOnSomethingElseChangesLittle) {
+  std::mt19937_64 random(3);
+  auto points = madeArc(2, 300, 0.0005, random);
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    if (points[i].setup == 1) points[i].value += 0.020;
+  }
+  const auto seen = compareArc(points, kPrior);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->offsets[1] - seen->offsets[0], 0.001, 0.0003);
+}
+
+TEST(ArcComparison, ThirtyMillimetresApartAreCompared) {
+  std::mt19937_64 random(4);
+  auto points = madeArc(2, 300, 0.0005, random);
+  for (ArcPoint& p : points) p.value += p.setup == 1 ? 0.029 : 0.0;
+  const auto seen = compareArc(points, kPrior);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->offsets[1] - seen->offsets[0], 0.030, 0.0003);
+}
+
+TEST(ArcComparison, WhatOneSetupSeesAloneIsNotCompared) {
+  std::mt19937_64 random(5);
+  EXPECT_FALSE(compareArc(madeArc(1, 300, 0.0005, random), kPrior));
+  EXPECT_FALSE(compareArc({}, kPrior));
+  auto points = madeArc(2, 300, 0.0005, random);
+  for (ArcPoint& p : points) p.bin = static_cast<std::uint16_t>(p.bin + 10 * p.setup);  // no bin in common
+  EXPECT_FALSE(compareArc(points, kPrior));
+  auto few = madeArc(2, 300, 0.0005, random);
+  few.erase(few.begin() + 308, few.end());  // eight points of the second
+  EXPECT_FALSE(compareArc(few, kPrior));
+}
+
+}  // namespace
+}  // namespace tank_datum

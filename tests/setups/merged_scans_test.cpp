@@ -1,0 +1,71 @@
+#include "setups/merged_scans.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kRadius = 10.0, kReach = 0.5;
+
+/// Six setups, each seeing 100 degrees, one after the other; setup s is too high by errors[s].
+Ring madeRing(const std::vector<double>& errors, bool shuffled = false) {
+  std::mt19937_64 random(9);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Ring ring;
+  ring.reach = kReach;
+  ring.setups = {{0, 0}};
+  for (std::size_t s = 0; s < errors.size(); ++s) {
+    const double middle = kTwoPi * static_cast<double>(s) / static_cast<double>(errors.size());
+    for (int column = 0; column < 2000; ++column) {
+      const double azimuth = middle + toRadians(100.0) * (column / 2000.0 - 0.5);
+      for (int row = 0; row < 12; ++row) {
+        const bool shell = row % 3 == 0;
+        const double radius = shell ? kRadius + 0.001 * normal(random) : kRadius + 0.03 + 0.3 * unit(random);
+        const double z = shell ? 0.1 + 0.4 * unit(random) : 0.0005 * normal(random);
+        ring.points.push_back({radius * std::cos(azimuth), radius * std::sin(azimuth), z + errors[s]});
+      }
+    }
+  }
+  if (shuffled) std::shuffle(ring.points.begin(), ring.points.end(), random);
+  return ring;
+}
+
+Tank madeTank() {
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  return tank;
+}
+
+TEST(MergedScans, ScansThatDisagreeShowBySoMuch) {
+  const std::vector<double> errors = {0.002, -0.002, 0.002, -0.002, 0.002, -0.002};
+  // two scans 4 mm apart: the standard deviation of one is 4 mm / sqrt(2)
+  EXPECT_NEAR(mergedDisagreement(madeRing(errors), madeTank()), 0.004 / std::sqrt(2.0), 0.0002);
+}
+
+TEST(MergedScans, ScansThatAgreeShowNothing) {
+  EXPECT_LT(mergedDisagreement(madeRing({0, 0, 0, 0, 0, 0}), madeTank()), 0.0001);
+  EXPECT_EQ(mergedDisagreement(madeRing({0.003}), madeTank()), 0.0);
+}
+
+TEST(MergedScans, FactorsHaveTheVarianceEverywhereAndFadeWithDistance) {
+  StationOptions options;
+  std::vector<Station> stations = emptyStations(options);
+  for (Station& s : stations) s.z = 0.0;
+  stations[3].z = std::nan("");
+  const Eigen::MatrixXd factors = mergedFactors(stations, 0.002);
+  for (const int i : {0, 77, 359}) EXPECT_NEAR(factors.col(i).norm(), 0.002, 1e-12);
+  EXPECT_EQ(factors.col(3).norm(), 0.0);
+  const auto correlation = [&](int apart) { return factors.col(100).dot(factors.col(100 + apart)) / 4e-6; };
+  EXPECT_NEAR(correlation(29), std::exp(-0.5), 0.05);  // half a radian on
+  EXPECT_LT(std::abs(correlation(120)), 0.1);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,169 @@
+#include "setups/setup_adjustment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/made_overlaps.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_overlaps;
+
+struct Tally {
+  double rms = 0.0, out_of_plane = 0.0, within = 0.0, tilt_within = 0.0;
+};
+
+/// Root mean squares of 360 stations' errors after the adjustment, and how often they are within two of their sigmas.
+Tally tallyOf(const Recipe& recipe, const SetupOptions& options, int surveys) {
+  Tally tally;
+  for (int seed = 1; seed <= surveys; ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    const Survey survey = made(recipe, random);
+    const SetupAdjustment adjusted = adjustSetups(survey.arcs, recipe.setups, options);
+    const Eigen::MatrixXd moves = derivatives(recipe, survey);
+    const Eigen::VectorXd left = moves * (survey.errors - adjusted.errors);
+    const Eigen::VectorXd sigma = (moves * adjusted.covariance * moves.transpose()).diagonal().cwiseSqrt();
+    tally.rms += left.squaredNorm() / 360.0 / surveys;
+    tally.out_of_plane += withoutPlane(left).squaredNorm() / 360.0 / surveys;
+    tally.within += (left.cwiseAbs().array() <= 2.0 * sigma.array()).cast<double>().mean() / surveys;
+  }
+  tally.rms = std::sqrt(tally.rms);
+  tally.out_of_plane = std::sqrt(tally.out_of_plane);
+  return tally;
+}
+
+TEST(SetupAdjustment, WithoutNoiseEverythingButTheCommonPartIsFound) {
+  Recipe recipe;
+  recipe.sigma_arc = 1e-6;
+  std::mt19937_64 random(5);
+  const Survey survey = made(recipe, random);
+  const SetupAdjustment adjusted = adjustSetups(survey.arcs, recipe.setups, {});
+  for (const ArcView& arc : survey.arcs) {
+    Eigen::VectorXd left(static_cast<Eigen::Index>(arc.seen.setups.size()));
+    for (std::size_t i = 0; i < arc.seen.setups.size(); ++i) {
+      const auto at = 5 * static_cast<Eigen::Index>(arc.seen.setups[i]);
+      left[static_cast<Eigen::Index>(i)] =
+          arc.motion.row(static_cast<Eigen::Index>(i)).dot((survey.errors - adjusted.errors).segment<5>(at));
+    }
+    left.array() -= left.mean();
+    EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-5);
+  }
+  EXPECT_GT(adjusted.all_before, 0.0005);
+  EXPECT_LT(adjusted.all_after, 1e-5);
+}
+
+TEST(SetupAdjustment, SixSetupsOfTwoMillimetresReachWhatTheoryAllowsAndSaySo) {
+  const Tally tally = tallyOf({}, {}, 30);
+  EXPECT_LT(tally.out_of_plane, 0.00030);
+  EXPECT_LT(tally.rms, 0.0013);
+  EXPECT_GT(tally.rms, 0.0007);
+  EXPECT_GT(tally.within, 0.88);
+  EXPECT_LT(tally.within, 0.995);
+}
+
+TEST(SetupAdjustment, PerfectRegistrationCostsNothing) {
+  Recipe recipe;
+  recipe.sigma_error = recipe.sigma_plan = 1e-6;
+  recipe.sigma_tilt = 1e-9;
+  std::mt19937_64 random(3);
+  const Survey survey = made(recipe, random);
+  const SetupAdjustment adjusted = adjustSetups(survey.arcs, recipe.setups, {});
+  const Eigen::MatrixXd moves = derivatives(recipe, survey);
+  EXPECT_TRUE(adjusted.height_estimated);
+  EXPECT_LT((moves * adjusted.covariance * moves.transpose()).diagonal().cwiseSqrt().maxCoeff(), 0.00015);
+  EXPECT_LT((moves * adjusted.errors).cwiseAbs().maxCoeff(), 0.00010);
+}
+
+TEST(SetupAdjustment, VarianceComponentsFollowTheErrors) {
+  Recipe recipe;
+  recipe.setups = 24;
+  recipe.sigma_error = 0.005;
+  recipe.sigma_tilt = 40.0 / 3600.0 * kPi / 180.0;
+  recipe.sigma_plan = 0.001;
+  std::mt19937_64 random(11);
+  const SetupAdjustment adjusted = adjustSetups(made(recipe, random).arcs, recipe.setups, {});
+  EXPECT_NEAR(adjusted.spread.height, recipe.sigma_error, 0.35 * recipe.sigma_error);
+  EXPECT_NEAR(adjusted.spread.tilt, recipe.sigma_tilt, 0.35 * recipe.sigma_tilt);
+  EXPECT_NEAR(adjusted.spread.plan, recipe.sigma_plan, 0.35 * recipe.sigma_plan);
+}
+
+TEST(SetupAdjustment, GivenSigmasAreTaken) {
+  std::mt19937_64 random(2);
+  const Survey survey = made({}, random);
+  SetupOptions options;
+  options.error = 0.004;
+  options.tilt = 1e-4;
+  const SetupAdjustment adjusted = adjustSetups(survey.arcs, 6, options);
+  EXPECT_EQ(adjusted.spread.height, 0.004);
+  EXPECT_EQ(adjusted.spread.tilt, 1e-4);
+  EXPECT_EQ(adjusted.spread.plan, 0.004);
+  EXPECT_FALSE(adjusted.height_estimated);
+  // what all six share stays unknown: a sixth of the variance of one, the tilts' part on top
+  EXPECT_GT(std::sqrt(adjusted.covariance(0, 0)), 0.004 / std::sqrt(6.0));
+}
+
+TEST(SetupAdjustment, TwoSetupsTakeTheUsualSigmas) {
+  Recipe recipe;
+  recipe.setups = 2;
+  recipe.half_view = 100.0 * kPi / 180.0;
+  std::mt19937_64 random(2);
+  Survey survey = made(recipe, random);
+  survey.arcs.resize(6);  // one overlap
+  const SetupAdjustment adjusted = adjustSetups(survey.arcs, 2, {});
+  EXPECT_FALSE(adjusted.height_estimated);
+  EXPECT_EQ(adjusted.spread.height, 0.002);
+}
+
+TEST(SetupAdjustment, SetupsWithoutAnOverlapKeepTheirPrior) {
+  const SetupAdjustment adjusted = adjustSetups({}, 3, {});
+  EXPECT_EQ(adjusted.errors.cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_NEAR(std::sqrt(adjusted.covariance(5, 5)), 0.002, 1e-12);
+  EXPECT_TRUE(std::isnan(adjusted.all_before));
+}
+
+TEST(SetupAdjustment, TenMillimetresOffIsBadAndDrawsNoOther) {
+  Recipe recipe;
+  recipe.sigma_error = recipe.sigma_plan = 0.0005;
+  recipe.sigma_tilt = 2.0 / 3600.0 * kPi / 180.0;
+  std::mt19937_64 random(4);
+  Survey survey = made(recipe, random);
+  survey.errors[5 * 2] += 0.010;
+  look(recipe, survey, random);
+  const SetupAdjustment adjusted = adjustSetups(survey.arcs, recipe.setups, {});
+  for (std::size_t s = 0; s < recipe.setups; ++s) EXPECT_EQ(adjusted.bad[s], s == 2) << s;
+  EXPECT_NEAR(adjusted.errors[10], survey.errors[10], 0.001);
+  EXPECT_LT(std::abs(adjusted.errors[0]), 0.001);
+
+  SetupOptions keep;
+  keep.bad = BadSetups::Keep;
+  const SetupAdjustment kept = adjustSetups(survey.arcs, recipe.setups, keep);
+  EXPECT_FALSE(kept.bad[2]);
+  EXPECT_GT(std::abs(kept.errors[0]), 0.001);  // drawn by the bad one
+}
+
+TEST(SetupAdjustment, SixtyArcSecondsOffIsBad) {
+  Recipe recipe;
+  recipe.sigma_error = recipe.sigma_plan = 0.0005;
+  recipe.sigma_tilt = 2.0 / 3600.0 * kPi / 180.0;
+  std::mt19937_64 random(6);
+  Survey survey = made(recipe, random);
+  survey.errors[5 * 3 + 1] += 60.0 / 3600.0 * kPi / 180.0;
+  look(recipe, survey, random);
+  const SetupAdjustment adjusted = adjustSetups(survey.arcs, recipe.setups, {});
+  for (std::size_t s = 0; s < recipe.setups; ++s) EXPECT_EQ(adjusted.bad[s], s == 3) << s;
+}
+
+TEST(SetupAdjustment, ArcsWithErrorsTheyDoNotSayAreGivenThem) {
+  Recipe recipe;
+  recipe.sigma_arc = 0.00002;
+  recipe.sigma_unsaid = 0.001;
+  recipe.half_view = 40.0 * kPi / 180.0;
+  const Tally tally = tallyOf(recipe, {}, 20);
+  EXPECT_GT(tally.within, 0.85);
+}
+
+}  // namespace
+}  // namespace tank_datum
