@@ -7,6 +7,7 @@
 
 #include "core/refusal.h"
 #include "datum_stages.h"
+#include "foot_frame.h"
 #include "locate/foot_unit.h"
 #include "refusals.h"
 #include "setups/agreement.h"
@@ -17,7 +18,6 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/parallel.h"
 #include "trust/tests_of_tank.h"
-#include "unit_scale.h"
 
 namespace tank_datum {
 namespace {
@@ -88,9 +88,6 @@ void blankMissing(Datum& datum) {
 /// The stages at the foot, from the ring of the tank to its stations.
 void measureFoot(Datum& datum, const Ring& ring, const DatumOptions& options,
                  const std::function<void(const char*)>& begin, const NormalStage& normal_stage) {
-  const Tank in_metres = datum.tank;
-  const double unit = footUnit(in_metres.circle.radius, in_metres.resolution);
-  if (unit != 1.0) datum.tank = inUnits(in_metres, unit);
   begin("normals");
   const Normals normals = normal_stage ? normal_stage(ring.search, options.normals, options.threads)
                                        : estimateNormals(ring.search, options.normals, options.threads);
@@ -106,9 +103,6 @@ void measureFoot(Datum& datum, const Ring& ring, const DatumOptions& options,
   datum.circle = edge.circle;
   begin("refine");
   if (options.method == Method::Refined) refine(datum, ring, options);
-  begin("deformation");
-  datum.tank = in_metres;
-  if (unit != 1.0) putInMetres(datum, unit);
 }
 
 /// Whether a circle has left the tank's by more than the ring in which the points were looked for.
@@ -298,7 +292,16 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   datum.lean = evidence.lean;
   datum.tests = testsOfShell(tank, evidence);
   if (worstOf(datum.tests) == TestOutcome::Fail) return judged(std::move(datum), options);
-  measureFoot(datum, unit == 1.0 ? ring : inUnits(ring, unit), options, begin, normal_stage);
+  const FootFrame frame(tank, evidence.lean);
+  if (frame.isScans()) {
+    measureFoot(datum, ring, options, begin, normal_stage);
+  } else {
+    datum.tank = frame.into(tank);
+    measureFoot(datum, frame.into(ring), options, begin, normal_stage);
+    datum.tank = tank;
+    frame.backFrom(datum);
+  }
+  begin("deformation");
   if (datum.refined.valid()) {
     dropOffCircle(datum.stations, datum.circle, evidence);
     shareErrors(datum, ring);

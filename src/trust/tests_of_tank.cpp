@@ -20,28 +20,22 @@ struct Bounds {
 // A tank is a tank. Every number is free of scale: a share, or measured by what spacing and noise of the scan leave.
 //
 // behind     A shell is opaque. Walls behind it in the same azimuth, over a tenth of what is seen of it, are what an
-// open
-//            tank with a pole in it may show; over a quarter of it they make it a row of other things.
+//            open tank with a pole in it may show; over a quarter of it they make it a row of other things.
 // round      Standard deviation of the wall about its circle over what explains it: 0.4 % of the radius (see
-//            kOutOfRoundness) and the noise, which counts up to the spacing of the points: what is thicker than that is
-//            no single wall. Tins, cans and mugs before depth cameras have 0.4 to 1.1, tanks 0.1 to 0.9, boxes 4,
+//            kOutOfRoundness) and the noise, which counts up to the spacing of the points: what is thicker than that
+//            is no single wall. Tins, cans and mugs before depth cameras have 0.2 to 1.5, tanks 0.1 to 0.9, boxes 5,
 //            streets and rooms 2 to 9.
-// on_circle  Share of the azimuths at which the wall is off the circle by more than 2.5 times that: pipes and stairs
-// hide
-//            a tank's shell over a tenth of it. Cans have 0 to 0.1.
-// radius     Standard error of the radius over the radius: an arc that knows its circle to a few per cent only is an
-// arc
-//            of anything. Cans of 36 mm, noise 1 mm, have 0.03.
+// off_circle Share of the azimuths at which the wall is off the circle by more than 2.5 times that and the noise:
+//            pipes and stairs hide a tenth of a tank's shell. Cans have 0 to 0.1, streets and rooms 0.3 to 0.9.
+// radius     Standard error of the radius over the radius: an arc that knows its circle to a few per cent only may be
+//            of anything. Cans of 36 mm, noise 1 mm, have 0.03, a box 0.09.
 // cone       Slope of the wall outwards beyond 3 standard errors: a bowl opens by more than 7 degrees, a shell of
-// courses
-//            that thin upwards by less than 1.
+//            courses that thin upwards by less than 1.
 // level      Range of the datum over the diameter, as for waves: of a tank that leans by 1.5 % in a scan by 2 degrees.
 // waves      Range of the datum about its plane over the diameter, beyond 6 standard errors of a station and two
-// spacings
-//            of the points: a shell buckles at a hundredth of it.
-// stations   Least arc that is measured, degrees: of 30 degrees three quarters are needed for a wave of any length that
-// a
-//            code asks for, and a foot seen on 40 degrees has them.
+//            spacings of the points: a shell buckles at a hundredth of it.
+// stations   Least arc that is measured, degrees: a foot seen on 40 degrees has them, and 30 are the shortest wave (n =
+//            12) that is looked for in a datum.
 constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3.2},
     kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0};

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "tank_datum/datum.h"
+
+namespace tank_datum {
+
+/// Lengths of a shell survey and of the crop in multiples of a footUnit [m].
+DatumOptions inUnits(DatumOptions options, double unit);
+
+/// The frame in which the stages at the foot work. They think in metres, which are footUnit long, and of a shell that
+/// stands upright: a shell that leans by more than a quarter of a degree, in a scan that was not level or by itself, is
+/// turned upright about its foot, and what was measured is turned back.
+class FootFrame {
+ public:
+  FootFrame(const Tank& tank, const ShellLean& lean);
+
+  /// Whether it is the scan's frame.
+  bool isScans() const { return unit_ == 1.0 && !turned_; }
+
+  Ring into(Ring ring) const;
+  Tank into(Tank tank) const;
+
+  /// Puts edge points, curve, stations and what was refined back into the scan's frame.
+  void backFrom(Datum& datum) const;
+
+ private:
+  Eigen::Vector3d in(const Eigen::Vector3d& p) const { return (turn_ * (p - foot_) + foot_) / unit_; }
+  Eigen::Vector3d out(const Eigen::Vector3d& p) const { return turn_.transpose() * (p * unit_ - foot_) + foot_; }
+  void turnBack(Station& station, const Eigen::Vector2d& center) const;
+
+  double unit_ = 1.0;
+  bool turned_ = false;
+  Eigen::Vector2d slope_ = Eigen::Vector2d::Zero();     ///< of the shell's axis [m/m]
+  Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();      ///< about which it is turned [m]
+  Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity();  ///< the shell's axis to the vertical
+};
+
+}  // namespace tank_datum

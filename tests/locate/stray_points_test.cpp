@@ -1,0 +1,96 @@
+#include "locate/stray_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "io/point_extent.h"
+#include "locate/foot_unit.h"
+
+namespace tank_datum {
+namespace {
+
+Points uniformPoints(std::size_t count, const Eigen::Vector3d& size, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.emplace_back(size.x() * uniform(random), size.y() * uniform(random), size.z() * uniform(random));
+  }
+  return points;
+}
+
+Points floorPoints() { return uniformPoints(40'000, {20.0, 20.0, 0.002}, 1); }
+
+Points with(Points points, const Points& more) {
+  points.insert(points.end(), more.begin(), more.end());
+  return points;
+}
+
+TEST(Extent, TwoInFivePointsMayBeAnywhere) {
+  const Extent clean = extentOf(floorPoints());
+  EXPECT_NEAR(clean.reach, 6.3, 0.2);  // the square that holds two in five of 20 m x 20 m
+  const Extent dirty = extentOf(with(floorPoints(), Points(20'000, {1e6, -1e7, 3e5})));
+  EXPECT_LT(dirty.reach, 12.0);
+  EXPECT_TRUE(dirty.holds({900.0, 0.0, 0.0}));
+  EXPECT_FALSE(dirty.holds({10'000.0, 0.0, 0.0}));
+}
+
+TEST(DropNoReturns, RowsAtZeroAndFarOnes) {
+  const Eigen::Vector3d zero(-400'000.0, -5'000'000.0, -30.0);
+  Points points = with(floorPoints(), {zero, zero, {1e6, 0.0, 0.0}, {400.0, 0.0, 0.0}});
+  dropNoReturns(points, zero);
+  EXPECT_EQ(points.size(), 40'001U);
+  dropNoReturns(points, zero);
+  EXPECT_EQ(points.size(), 40'001U);
+  Points none(5, zero);
+  dropNoReturns(none, zero);
+  EXPECT_TRUE(none.empty());
+}
+
+TEST(Strays, ACleanSurfaceHoldsNone) {
+  const VoxelSample sample(floorPoints(), 1'000'000);
+  EXPECT_FALSE(holdsStrays(sample));
+  EXPECT_FALSE(holdsStrays(VoxelSample(with(floorPoints(), uniformPoints(600, {20.0, 20.0, 8.0}, 2)), 1'000'000)));
+}
+
+TEST(Strays, AreFoundAndTakenOut) {
+  for (const std::size_t count : {8'000, 20'000, 40'000}) {
+    const Points points = with(floorPoints(), uniformPoints(count, {20.0, 20.0, 8.0}, 3));
+    const VoxelSample sample(points, 1'000'000);
+    EXPECT_TRUE(holdsStrays(sample)) << count;
+    const Points kept = withoutStrays(points, closingEdge(sample));
+    const auto on_floor = static_cast<std::size_t>(
+        std::count_if(kept.begin(), kept.end(), [](const auto& p) { return std::abs(p.z()) <= 0.001; }));
+    EXPECT_GT(on_floor, 38'000U) << count;
+    EXPECT_LT(kept.size() - on_floor, count / 10) << count;
+  }
+}
+
+TEST(ShareAlone, OfAGrid) {
+  Points grid;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) grid.emplace_back(0.5 + i, 0.5 + j, 0.5);
+  }
+  const VoxelSample sample(grid, 100'000, 0.125);
+  EXPECT_EQ(sample.shareAlone(0.125), 1.0);
+  EXPECT_EQ(sample.shareAlone(1.0), 1.0);
+  EXPECT_EQ(sample.shareAlone(2.0), 0.0);
+  EXPECT_EQ(sample.edgeWithAlone(0.6), 2.0);
+  grid.emplace_back(200.5, 200.5, 0.5);
+  EXPECT_NEAR(VoxelSample(grid, 100'000, 0.125).shareAlone(2.0), 1.0 / 4097.0, 1e-12);
+}
+
+TEST(FootUnit, MetresBetweenADrumAndTheLargestTank) {
+  EXPECT_EQ(footUnit(1.0, 0.001), 1.0);
+  EXPECT_EQ(footUnit(100.0, 0.001), 1.0);
+  EXPECT_DOUBLE_EQ(footUnit(10'670.0, 10.0), 1067.0);
+  EXPECT_DOUBLE_EQ(footUnit(0.1067, 0.0001), 0.01067);
+  EXPECT_EQ(footUnit(0.0387, 0.001), 1.0);  // a mug of 39 points to its radius
+  EXPECT_EQ(footUnit(0.1, 0.1 / 59.0), 1.0);
+  EXPECT_LT(footUnit(0.1, 0.1 / 61.0), 1.0);
+}
+
+}  // namespace
+}  // namespace tank_datum
