@@ -182,6 +182,21 @@ std::size_t worstSetup(const SetupSystem& system, const KindSigmas& usual, const
   return worst;
 }
 
+/// The bad setups: one of three to nine, one in five of more. Where there seem to be more than that none is an
+/// exception, and the sigma of all is large.
+std::vector<bool> badSetups(const SetupSystem& system, const KindSigmas& usual, std::size_t setups) {
+  constexpr std::size_t kFewest = 3, kOneIn = 5;
+  const std::size_t most = std::max<std::size_t>(1, setups / kOneIn);
+  std::vector<bool> bad(setups, false);
+  for (std::size_t found = 0; setups >= kFewest; ++found) {
+    const std::size_t worst = worstSetup(system, usual, bad);
+    if (worst == setups) break;
+    if (found == most) return std::vector<bool>(setups, false);
+    bad[worst] = true;
+  }
+  return bad;
+}
+
 /// The sigmas to adjust with, and which of them come from the overlaps.
 KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, const SetupOptions& options,
                         const std::vector<bool>& freed, SetupAdjustment& result) {
@@ -197,9 +212,9 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
   KindSigmas sigmas = estimateSigmas(system, usual, held, freed);
   const SetupSolution solution = solveSetups(system, priorSigmas(sigmas, freed));
   for (std::size_t k = 0; k < kParameterKinds; ++k) {
-    // a variance from few parameters is uncertain itself: Student's distribution is wider by that
+    if (held[k]) continue;
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
-    if (!held[k]) sigmas[k] *= std::sqrt(1.0 + 2.0 / known);
+    sigmas[k] = temperedSigma(sigmas[k], known, usual[k]);
   }
   return sigmas;
 }
@@ -265,12 +280,7 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
     const SetupSystem system = overlaps.system();
     // the first rounds learn the arcs' own errors, for which the setups' may be anything
     if (iteration >= 2 && iteration + 1 < kIterations) {
-      result.bad.assign(setups, false);
-      for (std::size_t worst = 0; options.bad != BadSetups::Keep && 2 * (worst + 1) < setups; ++worst) {
-        const std::size_t bad = worstSetup(system, usual, result.bad);
-        if (bad == setups) break;
-        result.bad[bad] = true;
-      }
+      result.bad = options.bad == BadSetups::Keep ? std::vector<bool>(setups, false) : badSetups(system, usual, setups);
     }
     sigmas = iteration < 2 ? KindSigmas{5.0 * usual[0], 5.0 * usual[1], 5.0 * usual[2]}
                            : chooseSigmas(system, usual, options, result.bad, result);
