@@ -9,7 +9,7 @@ function addSetups() {
   section.append(make("p", {}, setupsSentence(setups)));
   addChart(section, {
     id: "setups-chart", label: "Plan of the scanner's setups and of the stations that each sees", ratio: 0.8, least: 330, most: 640,
-    legend: setups.map((s, i) => ({ name: String(i), label: s.name, colour: d3.color(setupColour(i)).formatHex(), on: setups.length <= 24 })),
+    legend: setups.map((s, i) => ({ name: String(i), label: s.name, colour: setupColour(i), on: setups.length <= 24 })),
     draw: (svg, width, height, shown) => drawSetups(svg, width, height, setups, shown),
   });
   section.append(setupsTable(setups));
