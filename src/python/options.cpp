@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "core/length_units.h"
 #include "core/units.h"
+#include "setups/agreement.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
 
@@ -143,6 +145,29 @@ Keyword removal() {
           }};
 }
 
+Keyword badSetups() {
+  return {
+      "bad_setups", [](const Options& o) { return py::cast(nameOf(o.datum.setups.bad)); },
+      [](Options& o, const py::handle& value) {
+        o.datum.setups.bad = named<BadSetups>("bad_setups", value, {BadSetups::Free, BadSetups::Drop, BadSetups::Keep});
+      }};
+}
+
+/// A file of rows name,x,y,z in metres, or a dictionary of them.
+Keyword setupOrigins() {
+  return {"setup_origins", [](const Options&) { return py::object(py::none()); },
+          [](Options& o, const py::handle& value) {
+            if (value.is_none()) return;
+            if (!py::isinstance<py::dict>(value)) {
+              o.datum.setups.origins = readSetupOrigins(py::str(value).cast<std::string>());
+              return;
+            }
+            for (const auto& [name, place] : value.cast<std::map<std::string, std::array<double, 3>>>()) {
+              o.datum.setups.origins[name] = Eigen::Vector3d(place[0], place[1], place[2]);
+            }
+          }};
+}
+
 const std::vector<Keyword>& keywords() {
   static const std::vector<Keyword> all = {
       method(),
@@ -172,6 +197,12 @@ const std::vector<Keyword>& keywords() {
           "search_points", [](Options & o) -> auto& { return o.datum.crop.search_points; }),
       plain<std::size_t>(
           "fit_points", [](Options & o) -> auto& { return o.datum.crop.fit_points; }),
+      plain<double>(
+          "setup_error", [](Options & o) -> auto& { return o.datum.setups.error; }),
+      arcSeconds(
+          "setup_tilt_arcsec", [](Options & o) -> auto& { return o.datum.setups.tilt; }),
+      badSetups(),
+      setupOrigins(),
       plain<double>(
           "min_radius", [](Options & o) -> auto& { return o.datum.locate.min_radius; }),
       units(),

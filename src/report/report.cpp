@@ -8,6 +8,7 @@
 
 #include "core/units.h"
 #include "io/pcd_writer.h"
+#include "report/setups_json.h"
 #include "report/shell_report.h"
 #include "tank_datum/core/error.h"
 
@@ -81,6 +82,7 @@ void writeResults(const std::string& folder, const Datum& datum, const Provenanc
   writeText(folder + "/stations.csv", stationsCsv(datum));
   writeText(folder + "/shell.csv", shellCsv(datum.shell));
   if (!datum.hasStations()) return;
+  if (!datum.covariance.empty()) writeText(folder + "/datum_nodes.csv", nodesCsv(datum));
   Points curve;
   for (const Station& s : datum.stations) {
     if (s.flag != StationFlag::Missing) curve.emplace_back(s.x, s.y, s.z);

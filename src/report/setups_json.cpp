@@ -1,5 +1,6 @@
 #include "report/setups_json.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "core/units.h"
@@ -96,6 +97,27 @@ Json agreementSection(const Datum& datum) {
   json["tilt_from"] = sourceOf(agreement.height_estimated, agreement.given.tilt);
   json["plan_from"] = sourceOf(agreement.plan_estimated, agreement.given.plan);
   return json;
+}
+
+std::string nodesCsv(const Datum& datum) {
+  const StationCovariance& covariance = datum.covariance;
+  std::string csv = "station,x,y,z,settlement,sigma_own";
+  for (Eigen::Index k = 0; k < covariance.factors.rows(); ++k) csv += ",shared_" + std::to_string(k + 1);
+  csv += "\n";
+  const auto cell = [](double value) {
+    char text[32];
+    return "," + std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+  };
+  for (std::size_t i = 0; i < datum.stations.size(); ++i) {
+    const Station& s = datum.stations[i];
+    const auto column = static_cast<Eigen::Index>(i);
+    if (!std::isfinite(s.z) || covariance.empty()) continue;
+    csv += std::to_string(i) + cell(s.x + datum.origin.x()) + cell(s.y + datum.origin.y()) +
+           cell(s.z + datum.origin.z()) + cell(s.z - datum.level.mean) + cell(covariance.independent[column]);
+    for (Eigen::Index k = 0; k < covariance.factors.rows(); ++k) csv += cell(covariance.factors(k, column));
+    csv += "\n";
+  }
+  return csv;
 }
 
 }  // namespace tank_datum

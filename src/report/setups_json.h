@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "tank_datum/datum.h"
 
@@ -15,5 +16,9 @@ nlohmann::ordered_json covarianceSection(const Datum& datum);
 
 /// What the adjustment as a whole says: the sigmas it took, and from where; null for one setup.
 nlohmann::ordered_json agreementSection(const Datum& datum);
+
+/// The datum with its covariance for finite-element work: a row a node with its place, its settlement (z - mean), its
+/// own standard error, and a column a shared error with what one standard deviation of it does to the node [m].
+std::string nodesCsv(const Datum& datum);
 
 }  // namespace tank_datum

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
+#include "core/units.h"
 #include "setups/merged_scans.h"
 #include "setups/repeated_points.h"
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
 #include "setups/setup_views.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
@@ -48,6 +51,42 @@ void move(Ring& ring, const std::vector<Setup>& setups, int threads) {
       ring.points[i] = setup.correction(ring.points[i], setup.origin);
     }
   });
+}
+
+/// Leaves out the bad setups' points in arcs where another setup has as many as tell a foot.
+void dropBad(Ring& ring, const std::vector<Setup>& setups, const Eigen::Vector2d& center) {
+  constexpr std::size_t kEnough = 100;  // points of an arc
+  const auto arcOf = [&](const Eigen::Vector3d& p) {
+    const double turn = std::atan2(p.y() - center.y(), p.x() - center.x()) / kTwoPi;
+    return static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs) % SetupRing::kArcs;
+  };
+  const auto is_bad = [&](std::size_t i) { return setups[ring.setupOf(i)].verdict == SetupVerdict::Bad; };
+  std::vector<std::size_t> good(SetupRing::kArcs, 0);
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (!is_bad(i)) ++good[arcOf(ring.points[i])];
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (is_bad(i) && good[arcOf(ring.points[i])] >= kEnough) continue;
+    ring.points[kept] = ring.points[i];
+    ring.point_setups[kept] = ring.point_setups[i];
+    ++kept;
+  }
+  ring.points.resize(kept);
+  ring.point_setups.resize(kept);
+}
+
+/// Refuses places of setups that no file has: a name mistyped must not pass for a place not known.
+void requireKnown(const Scan& scan, const std::vector<Setup>& setups, const SetupOptions& options) {
+  for (const auto& [name, place] : options.origins) {
+    const auto is_named = [&name = name](const Setup& setup) { return setup.name == name; };
+    const auto is_stem = [&name = name](const std::string& path) {
+      return std::filesystem::path(path).stem() == name;  // of a file without a point near the datum
+    };
+    if (std::any_of(setups.begin(), setups.end(), is_named)) continue;
+    if (std::any_of(scan.paths().begin(), scan.paths().end(), is_stem)) continue;
+    throw Error(Error::Kind::Option, "setups", "origin of", name, "the stem of a scan, or a label");
+  }
 }
 
 SetupVerdict verdictOf(const Setup& setup, bool bad, bool overlaps) {
@@ -136,6 +175,7 @@ SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const
   const RepeatedPoints repeated = removeRepeated(ring);
   agreement.repeated_points = repeated.removed;
   agreement.setups = setupsOf(ring, scan, options);
+  requireKnown(scan, agreement.setups, options);
   if (agreement.setups.size() < 2) {
     agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
     return agreement;
@@ -151,6 +191,7 @@ SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const
     if (repeated.of_setups[s] >= kAllOfIt) agreement.setups[s].verdict = SetupVerdict::Duplicate;
   }
   move(ring, agreement.setups, threads);
+  if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);
   return agreement;
 }
 

@@ -1,6 +1,6 @@
 #include "setups/merged_scans.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -40,10 +40,13 @@ Ring visitsOf(const Ring& ring, const Tank& tank) {
 
 /// Variance of an arc's offsets beyond their noise, for one scan.
 double varianceOf(const ArcOffsets& seen) {
-  const auto count = static_cast<double>(seen.setups.size());
-  const Eigen::MatrixXd covariance =
-      seen.information.completeOrthogonalDecomposition().pseudoInverse();  // the common height is not in it
-  return (seen.offsets.squaredNorm() - covariance.trace()) / (count - 1.0);
+  const auto count = static_cast<Eigen::Index>(seen.setups.size());
+  // the common height is not in the information: held, and taken out of the covariance again
+  const double gauge = seen.information.trace() / static_cast<double>(count * count);
+  const Eigen::MatrixXd held = seen.information + Eigen::MatrixXd::Constant(count, count, gauge);
+  const double noise =
+      held.ldlt().solve(Eigen::MatrixXd::Identity(count, count)).trace() - 1.0 / (gauge * static_cast<double>(count));
+  return (seen.offsets.squaredNorm() - noise) / static_cast<double>(count - 1);
 }
 
 }  // namespace

@@ -3,11 +3,14 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "core/statistics.h"
 #include "core/units.h"
 #include "setups/setup_system.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -179,6 +182,21 @@ std::size_t worstSetup(const SetupSystem& system, const KindSigmas& usual, const
   return worst;
 }
 
+/// The bad setups: one of three to nine, one in five of more. Where there seem to be more than that none is an
+/// exception, and the sigma of all is large.
+std::vector<bool> badSetups(const SetupSystem& system, const KindSigmas& usual, std::size_t setups) {
+  constexpr std::size_t kFewest = 3, kOneIn = 5;
+  const std::size_t most = std::max<std::size_t>(1, setups / kOneIn);
+  std::vector<bool> bad(setups, false);
+  for (std::size_t found = 0; setups >= kFewest; ++found) {
+    const std::size_t worst = worstSetup(system, usual, bad);
+    if (worst == setups) break;
+    if (found == most) return std::vector<bool>(setups, false);
+    bad[worst] = true;
+  }
+  return bad;
+}
+
 /// The sigmas to adjust with, and which of them come from the overlaps.
 KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, const SetupOptions& options,
                         const std::vector<bool>& freed, SetupAdjustment& result) {
@@ -194,46 +212,55 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
   KindSigmas sigmas = estimateSigmas(system, usual, held, freed);
   const SetupSolution solution = solveSetups(system, priorSigmas(sigmas, freed));
   for (std::size_t k = 0; k < kParameterKinds; ++k) {
-    // a variance from few parameters is uncertain itself: Student's distribution is wider by that
+    if (held[k]) continue;
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
-    if (!held[k]) sigmas[k] *= std::sqrt(1.0 + 2.0 / known);
+    sigmas[k] = temperedSigma(sigmas[k], known, usual[k]);
   }
   return sigmas;
 }
 
+/// What one setup is off the mean of the others in an arc, squared.
+struct Discrepancy {
+  std::size_t setup;
+  double before, after;
+};
+
+/// Root mean squares of those that the adjustment explains: of the others something else than the foundation was seen.
+std::pair<double, double> rmsOf(const std::vector<Discrepancy>& all) {
+  constexpr double kElse = 5.0 * 5.0 / 0.455;  // times the median of squares that are left
+  std::vector<double> left;
+  for (const Discrepancy& d : all) left.push_back(d.after);
+  const double most = kElse * median(left);
+  double before = 0.0, after = 0.0, used = 0.0;
+  for (const Discrepancy& d : all) {
+    if (d.after > most) continue;
+    before += d.before;
+    after += d.after;
+    used += 1.0;
+  }
+  if (used == 0.0) return {kUnknown, kUnknown};
+  return {std::sqrt(before / used), std::sqrt(after / used)};
+}
+
 /// Of the foundation: each setup against the mean of the others in its arcs, and all of them together.
 void measureDiscrepancy(const std::vector<ArcView>& arcs, const Overlaps& overlaps, SetupAdjustment& result) {
-  const std::size_t count = result.bad.size();
-  for (const bool after : {false, true}) {
-    std::vector<std::vector<double>> squares(count);
-    std::vector<double> all;
-    for (const ArcView& arc : arcs) {
-      if (arc.shell) continue;
-      const Eigen::VectorXd left =
-          overlaps.left(arc, after ? result.errors : Eigen::VectorXd::Zero(result.errors.size()));
-      const auto many = static_cast<double>(arc.seen.setups.size());
-      for (std::size_t i = 0; i < arc.seen.setups.size(); ++i) {
-        const double off = left[static_cast<Eigen::Index>(i)] * many / (many - 1.0);
-        squares[arc.seen.setups[i]].push_back(off * off);
-        all.push_back(off * off);
-      }
+  std::vector<Discrepancy> all;
+  for (const ArcView& arc : arcs) {
+    if (arc.shell) continue;
+    const Eigen::VectorXd after = overlaps.left(arc, result.errors);
+    const auto many = static_cast<double>(arc.seen.setups.size()), scale = many / (many - 1.0);
+    for (std::size_t i = 0; i < arc.seen.setups.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      all.push_back({arc.seen.setups[i], std::pow(scale * arc.seen.offsets[row], 2), std::pow(scale * after[row], 2)});
     }
-    const auto rms = [](const std::vector<double>& values) {
-      if (values.empty()) return kUnknown;
-      constexpr double kElse = 5.0 * 5.0 / 0.455;  // times the median square: not the foundation
-      const double most = kElse * median(values);
-      double sum = 0.0, used = 0.0;
-      for (const double v : values) {
-        if (v > most) continue;
-        sum += v;
-        used += 1.0;
-      }
-      return std::sqrt(sum / used);
-    };
-    auto& of_setup = after ? result.rms_after : result.rms_before;
-    of_setup.clear();
-    for (const auto& own : squares) of_setup.push_back(rms(own));
-    (after ? result.all_after : result.all_before) = rms(all);
+  }
+  std::tie(result.all_before, result.all_after) = rmsOf(all);
+  for (std::size_t s = 0; s < result.bad.size(); ++s) {
+    std::vector<Discrepancy> own;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(own), [s](const Discrepancy& d) { return d.setup == s; });
+    const auto [before, after] = rmsOf(own);
+    result.rms_before.push_back(before);
+    result.rms_after.push_back(after);
   }
 }
 
@@ -253,12 +280,7 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
     const SetupSystem system = overlaps.system();
     // the first rounds learn the arcs' own errors, for which the setups' may be anything
     if (iteration >= 2 && iteration + 1 < kIterations) {
-      result.bad.assign(setups, false);
-      for (std::size_t worst = 0; options.bad != BadSetups::Keep && 2 * (worst + 1) < setups; ++worst) {
-        const std::size_t bad = worstSetup(system, usual, result.bad);
-        if (bad == setups) break;
-        result.bad[bad] = true;
-      }
+      result.bad = options.bad == BadSetups::Keep ? std::vector<bool>(setups, false) : badSetups(system, usual, setups);
     }
     sigmas = iteration < 2 ? KindSigmas{5.0 * usual[0], 5.0 * usual[1], 5.0 * usual[2]}
                            : chooseSigmas(system, usual, options, result.bad, result);

@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "setups/merged_scans.h"
+#include "setups/setup_system.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -100,6 +101,13 @@ void CellCounts::add(std::size_t cell, double half_window, Eigen::Ref<Eigen::Row
   }
 }
 
+/// Of one of the scans that disagree by so much, each pair of neighbours telling of one difference.
+double mergedSigma(double discrepancy) {
+  constexpr double kUsual = 0.0022;   // a setup's height known to 2 mm and its tilt to 10 arc-seconds, 20 m away [m]
+  constexpr double kDifferences = 5;  // that six scans round a tank tell
+  return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, kUsual);
+}
+
 /// An interpolated station leans on both sides alike.
 void fillInterpolated(const std::vector<Station>& stations, Eigen::MatrixXd& shares) {
   const std::size_t count = stations.size();
@@ -171,7 +179,7 @@ StationCovariance shareSetupErrors(SetupAgreement& agreement, std::vector<Statio
                                    double slope) {
   StationCovariance covariance = independentCovariance(stations);
   covariance.factors = agreement.unlabelled_discrepancy > 0.0
-                           ? mergedFactors(stations, agreement.unlabelled_discrepancy / std::sqrt(2.0))
+                           ? mergedFactors(stations, mergedSigma(agreement.unlabelled_discrepancy))
                            : setupFactors(agreement, shares, stations, slope);
   for (std::size_t i = 0; i < stations.size(); ++i) {
     Station& station = stations[i];

@@ -33,7 +33,7 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
                           const std::array<bool, kParameterKinds>& held, const std::vector<bool>& freed) {
   constexpr int kIterations = 200;
   constexpr double kSame = 0.002;       // relative change at which the fixed point is reached
-  constexpr double kSpread = 1.5;       // of the weak prior on the logarithm of a sigma
+  constexpr double kSpread = 3.0;       // of the weak prior on the logarithm of a sigma
   constexpr double kLargestStep = 4.0;  // factor of a variance
   KindSigmas sigmas = start;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
@@ -58,6 +58,16 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
     if (change < kSame) break;
   }
   return sigmas;
+}
+
+double temperedSigma(double sigma, double known, double usual) {
+  constexpr double kUsualWorth = 3.0;  // parameters
+  constexpr double kFarBetter = 0.25;  // of the usual sigma
+  const double ratio = sigma / (kFarBetter * usual);
+  const double worth = sigma < usual ? kUsualWorth * ratio * ratio / (1.0 + ratio * ratio) : 0.0;
+  const double drawn =
+      worth > 0.0 ? std::exp((known * std::log(sigma) + worth * std::log(usual)) / (known + worth)) : sigma;
+  return drawn * std::sqrt(1.0 + 2.0 / (known + worth));
 }
 
 }  // namespace tank_datum

@@ -41,4 +41,10 @@ Eigen::VectorXd priorSigmas(const KindSigmas& kinds, const std::vector<bool>& fr
 KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
                           const std::array<bool, kParameterKinds>& held, const std::vector<bool>& freed);
 
+/// A sigma estimated from few parameters. One below the usual sigma is drawn up towards it on the logarithm's scale, as
+/// if that came from three parameters; but not where the setups agree far better than usual, as scans that one
+/// adjustment has fitted to each other do. Wider by what a variance from few parameters is uncertain itself (Student).
+/// @param known  how many parameters it comes from
+double temperedSigma(double sigma, double known, double usual);
+
 }  // namespace tank_datum

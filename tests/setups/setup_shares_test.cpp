@@ -135,7 +135,8 @@ TEST(SetupShares, OnASlopingFoundationAShiftInPlanMovesOnlyWhatTheShellDoesNotSh
   agreement.covariance.setZero();
   agreement.covariance(3, 3) = 1e-4;  // dx of the first, 10 mm
   SetupShares shares = setupShares(madeRing(), madeTank(), stations, {0.0, 0.0}, kBand);
-  EXPECT_EQ(setupFactors(agreement, shares, stations, 0.05).rows(), 0);  // the shell comes from the same setups
+  const Eigen::MatrixXd shared = setupFactors(agreement, shares, stations, 0.05);
+  EXPECT_LT(shared.norm(), 0.05 * 0.010 * 0.2);  // the shell comes from the same setups, nearly as many points of each
   shares.shell.setZero();
   shares.shell.col(1).setOnes();
   EXPECT_NEAR(setupFactors(agreement, shares, stations, 0.05).col(1).norm(), 0.05 * 0.010, 1e-6);

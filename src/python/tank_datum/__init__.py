@@ -74,6 +74,23 @@ class Datum:
         return self.status in ("ok", "partial")
 
     @property
+    def setups(self) -> list[dict[str, Any]]:
+        """One entry a setup of the scanner: what it was moved by, and how it agreed with the others."""
+        return list(self._dict.get("setups") or [])
+
+    def covariance(self) -> NDArray[np.float64]:
+        """Covariance of the stations' z [m2], in their order; NaN where a station is missing.
+
+        Shape (n, n). Shared errors are in it: those of the scanner's setups.
+        """
+        given = self._dict.get("covariance")
+        if given is None:
+            return np.full((len(self.stations), len(self.stations)), np.nan)
+        own = np.array(given["independent"], dtype=float)
+        shared = np.array(given["factors"], dtype=float).reshape(-1, len(own))
+        return np.asarray(np.diag(own**2) + shared.T @ shared)
+
+    @property
     def tank(self) -> dict[str, Any] | None:
         """Center [m], radius [m], coverage_deg, side; None without a tank."""
         found: dict[str, Any] | None = self._dict.get("tank")

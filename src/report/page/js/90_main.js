@@ -23,6 +23,7 @@ if (trend) {
   addElevation();
   addOutOfPlane();
   addPlan();
+  addSetups();
   addStation();
   addShell();
   addMovement();

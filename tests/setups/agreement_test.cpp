@@ -1,0 +1,155 @@
+#include "setups/agreement.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "io/pcd_writer.h"
+#include "setups/setup_report.h"
+#include "support/scanned_tanks.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace scanned_tanks;
+
+/// Four setups of a small tank, one file each, each with an error of its own.
+class SetupAgreementTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::filesystem::temp_directory_path() / ("agreement_test_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  /// Scans the scene, and puts dz on each setup's points.
+  static std::vector<std::string> filesOf(const SceneOptions& scene, const std::vector<double>& dz) {
+    const auto stations = synth::scanStations(synth::Scene(scene));
+    std::vector<std::vector<double>> rows(stations.size());
+    synth::scanScene(synth::Scene(scene), [&](std::size_t s, const synth::Rows& block) {
+      for (std::size_t i = 0; i < block.size() / 4; ++i) {
+        rows[s].insert(rows[s].end(), {block[4 * i], block[4 * i + 1], block[4 * i + 2] + dz[s]});
+      }
+    });
+    std::vector<std::string> paths;
+    for (std::size_t s = 0; s < rows.size(); ++s) {
+      paths.push_back((folder_ / ("scan_" + std::to_string(s + 1) + ".pcd")).string());
+      const Eigen::Vector3d& at = stations[s].position;
+      PcdWriter writer(paths.back(), {{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}}, PcdWriter::Format::Binary,
+                       {at.x(), at.y(), at.z() + dz[s]});
+      writer.append(rows[s]);
+      writer.commit();
+    }
+    return paths;
+  }
+
+  static std::filesystem::path folder_;
+};
+
+std::filesystem::path SetupAgreementTest::folder_;
+
+TEST_F(SetupAgreementTest, HeightsThatDisagreeAreFoundAndTakenOut) {
+  const std::vector<double> dz = {0.003, -0.001, 0.002, -0.004};
+  const SceneOptions scene = tank20();
+  const Scan scan = Scan::open(filesOf(scene, dz));
+  const Tank tank = roughTank(scene, scan.origin());
+  Ring ring = cropRing(scan, tank, {});
+  ASSERT_EQ(ring.setupCount(), 4U);
+  EXPECT_TRUE(ring.search.empty());
+  const Points before = ring.points;
+  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  ASSERT_EQ(agreement.setups.size(), 4U);
+  EXPECT_EQ(agreement.setups[1].name, "scan_2");
+  EXPECT_TRUE(agreement.setups[1].origin_known);
+  // the mean of all is not seen, the differences are; a tilt of a tenth of an arc-minute may take a part of them
+  const auto lift = [&](std::size_t s) {
+    const tank_datum::Setup& setup = agreement.setups[s];
+    const Eigen::Vector2d foot = tank.circle.center - setup.origin.head<2>();
+    const Eigen::Vector2d near = foot.normalized() * (foot.norm() - tank.circle.radius);
+    return setup.correction.dz + setup.correction.tilt_x * near.x() + setup.correction.tilt_y * near.y();
+  };
+  EXPECT_NEAR(lift(3) - lift(0), 0.007, 0.0012);
+  EXPECT_NEAR(lift(2) - lift(1), -0.003, 0.0012);
+  EXPECT_GT(agreement.rms_before, 0.002);
+  EXPECT_LT(agreement.rms_after, 0.0004);
+  EXPECT_NE(ring.points, before);
+}
+
+TEST_F(SetupAgreementTest, AgreeingSetupsStayAndBarelyWidenSigma) {
+  const SceneOptions scene = tank20();
+  const Scan scan = Scan::open(filesOf(scene, {0, 0, 0, 0}));
+  const Tank tank = roughTank(scene, scan.origin());
+  Ring ring = cropRing(scan, tank, {});
+  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  for (const tank_datum::Setup& setup : agreement.setups) {
+    EXPECT_LT(std::abs(setup.correction.dz), 0.0003) << setup.name;
+    EXPECT_NE(setup.verdict, SetupVerdict::Bad) << setup.name;
+  }
+  EXPECT_LT(agreement.spread.height, 0.0005);
+  EXPECT_EQ(setupMessage(agreement, {}), "");
+}
+
+TEST_F(SetupAgreementTest, AFileGivenTwiceIsUsedOnceAndSaid) {
+  const SceneOptions scene = tank20();
+  std::vector<std::string> paths = filesOf(scene, {0, 0, 0, 0});
+  const Scan once = Scan::open(paths);
+  const Tank tank = roughTank(scene, once.origin());
+  const std::size_t points = cropRing(once, tank, {}).points.size();
+  const std::string again = (folder_ / "again.pcd").string();
+  std::filesystem::copy_file(paths[0], again, std::filesystem::copy_options::overwrite_existing);
+  paths.push_back(again);
+  const Scan scan = Scan::open(paths);
+  Ring ring = cropRing(scan, tank, {});
+  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  EXPECT_EQ(ring.points.size(), points);
+  EXPECT_EQ(agreement.setups[4].verdict, SetupVerdict::Duplicate);
+  EXPECT_NE(setupMessage(agreement, {}).find("setup again holds the points of another one"), std::string::npos);
+}
+
+TEST_F(SetupAgreementTest, TheBadOneCanBeDroppedWhereOthersSeeTheFoot) {
+  const SceneOptions scene = tank20();
+  const Scan scan = Scan::open(filesOf(scene, {0, 0.015, 0, 0}));
+  const Tank tank = roughTank(scene, scan.origin());
+  Ring ring = cropRing(scan, tank, {}), freed = ring;
+  SetupOptions options;
+  const SetupAgreement agreement = agreeSetups(freed, scan, tank, options);
+  EXPECT_EQ(agreement.setups[1].verdict, SetupVerdict::Bad);
+  EXPECT_EQ(freed.points.size(), ring.points.size());
+  options.bad = BadSetups::Drop;
+  agreeSetups(ring, scan, tank, options);
+  EXPECT_LT(ring.points.size(), freed.points.size());
+  EXPECT_EQ(ring.points.size(), ring.point_setups.size());
+}
+
+TEST_F(SetupAgreementTest, OriginsOfNoSetupAreRefused) {
+  const SceneOptions scene = tank20();
+  const Scan scan = Scan::open(filesOf(scene, {0, 0, 0, 0}));
+  const Tank tank = roughTank(scene, scan.origin());
+  SetupOptions options;
+  options.origins["scan_9"] = {1.0, 2.0, 3.0};
+  Ring ring = cropRing(scan, tank, {});
+  EXPECT_THROW(agreeSetups(ring, scan, tank, options), Error);
+  options.origins = {{"scan_2", scan.origin() + Eigen::Vector3d(1.0, 2.0, 3.0)}};
+  EXPECT_EQ(agreeSetups(ring, scan, tank, options).setups[1].origin, Eigen::Vector3d(1.0, 2.0, 3.0));
+}
+
+TEST_F(SetupAgreementTest, ARingOfOneSetupIsLeftAsItIs) {
+  const SceneOptions scene = tank20();
+  const Scan scan = Scan::open({filesOf(scene, {0, 0, 0, 0})[0]});
+  const Tank tank = roughTank(scene, scan.origin());
+  Ring ring = cropRing(scan, tank, {});
+  EXPECT_TRUE(ring.point_setups.empty());
+  EXPECT_FALSE(ring.search.empty());
+  const Points before = ring.points;
+  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  EXPECT_EQ(ring.points, before);
+  EXPECT_FALSE(agreement.adjusted());
+  ASSERT_EQ(agreement.setups.size(), 1U);
+  EXPECT_EQ(agreement.setups[0].verdict, SetupVerdict::Single);
+}
+
+}  // namespace
+}  // namespace tank_datum
