@@ -28,8 +28,8 @@ bool hasKeys(const std::string& path, const std::vector<const char*>& keys) {
 }  // namespace
 
 const std::vector<std::string>& contractNames(const std::string& program) {
-  static const std::vector<std::string> datum = {"datum.json",       "stations.csv",    "shell.csv",
-                                                 "datum_points.pcd", "datum_curve.pcd", "report.html"};
+  static const std::vector<std::string> datum = {"datum.json",      "stations.csv",    "shell.csv",  "datum_points.pcd",
+                                                 "datum_curve.pcd", "datum_nodes.csv", "report.html"};
   static const std::vector<std::string> movement = {"movement.json", "movement.csv", "report.html"};
   return program == kCompareProgram ? movement : datum;
 }
