@@ -120,8 +120,11 @@ TEST(CompareEpochs, ASectorThatMovedLeavesTheOthersUnmoved) {
     options.removal = removal;
     const Movement m = compareEpochs(before.epoch(), later, options);
     for (std::size_t i = 0; i < 360; ++i) {
-      if (i >= 205 && i < 255) EXPECT_TRUE(m.stations[i].significant) << i;
-      if (i < 190 || i >= 270) EXPECT_FALSE(m.stations[i].significant) << i;
+      if (i >= 205 && i < 255) {
+        EXPECT_TRUE(m.stations[i].significant) << i;
+      } else if (i < 190 || i >= 270) {
+        EXPECT_FALSE(m.stations[i].significant) << i;
+      }
     }
   }
 }
