@@ -38,7 +38,7 @@ double overlapOf(const MatchedStation& a, const MatchedStation& b) {
 
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   constexpr std::size_t kFewest = 16, kDense = 65;
-  constexpr double kNone = 0.2;       // correlations below it are none, of some hundred stations
+  constexpr double kNone = 0.35;      // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;  // an arc is known to about a quarter
   constexpr double kWidest = 30.0 * kDegree;
   MovementErrors errors;

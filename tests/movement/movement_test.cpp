@@ -183,7 +183,7 @@ TEST(CompareEpochs, AWideMovementBesideADipIsFoundToo) {
     if (i >= 210 && i < 250) wide += m.stations[i].significant ? 1 : 0;
     if (i >= 130 && i < 170) none += m.stations[i].significant ? 1 : 0;
   }
-  EXPECT_GT(wide, 30U);
+  EXPECT_GT(wide, 20U);
   EXPECT_EQ(none, 0U);
   EXPECT_TRUE(m.stations[100].significant);
 }
