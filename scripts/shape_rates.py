@@ -1,8 +1,9 @@
-"""How often what is said of the shape is right: simulated surveys of one made tank with fresh errors.
+"""How often what is said of the shape is right, on simulated surveys of one made tank.
 
-Each row is a call of tank_datum_rates shape: the share of 95 % intervals that hold the truth (tilt,
-waves n = 2 to 6, largest curvature, largest |U|, largest S_i, level within 9 m), the verdicts on one
-figure, and surveys in which any rule fails that the truth does not. Seeds are 0, 1, 2 ...
+Each row is a call of tank_datum_rates shape: the share of 95 % intervals that hold the truth
+(tilt, waves n = 2 to 6, largest curvature, largest |U|, largest S_i, level within 9 m), the
+verdicts on one figure, and surveys in which any rule fails that the truth does not. Seeds are
+0, 1, 2 ...
 """
 
 from __future__ import annotations

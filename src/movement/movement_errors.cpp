@@ -10,12 +10,15 @@
 namespace tank_datum {
 namespace {
 
-/// Robust autocorrelation of standardised values whose neighbours are `lag` places on, not over a gap.
+/// Robust autocorrelation of standardised values whose neighbours are `lag` places on, not over a gap. Values that
+/// stand out from the rest have moved and do not count.
 double correlationAt(const std::vector<double>& values, const std::vector<MatchedStation>& stations, std::size_t lag) {
-  const double step = kTwoPi / static_cast<double>(stations.size());
+  constexpr double kStandsOut = 3.0;
+  const double step = kTwoPi / static_cast<double>(stations.size()), most = kStandsOut * robustSigma(values, 0.0);
   std::vector<double> sums, differences;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::size_t j = (i + lag) % values.size();
+    if (std::abs(values[i]) > most || std::abs(values[j]) > most) continue;
     if (turn(stations[j].direction - stations[i].direction) > (static_cast<double>(lag) + 0.5) * step) continue;
     sums.push_back(values[i] + values[j]), differences.push_back(values[i] - values[j]);
   }
@@ -35,7 +38,7 @@ double overlapOf(const MatchedStation& a, const MatchedStation& b) {
 
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   constexpr std::size_t kFewest = 16, kDense = 65;
-  constexpr double kNone = 0.2;       // correlations below it are none, of some hundred stations
+  constexpr double kNone = 0.35;      // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;  // an arc is known to about a quarter
   constexpr double kWidest = 30.0 * kDegree;
   MovementErrors errors;
@@ -49,7 +52,7 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   double along = 0.0;
   for (std::size_t lag = 1; n >= kDense && static_cast<double>(lag) * step <= kWidest; ++lag) {
     const double correlation = correlationAt(values, stations, lag);
-    if (!(correlation > kNone)) break;
+    if (!(correlation > kNone)) break;  // NaN too: no pairs are left
     along += correlation;
   }
   if (along > 0.0) errors.shared = kCautious * step * (1.0 + 2.0 * along);

@@ -155,7 +155,12 @@ Interval95 SimulatedSurveys::curvature(int order) const {
   const auto largest = [](Eigen::Index places) {
     return [places](const double* v) { return Eigen::Map<const Eigen::VectorXd>(v, places).cwiseAbs().maxCoeff(); };
   };
-  return interval(values, largest(values.truths.rows()), largest(values.whole.rows()));
+  Interval95 result = interval(values, largest(values.truths.rows()), largest(values.whole.rows()));
+  // the shortest waves bend most and are known least: no less than what is as likely as the survey
+  std::vector<double> likely;
+  for (Eigen::Index k = 0; k < values.whole.cols(); ++k) likely.push_back(values.whole.col(k).cwiseAbs().maxCoeff());
+  result.high = std::max(result.high, beyond(std::move(likely), true));
+  return result;
 }
 
 }  // namespace tank_datum

@@ -120,8 +120,11 @@ TEST(CompareEpochs, ASectorThatMovedLeavesTheOthersUnmoved) {
     options.removal = removal;
     const Movement m = compareEpochs(before.epoch(), later, options);
     for (std::size_t i = 0; i < 360; ++i) {
-      if (i >= 205 && i < 255) EXPECT_TRUE(m.stations[i].significant) << i;
-      if (i < 190 || i >= 270) EXPECT_FALSE(m.stations[i].significant) << i;
+      if (i >= 205 && i < 255) {
+        EXPECT_TRUE(m.stations[i].significant) << i;
+      } else if (i < 190 || i >= 270) {
+        EXPECT_FALSE(m.stations[i].significant) << i;
+      }
     }
   }
 }
@@ -180,7 +183,7 @@ TEST(CompareEpochs, AWideMovementBesideADipIsFoundToo) {
     if (i >= 210 && i < 250) wide += m.stations[i].significant ? 1 : 0;
     if (i >= 130 && i < 170) none += m.stations[i].significant ? 1 : 0;
   }
-  EXPECT_GT(wide, 30U);
+  EXPECT_GT(wide, 20U);
   EXPECT_EQ(none, 0U);
   EXPECT_TRUE(m.stations[100].significant);
 }
