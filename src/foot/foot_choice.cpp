@@ -136,7 +136,7 @@ std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, do
     if (!place.empty()) beginnings.push_back(place.front().from);
   }
   if (noises.empty()) return Choice(places.size());
-  const Usual usual{quantile(beginnings, 0.25), std::max(quantile(noises, 0.25), 1e-7)};
+  const Usual usual{quantile(beginnings, 0.25), std::max(quantile(noises, 0.1), 1e-7)};
   Ring ring{places, {}, arc, reach};
   for (const auto& place : places) {
     ring.costs.emplace_back();

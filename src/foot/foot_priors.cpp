@@ -117,7 +117,7 @@ void widen(std::vector<SeriesValue>& series) {
 void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
-  constexpr double kDoubt = 0.1, kOddDoubt = 0.3, kFeigned = 0.6;  // of the largest lean that range noise may feign
+  constexpr double kDoubt = 0.1, kOddDoubt = 0.6, kFeigned = 0.6;  // of the largest lean that range noise may feign
   constexpr std::size_t kWidest = 4;
   const Slopes found = fitSlopes(foot, sections, 72, kHalfWindow, kLipSlope, priors.sigma_bend);
   std::vector<SeriesValue> series;

@@ -1,0 +1,110 @@
+#include "fit/ring_process.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/statistics.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kCount = 360;
+constexpr double kSigma = 0.0003, kFlexible = 0.005;
+
+using Shape = double (*)(double degrees);
+
+double quiet(double degrees) { return 0.004 * std::cos(2.0 * degrees * M_PI / 180.0); }
+
+/// 6 mm deep, 12 degrees from rim to rim.
+double dipped(double degrees) {
+  const double off = std::abs(degrees - 120.0);
+  return quiet(degrees) - (off < 6.0 ? 0.006 * std::pow(std::cos(M_PI * off / 12.0), 4) : 0.0);
+}
+
+struct Ring {
+  std::vector<double> truth, values, sigmas;
+
+  explicit Ring(Shape shape, double noise = kSigma, unsigned seed = 1) : sigmas(kCount, kSigma) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      truth.push_back(shape(static_cast<double>(i)));
+      values.push_back(truth.back() + noise * normal(random));
+    }
+  }
+  RingProcess followed() const { return followRing(values, sigmas, kFlexible); }
+  double error(const RingProcess& process, std::size_t i) const { return process.value[i] - truth[i]; }
+};
+
+double rmsOf(const Ring& ring, const RingProcess& process) {
+  double squares = 0;
+  for (std::size_t i = 0; i < kCount; ++i) squares += std::pow(ring.error(process, i), 2) / kCount;
+  return std::sqrt(squares);
+}
+
+TEST(RingProcess, NeighboursHelpAndSigmaKnowsIt) {
+  const Ring ring(quiet);
+  const RingProcess process = ring.followed();
+  ASSERT_TRUE(process.valid());
+  EXPECT_LT(rmsOf(ring, process), 0.7 * kSigma);
+  std::size_t within = 0;
+  for (std::size_t i = 0; i < kCount; ++i) within += std::abs(ring.error(process, i)) < 2.0 * process.sigma[i];
+  EXPECT_GT(within, kCount * 90 / 100);
+  EXPECT_LT(median(process.sigma), 1.5 * rmsOf(ring, process));
+}
+
+TEST(RingProcess, AShortDipIsNotSmoothedAway) {
+  const Ring ring(dipped);
+  const RingProcess process = ring.followed();
+  for (std::size_t i = 110; i <= 130; ++i) EXPECT_NEAR(ring.error(process, i), 0.0, 4.0 * process.sigma[i]) << i;
+  EXPECT_NEAR(ring.error(process, 120), 0.0, 0.0008);
+}
+
+TEST(RingProcess, AProcessWithoutFreedomWouldSmoothIt) {
+  const Ring ring(dipped);
+  const RingProcess stiff = followRing(ring.values, ring.sigmas, 1e-7);
+  EXPECT_GT(std::abs(ring.error(stiff, 120)), 0.001);
+}
+
+TEST(RingProcess, AStrayValueCountsForWhatItIsOff) {
+  Ring ring(quiet);
+  ring.values[50] += 0.010;
+  const RingProcess process = ring.followed();
+  EXPECT_GT(process.doubt[50], 4.0);
+  EXPECT_LT(std::abs(ring.error(process, 50)), 0.0006);
+  EXPECT_GT(process.sigma[50], 0.002);  // it may be right
+  EXPECT_LT(process.sigma[60], 0.0003);
+}
+
+TEST(RingProcess, ScatterBeyondTheGivenErrorsIsFoundFromTheValues) {
+  const Ring rough(quiet, 3.0 * kSigma), fine(quiet, 0.5 * kSigma);
+  const RingProcess more = rough.followed(), less = fine.followed();
+  EXPECT_GT(median(more.sigma), 2.0 * median(less.sigma));
+  EXPECT_NEAR(std::hypot(kSigma, more.nugget), 3.0 * kSigma, 0.6 * kSigma);
+}
+
+TEST(RingProcess, GapsAreBridgedWithALargerError) {
+  Ring ring(quiet);
+  for (std::size_t i = 200; i < 208; ++i) ring.values[i] = ring.sigmas[i] = NAN;
+  const RingProcess process = ring.followed();
+  EXPECT_GT(process.sigma[204], 2.0 * process.sigma[190]);
+  EXPECT_NEAR(ring.error(process, 204), 0.0, 3.0 * process.sigma[204]);
+}
+
+TEST(RingProcess, TheRingHasNoEnds) {
+  Ring ring(quiet), turned(quiet);
+  for (std::size_t i = 0; i < kCount; ++i) turned.values[(i + 123) % kCount] = ring.values[i];
+  const RingProcess a = ring.followed(), b = turned.followed();
+  for (std::size_t i = 0; i < kCount; ++i) EXPECT_NEAR(a.value[i], b.value[(i + 123) % kCount], 2e-5);
+}
+
+TEST(RingProcess, FewerThanEightValuesFollowNothing) {
+  Ring ring(quiet);
+  for (std::size_t i = 7; i < kCount; ++i) ring.values[i] = ring.sigmas[i] = NAN;
+  EXPECT_FALSE(ring.followed().valid());
+}
+
+}  // namespace
+}  // namespace tank_datum
