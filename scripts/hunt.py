@@ -96,9 +96,8 @@ def rms(errors: list[tuple[float, float]]) -> float:
 def worst(results: list[dict[str, Any]], title: str, key: Any, text: Any, count: int = 8) -> None:
     print(f"\nworst by {title}")
     for r in sorted(results, key=key, reverse=True)[:count]:
-        print(
-            f"  {text(r):>12}  R {r['radius']:5.1f} {r['kind']:13} ./scripts/hunt --only {r['seed']}"
-        )
+        scene = f"R {r['radius']:5.1f} {r['kind']:13}"
+        print(f"  {text(r):>12}  {scene} ./scripts/hunt --only {r['seed']}")
 
 
 def report(results: list[dict[str, Any]]) -> None:

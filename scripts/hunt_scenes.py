@@ -97,7 +97,7 @@ def scene_of(seed: int) -> Scene:
     distance = draw.uniform(3.0, 8.0) + 0.3 * radius * draw.random()
     count = max(1, draw.randint(3, 5) + int(radius / 8.0))
     # rays millimetres apart at the foot of small tanks, centimetres at that of large ones
-    step = max(0.05, 0.045 * math.sqrt(count))
+    step = max(0.06, 0.07 * math.sqrt(count))
     return {
         "seed": seed,
         "offset": draw.choice([[0, 0, 0], [512034.25, 4012877.5, 35.0]]),
