@@ -110,7 +110,8 @@ TEST(ExtractDatum, OfHalfATankIsPartialAndSaysWhatIsMissing) {
 TEST(ExtractDatum, TellsItsObserverEachStageInOrder) {
   std::vector<std::string> stages;
   extractDatum(Scan::fromPoints(tankPoints()), {}, [&](const char* stage) { stages.push_back(stage); });
-  const std::vector<std::string> first = {"locate", "crop", "normals", "region_growing", "centre_filter", "spline"};
+  const std::vector<std::string> first = {"locate",         "crop",          "setups", "normals",
+                                          "region_growing", "centre_filter", "spline"};
   ASSERT_GE(stages.size(), first.size());
   EXPECT_TRUE(std::equal(first.begin(), first.end(), stages.begin()));
 }

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "synth/output.h"
-#include "synth_scenes.h"
+#include "support/synth_scenes.h"
 
 /// Scanners whose points are brought into the common frame with an error.
 namespace tank_datum::synth {

@@ -30,8 +30,9 @@ ShellEvidence evidence() {
 TestOutcome outcomeOf(const std::vector<TankTest>& tests, const std::string& name) {
   const auto found = std::find_if(tests.begin(), tests.end(), [&](const TankTest& t) { return t.name == name; });
   EXPECT_NE(found, tests.end()) << name;
-  if (found != tests.end() && found->outcome != TestOutcome::Pass) EXPECT_FALSE(found->finding.empty());
-  return found == tests.end() ? TestOutcome::Pass : found->outcome;
+  if (found == tests.end()) return TestOutcome::Pass;
+  EXPECT_FALSE(found->finding.empty()) << name;
+  return found->outcome;
 }
 
 /// The outcomes of a test at a value just below and just above each of its two bounds.

@@ -60,7 +60,7 @@ class Datum:
 
     @property
     def status(self) -> str:
-        """ok, partial, no_tank, no_crease, too_few_points or fit_failed."""
+        """ok, partial, doubtful, no_tank, no_crease, too_few_points or fit_failed."""
         return str(self._dict["status"])
 
     @property

@@ -18,7 +18,7 @@ class Datum:
     def status(
         self,
     ) -> Literal[
-        "ok", "partial", "no_tank", "no_crease", "too_few_points", "fit_failed"
+        "ok", "partial", "no_tank", "no_crease", "too_few_points", "fit_failed", "doubtful"
     ]: ...
     @property
     def message(self) -> str: ...

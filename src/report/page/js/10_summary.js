@@ -4,6 +4,7 @@ const kStatusSentences = {
   ok: "Datum found all round",
   partial: "Datum found in part",
   no_tank: "No tank found",
+  doubtful: "Perhaps no tank",
   no_crease: "No datum found",
   too_few_points: "Too few points",
   fit_failed: "No curve could be fitted",

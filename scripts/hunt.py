@@ -1,0 +1,168 @@
+"""Draws scenes, runs tank_datum on them and lists the worst. See ./scripts/hunt."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from hunt_scenes import scene_of, units_of
+
+METRES = {"m": 1.0, "mm": 0.001, "ft": 0.3048, "us-ft": 1200.0 / 3937.0}
+
+
+def in_units(scan: Path, units: str) -> None:
+    """Rewrites an ascii scan's coordinates in other units."""
+    lines = scan.read_text().splitlines()
+    begin = next(i for i, line in enumerate(lines) if line.startswith("DATA")) + 1
+    for i in range(begin, len(lines)):
+        cells = lines[i].split()
+        cells[:3] = [repr(float(cell) / METRES[units]) for cell in cells[:3]]
+        lines[i] = " ".join(cells)
+    scan.write_text("\n".join(lines) + "\n")
+
+
+def errors_of(folder: Path, truth: dict[str, Any]) -> list[tuple[float, float]]:
+    """Error and standard error of every measured station [m]."""
+    by_azimuth = {round(s["azimuth_deg"]): s for s in truth["stations"]}
+    errors = []
+    with (folder / "stations.csv").open() as stations:
+        for row in csv.DictReader(stations):
+            if row["flag"] != "measured":
+                continue
+            z = by_azimuth[round(float(row["azimuth_deg"])) % 360]["z"]
+            errors.append((float(row["z"]) - z, float(row["sigma_z"])))
+    return errors
+
+
+def result_of(seed: int, folder: Path) -> dict[str, Any]:
+    """One line of the list: what the scene is, and how far off its stations are."""
+    binaries = Path(os.environ["TANK_DATUM_BIN"])
+    scene = scene_of(seed)
+    units = units_of(seed)
+    description, scan, out = folder / "scene.json", folder / "scan.pcd", folder / "datum"
+    description.write_text(json.dumps(scene))
+    made = [
+        str(binaries / "tank_datum_synth"),
+        "--scene",
+        str(description),
+        "-o",
+        str(scan),
+        "--quiet",
+    ]
+    subprocess.run([*made, "--double" if units == "m" else "--ascii"], check=True)
+    if units != "m":
+        in_units(scan, units)
+    begun = time.monotonic()
+    asked = [str(binaries / "tank_datum"), str(scan), "-o", str(out), "--units", units]
+    done = subprocess.run(
+        [*asked, "--no-report", "--no-checksum", "--quiet"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    truth = json.loads((folder / "scan.truth.json").read_text())["tanks"][0]
+    result: dict[str, Any] = {
+        "seed": seed,
+        "kind": scene["tanks"][0]["foundation"]["kind"],
+        "radius": scene["tanks"][0]["radius"],
+        "seconds": time.monotonic() - begun,
+        "visible": sum(bool(s["visible"]) for s in truth["stations"]),
+        "status": done.returncode,
+        "said": done.stderr.strip(),
+        "errors": [],
+    }
+    if done.returncode == 0:
+        result["errors"] = errors_of(out, truth)
+    return result
+
+
+def share(errors: list[tuple[float, float]], sigmas: float) -> float:
+    within = sum(abs(error) <= sigmas * sigma for error, sigma in errors)
+    return 100.0 * within / max(1, len(errors))
+
+
+def rms(errors: list[tuple[float, float]]) -> float:
+    return (sum(error**2 for error, _ in errors) / max(1, len(errors))) ** 0.5
+
+
+def worst(results: list[dict[str, Any]], title: str, key: Any, text: Any, count: int = 8) -> None:
+    print(f"\nworst by {title}")
+    for r in sorted(results, key=key, reverse=True)[:count]:
+        scene = f"R {r['radius']:5.1f} {r['kind']:13}"
+        print(f"  {text(r):>12}  {scene} ./scripts/hunt --only {r['seed']}")
+
+
+def report(results: list[dict[str, Any]]) -> None:
+    found = [r for r in results if r["errors"]]
+    if found:
+        worst(
+            found,
+            "error over sigma",
+            lambda r: max(abs(e) / s for e, s in r["errors"]),
+            lambda r: f"{max(abs(e) / s for e, s in r['errors']):.1f}",
+        )
+        worst(
+            found,
+            "error [mm]",
+            lambda r: max(abs(e) for e, _ in r["errors"]),
+            lambda r: f"{1e3 * max(abs(e) for e, _ in r['errors']):.2f}",
+        )
+    worst(
+        results,
+        "visible stations not measured",
+        lambda r: r["visible"] - len(r["errors"]),
+        lambda r: f"{r['visible'] - len(r['errors'])}",
+    )
+    worst(results, "seconds", lambda r: r["seconds"], lambda r: f"{r['seconds']:.1f}", 3)
+    every = [e for r in found for e in r["errors"]]
+    low = sum(share(r["errors"], 2.0) < 80.0 for r in found)
+    print(f"\n{len(results)} scenes, {len(results) - len(found)} refused, {len(every)} stations")
+    print(
+        f"within 2 sigma {share(every, 2.0):.1f} %, within 4 sigma {share(every, 4.0):.2f} %, "
+        f"{low} scenes below 80 % within 2 sigma"
+    )
+    for kind in sorted({r["kind"] for r in results}):
+        errors = [e for r in found if r["kind"] == kind for e in r["errors"]]
+        print(
+            f"  {kind:13} RMS {1e3 * rms(errors):.2f} mm, within 2 sigma {share(errors, 2.0):.1f} %"
+        )
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--minutes", type=float, default=10.0)
+    parser.add_argument("--scenes", type=int, default=1_000_000, help="at most so many")
+    parser.add_argument("--seed", type=int, default=1, help="of the first scene")
+    parser.add_argument("--only", type=int, help="this seed alone")
+    parser.add_argument("--json", type=Path, help="file for what every scene gave")
+    given = parser.parse_args()
+    results: list[dict[str, Any]] = []
+    first = given.seed if given.only is None else given.only
+    count = given.scenes if given.only is None else 1
+    end = time.monotonic() + 60.0 * given.minutes
+    while len(results) < count and (not results or time.monotonic() < end):
+        with tempfile.TemporaryDirectory() as folder:
+            results.append(result_of(first + len(results), Path(folder)))
+        last = results[-1]
+        print(
+            f"{last['seed']}: {last['kind']} R {last['radius']:.1f} m, {len(last['errors'])} of "
+            f"{last['visible']} visible, RMS {1e3 * rms(last['errors']):.2f} mm, within 2 sigma "
+            f"{share(last['errors'], 2.0):.0f} %, {last['seconds']:.1f} s {last['said']}",
+            flush=True,
+        )
+    report(results)
+    if given.json:
+        given.json.write_text(json.dumps(results))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,135 @@
+"""A whole scene drawn at random from wide ranges; the same of the same seed."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import Any
+
+Scene = dict[str, Any]
+
+
+def foundation(draw: random.Random) -> dict[str, Any]:
+    kind = draw.choice(["pad", "annular_plate", "crown"])
+    made: dict[str, Any] = {
+        "kind": kind,
+        "weld": draw.choice([0.0, draw.uniform(0.004, 0.012)]),
+        "roughness": draw.uniform(0.0, 0.002),
+        "roughness_length": draw.uniform(0.01, 0.1),
+    }
+    if kind == "pad":
+        made |= {"pad_width": draw.uniform(0.3, 2.0), "pad_fall": draw.uniform(0.0, 0.05)}
+    if kind != "pad":
+        made |= {
+            "plate_width": draw.uniform(0.045, 0.1),
+            "plate_thickness": draw.uniform(0.006, 0.02),
+        }
+    if kind != "pad" and draw.random() < 0.5:
+        made |= {
+            "plate_slope": draw.uniform(-0.05, 0.02),
+            "plate_slope_waves": [
+                {"n": draw.randint(1, 5), "amplitude": draw.uniform(0.0, 0.02), "phase_deg": 40.0}
+            ],
+        }
+    if kind != "pad":
+        made["concentric"] = draw.random() < 0.5
+    if kind != "pad" and draw.random() < 0.3:
+        sector = {"azimuth_deg": draw.uniform(0, 360), "width_deg": draw.uniform(20, 120)}
+        made["sectors"] = [sector | {"rise": draw.uniform(-0.01, 0.006)}]
+    if kind == "annular_plate":
+        made["ringwall_width"] = draw.uniform(0.15, 0.6)
+    if kind == "crown":
+        inner = made["plate_width"] + draw.uniform(0.01, 0.1)
+        made |= {
+            "crown_inner": inner,
+            "crown_outer": inner + draw.uniform(0.04, 0.12),
+            "crown_height": draw.uniform(0.005, 0.03),
+            "slab_drop": draw.uniform(0.01, 0.08),
+        }
+    return made
+
+
+def tank(draw: random.Random) -> dict[str, Any]:
+    radius = math.exp(draw.uniform(math.log(3.0), math.log(50.0)))
+    waves = [
+        {"n": n, "amplitude": draw.uniform(0.0, radius / 4000.0), "phase_deg": draw.uniform(0, 360)}
+        for n in range(2, draw.randint(2, 7))
+    ]
+    dips = [
+        {
+            "azimuth_deg": draw.uniform(0, 360),
+            "width_deg": draw.uniform(6, 40),
+            "depth": draw.uniform(0.002, 0.03),
+        }
+        for _ in range(draw.choice([0, 0, 1, 2]))
+    ]
+    soil = [
+        {
+            "azimuth_deg": draw.uniform(0, 360),
+            "width_deg": draw.uniform(5, 60),
+            "depth": draw.uniform(0.01, 0.1),
+        }
+        for _ in range(draw.choice([0, 0, 0, 1, 2]))
+    ]
+    out_of_round = min(0.05, 0.006 * radius) * draw.choice([0.0, draw.random()])
+    return {
+        "radius": radius,
+        "height": min(20.0, radius * draw.uniform(0.4, 2.0)),
+        "tilt_slope": draw.uniform(0.0, 0.004),
+        "tilt_direction_deg": draw.uniform(0, 360),
+        "harmonics": waves,
+        "dips": dips,
+        "soil": soil,
+        "lobes": {
+            "amplitude": out_of_round,
+            "min_length": 3.0,
+            "max_length": max(4.0, 0.8 * radius),
+        },
+        "roof": draw.choice(["none", "cone", "dome"]),
+        "foundation": foundation(draw),
+    }
+
+
+def scene_of(seed: int) -> Scene:
+    draw = random.Random(seed)
+    made = tank(draw)
+    radius = made["radius"]
+    distance = draw.uniform(3.0, 8.0) + 0.3 * radius * draw.random()
+    count = max(1, draw.randint(3, 5) + int(radius / 8.0))
+    # rays millimetres apart at the foot of small tanks, centimetres at that of large ones
+    step = max(0.06, 0.07 * math.sqrt(count))
+    return {
+        "seed": seed,
+        "offset": draw.choice([[0, 0, 0], [512034.25, 4012877.5, 35.0]]),
+        "tanks": [made],
+        "ground": {
+            "drop": draw.uniform(0.05, 0.4),
+            "slope": draw.uniform(0.0, 0.02),
+            "roughness": draw.uniform(0.0, 0.02),
+        },
+        "clutter": {"boxes": draw.choice([0, 4, 12]), "pipes": draw.choice([0, 3, 8])},
+        "scanner": {
+            "count": count,
+            "distance": distance,
+            "first_azimuth_deg": draw.uniform(0, 360),
+            "arc_deg": draw.choice([360, 360, 360, 240, 150]),
+            "height": draw.uniform(1.2, 2.2),
+            "field": "tank",
+            "step_deg": step,
+            "row_step_deg": step * draw.uniform(0.5, 1.0),
+            "min_elevation_deg": -45,
+            "max_elevation_deg": 15,
+            "max_range": distance + radius,
+        },
+        "measurement": {
+            "range_sigma": draw.uniform(0.0005, 0.004),
+            "incidence_gain": draw.uniform(0.0, 0.4),
+            "mixed_pixels": draw.random() < 0.3,
+            "outliers": draw.choice([0.0, 0.0, 0.002]),
+        },
+    }
+
+
+def units_of(seed: int) -> str:
+    """The unit in which the scan is written."""
+    return random.Random(seed + 1_000_003).choice(["m", "m", "m", "mm", "ft", "us-ft"])
