@@ -11,6 +11,8 @@
 #include "core/units.h"
 #include "exit_status.h"
 #include "movement_options.h"
+#include "results/manifest.h"
+#include "results/output_guard.h"
 #include "setups/agreement.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
@@ -77,6 +79,11 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
                  "a setup far off the others: free of priors, dropped where others see the foot too, or kept")
       ->check(CLI::IsMember(kBadSetups));
   app.add_option("--min-radius", o.locate.min_radius, "the smallest tank to look for [m]");
+  app.add_flag("--accept", o.accept, "take a doubtful tank for one: message says which test it fails");
+  app.add_option("--up", command.up, "the axis of the scan that is up; results are in the frame turned so")
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
+  app.add_flag("--level", o.level, "turn the scan so that the shell stands upright; results are in that frame")
+      ->excludes(all);
   app.add_option("--units", command.units, "units of the input")->check(CLI::IsMember(kUnits));
   app.add_option("--baseline", command.baseline, "datum.json of an earlier survey: movement since then");
   addMovementOptions(app, command.movement, typed.movement);
@@ -122,6 +129,21 @@ std::vector<double> heightsFrom(const std::string& typed) {
     heights.push_back(height);
   }
   return heights;
+}
+
+/// Refuses a command whose outputs are among its inputs, before any of these is read.
+void requireInputsUntouched(const Command& command, const std::string& limits, const std::string& config) {
+  std::vector<NamedPath> inputs = inputsOf("baseline", command.baseline);
+  for (const std::string& scan : command.scans) inputs.push_back({"scan", scan});
+  inputs.push_back({"levelling table", command.levelling});
+  inputs.push_back({"limits file", limits});
+  inputs.push_back({"config file", config});
+  std::vector<NamedPath> outputs = outputsOf(command.output, results::kDatumProgram);
+  if (!command.timings.empty()) {
+    for (const NamedPath& output : outputs) requireApart({{"result", output.path}}, {{"--timings", command.timings}});
+  }
+  outputs.push_back({"--timings", command.timings});
+  requireApart(inputs, outputs);
 }
 
 std::string stemOf(const std::string& scan) { return std::filesystem::path(scan).stem().string() + ".datum"; }
@@ -177,8 +199,9 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   status = kUsable;
   if (print_limits) std::cout << standardLimitsText();
   if (print_limits) return false;
-  o.analysis = analysisOptions(typed.analysis);
   if (command.output.empty()) command.output = stemOf(command.inputs().front());
+  requireInputsUntouched(command, typed.analysis.limits, app.get_config_ptr()->as<std::string>());
+  o.analysis = analysisOptions(typed.analysis);
   if (print_config) std::cout << app.config_to_str(true, true);
   return !print_config;
 }

@@ -15,6 +15,7 @@ struct Command {
   double diameter = 0.0;  ///< of their tank [m]
   std::string output;     ///< folder for the results
   std::string units = "m";
+  std::string up = "z";  ///< the axis of the scan's frame that is vertical
   std::string baseline;  ///< datum.json or folder of an earlier survey, or empty
   MovementOptions movement;
   std::string timings;  ///< file for the seconds of each stage, or empty

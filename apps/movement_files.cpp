@@ -9,6 +9,7 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "io/json_file.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/report/report_page.h"
 #include "tank_datum/version.h"
@@ -93,7 +94,7 @@ std::string movementsJson(const Comparison& comparison) {
                         {"sigma", number(place.sigma_rate)},
                         {"lod95", number(place.lod95())}});
   }
-  const Json json = {{"schema", 1},
+  const Json json = {{"schema", kSchema},
                      {"version", kVersion},
                      {"surveys", surveysSection(comparison)},
                      {"options", Json::parse(movementOptionsJson(comparison.options))},

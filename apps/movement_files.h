@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "result_folder.h"
+#include "results/result_folder.h"
 #include "tank_datum/movement/trend.h"
 
 namespace tank_datum {

@@ -1,12 +1,15 @@
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include "background_records.h"
 #include "command_line.h"
+#include "datum_stages.h"
 #include "exit_status.h"
-#include "result_folder.h"
+#include "io/up_axis.h"
+#include "results/manifest.h"
+#include "results/output_file.h"
+#include "results/result_folder.h"
+#include "run_main.h"
 #include "stage_clock.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/levelling.h"
@@ -18,11 +21,13 @@
 namespace tank_datum {
 namespace {
 
-void writeTimings(const std::string& path, const StageClock& clock) {
-  std::ofstream out(path);
-  out << clock.json();
-  out.close();
-  if (!out) throw Error(Error::Kind::File, "report", path, "not written", "a writable file");
+constexpr const char* kProgram = results::kDatumProgram;
+
+/// The file for the seconds of each stage, if one is asked for.
+std::optional<OutputFile> timingsFile(const Command& command) {
+  if (command.timings.empty()) return std::nullopt;
+  return std::make_optional<OutputFile>(command.timings, isJsonWith({"stages", "total", "peak_memory_bytes"}),
+                                        kProgram);
 }
 
 /// Several tanks have a folder each inside the output folder, a single one has the folder itself.
@@ -34,25 +39,22 @@ std::string fileToOpen(const Command& command, const std::string& part) {
   return command.output + "/" + (part.empty() ? "" : part + "/") + (command.no_report ? "datum.json" : "report.html");
 }
 
-/// Refuses a baseline that this run would write over.
-void requireElsewhere(const std::string& baseline, const std::string& output) {
-  const std::filesystem::path file(baseline), folder = std::filesystem::is_directory(file) ? file : file.parent_path();
-  std::error_code missing;
-  if (!std::filesystem::equivalent(folder.empty() ? "." : folder, output, missing)) return;
-  throw Error(Error::Kind::Option, "movement", "baseline", baseline, "a result outside of the output folder " + output);
-}
-
 std::vector<Datum> extract(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
   const auto observer = [&clock](const char* stage) { clock.begin(stage); };
   clock.begin("open");
   const double metres = command.metresPerUnit();
   if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.options)};
   Scan scan = Scan::open(command.scans, metres);
+  if (command.up != "z") scan = scan.turned(upRotation(command.up));
   scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
   const std::vector<Tank> tanks = findTanks(scan, command.options, observer);
   if (baseline) requireAmong(tanks, scan.origin(), *baseline);
   if (command.all) return extractDatumsOf(tanks, scan, command.options, observer);
-  return {extractDatumAmong(tanks, scan, command.options, observer)};
+  const Datum datum = extractDatumAmong(tanks, scan, command.options, observer);
+  if (!command.options.level || !datum.lean.known()) return {datum};
+  DatumOptions upright = command.options;
+  upright.level = false;
+  return {extractDatum(levelled(scan, datum), upright, observer)};
 }
 
 /// The movement of one of several tanks; of those that are not the baseline's it says so.
@@ -81,28 +83,19 @@ Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, c
   return provenance;
 }
 
-int run(const Command& command) {
-  if (!command.baseline.empty()) requireElsewhere(command.baseline, command.output);
-  ResultFolder folder(command.output);
-  std::optional<Baseline> baseline;
-  if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.options);
-  requireValid(command.movement);
-  StageClock clock(!command.quiet);
-  BackgroundRecords records(command.scans, command.options.threads != 1, !command.no_checksum);
-  const std::vector<Datum> datums = extract(command, baseline, clock);
-  clock.begin("hash");
-  std::vector<InputRecord> files = records.take();
-  if (!command.levelling.empty()) files.push_back(recordOfLevelling(command.levelling, datums.front()));
-  clock.begin("report");
+/// Writes the files of every tank into the folder, where they wait for its commit.
+void stageResults(const ResultFolder& folder, const std::vector<Datum>& datums, const std::vector<InputRecord>& files,
+                  const std::optional<Baseline>& baseline, const Command& command) {
   for (std::size_t i = 0; i < datums.size(); ++i) {
     const std::string stage = folder.stage(partOf(datums, i));
     const Provenance provenance = recordOf(datums[i], files, baseline, command);
     writeResults(stage, datums[i], provenance);
     if (!command.no_report) writeReportPage(stage, reportPage(datums[i], provenance));
   }
-  folder.commit();
-  clock.end();
-  if (!command.timings.empty()) writeTimings(command.timings, clock);
+}
+
+/// Says what was found, on stdout and, of what is not usable, on stderr.
+int announce(const std::vector<Datum>& datums, const Command& command) {
   bool usable = false;
   for (std::size_t i = 0; i < datums.size(); ++i) {
     if (!command.quiet)
@@ -114,8 +107,33 @@ int run(const Command& command) {
     }
   }
   std::cout.flush();
-  if (!std::cout) throw Error(Error::Kind::File, "report", "standard output", "not written", "room for the summary");
+  if (!std::cout) {
+    throw Error(Error::Kind::File, "report", "standard output", "not written",
+                "room for the summary; the results of this run are in " + command.output);
+  }
   return usable ? kUsable : kNoDatum;
+}
+
+int run(const Command& command) {
+  if (!command.baseline.empty()) settleToRead(command.baseline, kProgram);
+  ResultFolder folder(command.output, kProgram);
+  std::optional<OutputFile> timings = timingsFile(command);
+  std::optional<Baseline> baseline;
+  if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.options);
+  requireValid(command.movement);
+  StageClock clock(!command.quiet);
+  BackgroundRecords records(command.scans, command.options.threads != 1, !command.no_checksum);
+  const std::vector<Datum> datums = extract(command, baseline, clock);
+  clock.begin("hash");
+  std::vector<InputRecord> files = records.take();
+  if (!command.levelling.empty()) files.push_back(recordOfLevelling(command.levelling, datums.front()));
+  clock.begin("report");
+  stageResults(folder, datums, files, baseline, command);
+  clock.end();
+  if (timings) timings->write(clock.json());
+  folder.commit();
+  if (timings) timings->commit();
+  return announce(datums, command);
 }
 
 }  // namespace
@@ -125,13 +143,7 @@ int main(int argc, char** argv) {
   using namespace tank_datum;
   Command command;
   int status = kUsable;
-  try {
-    return parseCommandLine(argc, argv, command, status) ? run(command) : status;
-  } catch (const Error& error) {
-    std::cerr << "tank_datum: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "tank_datum: memory: the points near the datum, more than fit, expected a machine with more memory\n";
-    return kFileFailed;
-  }
+  return runMain(
+      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; },
+      [&] { return earlierResults(command.output, kProgram); });
 }

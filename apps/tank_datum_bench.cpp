@@ -1,13 +1,18 @@
-#include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "bench/command_line.h"
 #include "bench/tables.h"
 #include "exit_status.h"
+#include "results/output_file.h"
+#include "results/output_guard.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum::bench {
 namespace {
+
+constexpr const char* kProgram = "tank_datum_bench";
 
 /// The fastest of several runs of every chain; they take turns, so that a busy minute of the machine hits all of them.
 std::vector<ChainRun> runOnRing(const Points& points, const Command& command) {
@@ -39,6 +44,9 @@ void growTo(Figures& figures, const Scan& scan, const Tank& tank, const Command&
 }
 
 int run(const Command& command) {
+  requireApart({{"scan", command.scan}}, {{"--json", command.json}});
+  std::optional<OutputFile> json;
+  if (!command.json.empty()) json.emplace(command.json, isJsonWith({"ring", "same_candidates", "whole"}), kProgram);
   const Scan scan = Scan::open({command.scan});
   const Tank tank = tankOf(scan, command);
   Figures figures;
@@ -52,11 +60,9 @@ int run(const Command& command) {
   figures.whole.push_back(runCommand({command.scan}, command.options, !command.no_checksum, datum));
   if (command.scale) growTo(figures, scan, tank, command);
   std::cout << tablesOf(figures);
-  if (!command.json.empty()) {
-    std::ofstream out(command.json);
-    out << jsonOf(figures);
-    out.close();
-    if (!out) throw Error(Error::Kind::File, "bench", command.json, "not written", "a writable file");
+  if (json) {
+    json->write(jsonOf(figures));
+    json->commit();
   }
   return sameCandidates(figures) ? kUsable : kNoDatum;
 }
@@ -68,14 +74,6 @@ int main(int argc, char** argv) {
   using namespace tank_datum;
   bench::Command command;
   int status = kUsable;
-  try {
-    return bench::parseCommandLine(argc, argv, command, status) ? bench::run(command) : status;
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_bench: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "tank_datum_bench: memory: the stock chain on the whole scan, more than fits, expected fewer "
-                 "--stock-points\n";
-    return kFileFailed;
-  }
+  return runMain("tank_datum_bench",
+                 [&] { return bench::parseCommandLine(argc, argv, command, status) ? bench::run(command) : status; });
 }

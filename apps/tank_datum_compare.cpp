@@ -9,11 +9,16 @@
 #include "movement_files.h"
 #include "movement_options.h"
 #include "parsed.h"
+#include "results/manifest.h"
+#include "results/output_guard.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {
 namespace {
+
+constexpr const char* kProgram = results::kCompareProgram;
 
 struct CompareCommand {
   std::vector<std::string> epochs;  ///< datum.json or result folders, the baseline first
@@ -68,7 +73,13 @@ std::vector<double> timesOf(const CompareCommand& command) {
 }
 
 int run(const CompareCommand& command) {
-  ResultFolder folder(command.output, {"movement.json", "movement.csv", "report.html"});
+  std::vector<NamedPath> inputs;
+  for (const std::string& epoch : command.epochs) {
+    for (const NamedPath& input : inputsOf("survey", epoch)) inputs.push_back(input);
+  }
+  requireApart(inputs, outputsOf(command.output, kProgram));
+  for (const std::string& epoch : command.epochs) settleToRead(epoch, kProgram);
+  ResultFolder folder(command.output, kProgram);
   requireValid(command.options);
   const std::vector<double> times = timesOf(command);
   std::vector<Epoch> epochs;
@@ -81,7 +92,7 @@ int run(const CompareCommand& command) {
     comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
     const Movement& m = comparison.movements.back();
     if (m.valid()) continue;
-    std::cerr << "tank_datum_compare: movement: " << m.message << "\n";
+    std::cerr << "tank_datum_compare: movement: " << m.message << earlierResults(command.output, kProgram) << "\n";
     return kNoDatum;
   }
   comparison.histories = historiesOf(comparison.movements, times);
@@ -98,11 +109,7 @@ int main(int argc, char** argv) {
   using namespace tank_datum;
   CompareCommand command;
   int status = kUsable;
-  if (!parseCommandLine(argc, argv, command, status)) return status;
-  try {
-    return run(command);
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_compare: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  }
+  return runMain(
+      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; },
+      [&] { return earlierResults(command.output, kProgram); });
 }

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "exit_status.h"
 #include "fit/curve_comparison.h"
+#include "io/csv_table.h"
 #include "parsed.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -38,38 +38,13 @@ bool parseCommandLine(int argc, char** argv, CurvesCommand& command, int& status
   return parsed(app, argc, argv, status);
 }
 
-std::vector<std::string> cellsOf(const std::string& row) {
-  std::vector<std::string> cells;
-  std::istringstream stream(row);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-/// A finite number, or unknown.
-double numberOf(const std::string& cell, const std::string& path) {
-  char* end = nullptr;
-  const double value = cell.empty() ? std::nan("") : std::strtod(cell.c_str(), &end);
-  if (cell.empty() || (end == cell.c_str() + cell.size() && std::isfinite(value))) return value;
-  throw Error(Error::Kind::File, "stations", path, cell, "a number");
-}
-
 /// azimuth_deg and z of the stations whose z is known.
 LinePoints readStations(const std::string& path) {
-  std::ifstream in(path);
-  std::string row;
-  if (!std::getline(in, row)) throw Error(Error::Kind::File, "stations", path, "not read", "a stations.csv");
-  const std::vector<std::string> names = cellsOf(row);
-  const auto azimuth = static_cast<std::size_t>(std::find(names.begin(), names.end(), "azimuth_deg") - names.begin());
-  const auto z = static_cast<std::size_t>(std::find(names.begin(), names.end(), "z") - names.begin());
-  if (std::max(azimuth, z) >= names.size()) {
-    throw Error(Error::Kind::File, "stations", "header of " + path, row.substr(0, 60), "columns azimuth_deg and z");
-  }
+  const CsvTable table(path, "stations");
   LinePoints stations;
-  while (std::getline(in, row)) {
-    const std::vector<std::string> cells = cellsOf(row);
-    if (std::max(azimuth, z) >= cells.size()) throw Error(Error::Kind::File, "stations", path, row, "a whole row");
-    const double known = numberOf(cells[z], path);
-    if (std::isfinite(known)) stations.emplace_back(numberOf(cells[azimuth], path), known);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double z = table.number(row, "z");
+    if (std::isfinite(z)) stations.emplace_back(table.number(row, "azimuth_deg"), z);
   }
   return stations;
 }
@@ -120,11 +95,6 @@ int main(int argc, char** argv) {
   using namespace tank_datum;
   CurvesCommand command;
   int status = kUsable;
-  if (!parseCommandLine(argc, argv, command, status)) return status;
-  try {
-    return run(command);
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_curves: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  }
+  return runMain("tank_datum_curves",
+                 [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; });
 }

@@ -3,9 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "core/length_units.h"
 #include "exit_status.h"
+#include "parsed.h"
+#include "results/output_file.h"
+#include "results/output_guard.h"
+#include "results/result_folder.h"
+#include "run_main.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 #include "view/display.h"
@@ -13,6 +19,8 @@
 
 namespace tank_datum::view {
 namespace {
+
+constexpr const char* kProgram = "tank_datum_view";
 
 const std::map<std::string, Colour> kColours = {
     {"height", Colour::Height}, {"radial", Colour::Radial}, {"distance", Colour::Distance}};
@@ -64,9 +72,22 @@ void requireValid(const ViewCommand& command) {
   }
 }
 
+/// Refuses a picture in the place of what is shown.
+void requireScansUntouched(const ViewCommand& command) {
+  std::vector<NamedPath> inputs = inputsOf("result or scan", command.path);
+  for (const std::string& scan : command.scans) inputs.push_back({"scan", scan});
+  requireApart(inputs, {{"--screenshot", command.screenshot}});
+}
+
 int run(const ViewCommand& command) {
   requireValid(command);
+  requireScansUntouched(command);
   const bool folder = std::filesystem::is_directory(command.path);
+  if (folder) settleToRead(command.path, kProgram);
+  std::optional<OutputFile> picture;
+  if (!command.screenshot.empty()) {
+    picture.emplace(command.screenshot, isFileWith("\x89PNG", kPictureMark), kProgram);
+  }
   const ViewedResult result =
       folder ? readResult(command.path, command.scans) : extractResult(command.path, kUnits.at(command.units));
   if (!result.usable) {
@@ -86,7 +107,8 @@ int run(const ViewCommand& command) {
   if (command.screenshot.empty()) {
     window.run();
   } else {
-    window.screenshot(command.screenshot);
+    window.screenshot(picture->place());
+    picture->commit();
   }
   return kUsable;
 }
@@ -97,21 +119,14 @@ int run(const ViewCommand& command) {
 int main(int argc, char** argv) {
   using namespace tank_datum;
   vtkObject::GlobalWarningDisplayOff();  // reasons are one line, and ours
-  CLI::App app("A tank's scan and its datum, to look at.", "tank_datum_view");
-  app.option_defaults()->always_capture_default();
-  view::ViewCommand command;
-  view::addOptions(app, command);
-  try {
-    app.parse(argc, argv);
+  return runMain("tank_datum_view", [&]() -> int {
+    CLI::App app("A tank's scan and its datum, to look at.", "tank_datum_view");
+    app.option_defaults()->always_capture_default();
+    view::ViewCommand command;
+    view::addOptions(app, command);
+    int status = kUsable;
+    if (!parsed(app, argc, argv, status)) return status;
     command.scene.colour = view::kColours.at(command.colour);
     return view::run(command);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_view: command line: " << error.what() << ", expected what --help lists\n";
-    return kWrongUse;
-  } catch (const Error& error) {
-    std::cerr << "tank_datum_view: " << error.what() << "\n";
-    return error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed;
-  }
+  });
 }

@@ -7,14 +7,19 @@ are written); 2 wrong use; 3 a file could not be read or written.
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 from pathlib import Path
 
 import plot_figures
 from plot_report import write_report
 from plot_result import PlotError, Result, read_cloud, read_result
+from result_folder import OutputIsInputError, ResultFolder, require_apart
+from result_journal import ResultError, settle_to_read
 
 FORMATS = ("pdf", "svg", "png")
+PICTURES = ("cloud", "datum_points", "residuals", "elevation")
+RESULTS = ("datum.json", "stations.csv", "datum_points.pcd")
 METADATA = {"pdf": {"CreationDate": None}, "svg": {"Date": None}, "png": {}}
 
 
@@ -57,18 +62,37 @@ def figures_of(result: Result, folder: Path, scans: list[Path]) -> dict[str, plo
     return pictures
 
 
+def require_untouched(args: argparse.Namespace, output: Path) -> None:
+    """Refuses pictures in the place of what they are made of."""
+    written = [output / f"{name}.{kind}" for name in PICTURES for kind in args.formats]
+    read = [args.folder / name for name in RESULTS]
+    require_apart([*args.scan, *read], [output, output / "report.pdf", *written])
+
+
+def draw(args: argparse.Namespace, output: Path) -> Result:
+    """Reads the result, and writes all pictures or none."""
+    settle_to_read(args.folder, "plot.py")
+    result = read_result(args.folder)
+    pictures = figures_of(result, args.folder, args.scan)
+    with ResultFolder(output, "plot.py") as new:
+        for name, figure in pictures.items():
+            for kind in args.formats:
+                figure.savefig(new / f"{name}.{kind}", metadata=METADATA[kind])
+        write_report(new / "report.pdf", result, list(pictures.values()))
+    return result
+
+
 def main() -> int:
     args = arguments()
     output = args.output or args.folder
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
     try:
-        result = read_result(args.folder)
-        pictures = figures_of(result, args.folder, args.scan)
-        output.mkdir(parents=True, exist_ok=True)
-        for name, figure in pictures.items():
-            for kind in args.formats:
-                figure.savefig(output / f"{name}.{kind}", metadata=METADATA[kind])
-        write_report(output / "report.pdf", result, list(pictures.values()))
-    except PlotError as error:
+        require_untouched(args, output)
+        result = draw(args, output)
+    except OutputIsInputError as error:
+        say(str(error))
+        return 2
+    except (PlotError, ResultError) as error:
         say(str(error))
         return 3
     except OSError as error:

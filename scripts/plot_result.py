@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-METRES = {"m": 1.0, "mm": 0.001, "ft": 0.3048}
+METRES = {"m": 1.0, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
+SCHEMA = 1  # of datum.json: what this version knows
+TEXT_COLUMNS = {"flag", "reason"}  # of stations.csv
 CLOUD_POINTS = 200_000
 """the most points of a scan that are drawn"""
 
@@ -76,11 +78,14 @@ def read_result(folder: Path) -> Result:
     except (json.JSONDecodeError, KeyError, TypeError):
         what = "not as tank_datum writes it"
         raise PlotError(f"{folder}/datum.json, {what}, expected its JSON") from None
+    if datum.get("schema", 0) > SCHEMA:
+        schema = datum["schema"]
+        raise PlotError(f"{folder}/datum.json, schema {schema}, expected {SCHEMA} or older")
     if not usable:
         return Result(datum, {}, [], np.empty((0, 3)))
     rows = list(csv.DictReader(_text(folder / "stations.csv").splitlines()))
     try:
-        names = [name for name in rows[0] if name != "flag"]
+        names = [name for name in rows[0] if name not in TEXT_COLUMNS]
         columns = {name: np.array([float(row[name] or "nan") for row in rows]) for name in names}
         flags = [row["flag"] for row in rows]
     except (IndexError, KeyError, TypeError, ValueError):

@@ -2,7 +2,8 @@
 
     python scripts/qa.py CASES.toml [--update] [--junit FILE] [--jobs N] [--command PATH]
 
-CASES.toml lists cases; paths in it are relative to it, and runs start in its folder:
+CASES.toml lists cases; paths in it are relative to it, and runs start in its folder. Fixtures and
+files stay below it, and `options` name no outputs:
 
     [tolerance]                     # of every case; absolute, in the value's unit
     "*sigma*" = 1e-6
@@ -20,14 +21,17 @@ CASES.toml lists cases; paths in it are relative to it, and runs start in its fo
 
 Prints what moved and by how much. Exit status: 0 all within tolerance; 1 a case failed; 2 wrong
 use, or a file that cannot be written.
-With --update the fixtures are rewritten after the differences have been shown.
+With --update the fixtures are rewritten after the differences have been shown; what stands there
+that tank_datum did not write is kept under another name.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -38,6 +42,8 @@ from pathlib import Path
 
 from qa_cases import Case, CasesError, read_cases
 from qa_compare import Change, compare
+from result_folder import OutputIsInputError, ResultFolder, require_apart
+from result_journal import ResultError, settle_to_read
 
 ROOT = Path(__file__).resolve().parents[1]
 PASSED, FAILED, WRONG_USE = 0, 1, 2
@@ -68,7 +74,7 @@ def run_case(case: Case, command: str, folder: Path, *, update: bool) -> Outcome
     outcome, results = Outcome(case), folder / "results"
     call = [command, *case.inputs, *case.options, "--quiet", "-o", str(results)]
     try:
-        run = subprocess.run(call, cwd=case.fixture.parent, capture_output=True, text=True)
+        run = subprocess.run(call, cwd=case.root, capture_output=True, text=True)
     except OSError as error:
         outcome.error = f"{command}: {error.strerror}"
         return outcome
@@ -76,23 +82,35 @@ def run_case(case: Case, command: str, folder: Path, *, update: bool) -> Outcome
         said = run.stderr.strip() or "nothing on stderr"
         outcome.error = f"exit status {run.returncode}, expected {case.status}: {said}"
         return outcome
-    outcome.changes = compare(case, results)
-    if update and outcome.changes:
-        outcome.updated = rewrite(case, results)
+    try:
+        settle_to_read(case.fixture, "qa")
+        outcome.changes = compare(case, results)
+        if update and outcome.changes:
+            outcome.updated = rewrite(case, results)
+    except ResultError as error:
+        outcome.error = str(error)
+    except OSError as error:
+        outcome.error = f"{error.filename}: {error.strerror}"
     return outcome
 
 
 def rewrite(case: Case, results: Path) -> list[str]:
-    """Puts the results in the fixture's place, each file whole or not at all."""
-    case.fixture.mkdir(parents=True, exist_ok=True)
-    written = []
-    for file in case.files:
-        if (results / file).exists():
-            part = case.fixture / f"{file}.part"
-            shutil.copyfile(results / file, part)
-            part.replace(case.fixture / file)
-            written.append(file)
+    """Puts the results in the fixture's place, all or none; others' files keep another name."""
+    written = [file for file in case.files if (results / file).exists()]
+    ours = is_result(case.fixture)
+    with ResultFolder(case.fixture, "qa", own=lambda _: ours) as new:
+        for file in written:
+            shutil.copyfile(results / file, new / file)
     return written
+
+
+def is_result(folder: Path) -> bool:
+    """Whether a folder's datum.json is one of tank_datum."""
+    try:
+        table = json.loads((folder / "datum.json").read_bytes())
+    except (OSError, ValueError):
+        return False
+    return isinstance(table, dict) and {"schema", "version", "input", "status"} <= table.keys()
 
 
 def print_table(outcomes: list[Outcome]) -> None:
@@ -122,7 +140,13 @@ def write_junit(path: Path, outcomes: list[Outcome]) -> None:
             bad = [" ".join(filter(None, c.row())) for c in outcome.changes if c.failed]
             failure = ElementTree.SubElement(case, "failure", message=outcome.error or bad[0])
             failure.text = "\n".join(bad) or outcome.error
-    ElementTree.ElementTree(suite).write(path, encoding="utf-8", xml_declaration=True)
+    with ResultFolder(path.parent, "qa", own=is_junit) as new:
+        tree = ElementTree.ElementTree(suite)
+        tree.write(new / path.name, encoding="utf-8", xml_declaration=True)
+
+
+def is_junit(path: Path) -> bool:
+    return b'<testsuite name="tank_datum qa"' in path.read_bytes()[:200]
 
 
 def parsed(arguments: list[str]) -> argparse.Namespace:
@@ -140,11 +164,20 @@ def parsed(arguments: list[str]) -> argparse.Namespace:
     return options
 
 
+def files_of(path: Path, cases: list[Case]) -> list[Path]:
+    """What a run reads."""
+    inputs = [case.root / scan for case in cases for scan in case.inputs]
+    return [path, *inputs, *(case.fixture / file for case in cases for file in case.files)]
+
+
 def main(arguments: list[str]) -> int:
     options = parsed(arguments)
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
     try:
         cases = read_cases(options.cases)
-    except CasesError as error:
+        if options.junit:
+            require_apart(files_of(options.cases, cases), [options.junit])
+    except (CasesError, OutputIsInputError) as error:
         print(f"qa: cases: {error}", file=sys.stderr)
         return WRONG_USE
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(options.jobs) as pool:
@@ -161,6 +194,9 @@ def main(arguments: list[str]) -> int:
     if options.junit:
         try:
             write_junit(options.junit, outcomes)
+        except ResultError as error:
+            print(f"qa: junit: {error}", file=sys.stderr)
+            return WRONG_USE
         except OSError as error:
             print(
                 f"qa: junit: {options.junit}, {error.strerror}, expected a writable file",

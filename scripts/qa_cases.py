@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
@@ -10,6 +11,8 @@ from typing import Any
 
 FILES = ("datum.json", "stations.csv")
 IGNORE = "ignore"
+OUTPUTS = re.compile(r"-o|--output\b|--timings\b")
+"""the options of tank_datum after which it writes somewhere else"""
 
 
 class CasesError(Exception):
@@ -42,6 +45,8 @@ class Case:
     name: str
     inputs: tuple[str, ...]
     fixture: Path
+    root: Path
+    """of the cases file, in which runs start"""
     options: tuple[str, ...] = ()
     status: int = 0
     files: tuple[str, ...] = FILES
@@ -62,6 +67,11 @@ def _rules(where: str, table: Any) -> tuple[tuple[str, float | None], ...]:
             raise _refuse(f"{where}.{pattern}", value, f'a number >= 0 or "{IGNORE}"')
         rules.append((pattern, None if value == IGNORE else float(value)))
     return tuple(rules)
+
+
+def _is_below(root: Path, path: Path) -> bool:
+    """Also when links are followed; the folder itself is not."""
+    return root.resolve() in path.resolve().parents
 
 
 def _texts(where: str, value: Any, least: int) -> tuple[str, ...]:
@@ -86,16 +96,25 @@ def _case(where: str, table: Any, root: Path, common: tuple[tuple[str, float | N
     if status not in (0, 1):
         raise _refuse(f"{name}.status", status, "0 or 1: other runs leave no results")
     fixture = table.get("fixture", name)
-    if not isinstance(fixture, str):
-        raise _refuse(f"{name}.fixture", fixture, "the name of a folder")
+    if not (isinstance(fixture, str) and _is_below(root, root / fixture)):
+        raise _refuse(f"{name}.fixture", fixture, "the name of a folder below the cases file's")
+    files = _texts(f"{name}.files", table.get("files", list(FILES)), 1)
+    for file in files:
+        if Path(file).name != file:
+            raise _refuse(f"{name}.files", file, "names of files in the fixture")
+    options = _texts(f"{name}.options", table.get("options", []), 0)
+    for option in options:
+        if OUTPUTS.match(option):
+            raise _refuse(f"{name}.options", option, "no option that names an output")
     own = _rules(f"{name}.tolerance", table.get("tolerance", {}))
     return Case(
         name=name,
         inputs=_texts(f"{name}.inputs", table.get("inputs"), 1),
         fixture=root / fixture,
-        options=_texts(f"{name}.options", table.get("options", []), 0),
+        root=root,
+        options=options,
         status=status,
-        files=_texts(f"{name}.files", table.get("files", list(FILES)), 1),
+        files=files,
         tolerances=Tolerances(own + common),
     )
 

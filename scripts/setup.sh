@@ -18,13 +18,13 @@ apt_install() {
   "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build TARGET...: configures once, then builds what changed.
+# build TARGET...: configures once, with the options in TANK_DATUM_CMAKE_OPTIONS, then builds what changed.
 build() {
   apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
     libgtest-dev python3 libvtk9-dev libx11-dev node-d3
   if [ ! -f "$root/build/build.ninja" ]; then
     say "configuring build/"
-    cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >&2
+    cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release ${TANK_DATUM_CMAKE_OPTIONS:-} >&2
   fi
   say "building ${*}"
   cmake --build "$root/build" --target "$@" >&2

@@ -1,12 +1,14 @@
 #include "tank_datum/datum.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "core/refusal.h"
 #include "datum_stages.h"
+#include "locate/foot_unit.h"
+#include "refusals.h"
 #include "setups/agreement.h"
 #include "setups/setup_report.h"
 #include "setups/setup_shares.h"
@@ -14,6 +16,8 @@
 #include "shell/shell_survey_impl.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/parallel.h"
+#include "trust/tests_of_tank.h"
+#include "unit_scale.h"
 
 namespace tank_datum {
 namespace {
@@ -52,19 +56,16 @@ Datum withoutTank(const Scan& scan, const DatumOptions& options) {
   if (finite < static_cast<std::uint64_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
   }
-  std::ostringstream message;
-  if (options.tank) {
-    message << "the scan shows no shell on the given circle, of radius " << options.tank->radius << " m";
-    return stopped(datum, Status::NoTank, message.str());
-  }
-  message << "no vertical cylinder with a radius of " << options.locate.min_radius << " m or more stands in the scan";
-  return stopped(datum, Status::NoTank, message.str());
+  return stopped(datum, Status::NoTank, whyNoTank(scan, options));
 }
 
 void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
   datum.refined = refineStations(datum.stations, ring, datum.tank, options.refine, options.stations);
   datum.circle = datum.refined.circle;
-  if (!datum.refined.valid()) return;
+}
+
+/// What the stations share through the setups that see them.
+void shareErrors(Datum& datum, const Ring& ring) {
   const FootProfile& profile = datum.refined.profile;
   const FoundationBand band{profile.band_from, profile.band_to, profile.slope, profile.noise};
   const SetupShares shares = setupShares(ring, datum.tank, datum.stations, datum.circle.center, band);
@@ -84,6 +85,32 @@ void blankMissing(Datum& datum) {
   }
 }
 
+/// The stages at the foot, from the ring of the tank to its stations.
+void measureFoot(Datum& datum, const Ring& ring, const DatumOptions& options,
+                 const std::function<void(const char*)>& begin, const NormalStage& normal_stage) {
+  const Tank in_metres = datum.tank;
+  const double unit = footUnit(in_metres.circle.radius, in_metres.resolution);
+  if (unit != 1.0) datum.tank = inUnits(in_metres, unit);
+  begin("normals");
+  const Normals normals = normal_stage ? normal_stage(ring.search, options.normals, options.threads)
+                                       : estimateNormals(ring.search, options.normals, options.threads);
+  begin("region_growing");
+  const auto candidates = growCandidates(normals, options.growing, options.threads);
+  begin("centre_filter");
+  const EdgePoints edge = filterByCentre(ring.search, candidates, datum.tank.circle, options.centre_filter);
+  for (const auto i : edge.indices) datum.edge_points.push_back(ring.search[static_cast<std::size_t>(i)]);
+  begin("spline");
+  datum.curve = fitClosedSpline(datum.edge_points, edge.azimuths, options.spline);
+  datum.stations = emptyStations(options.stations);
+  if (datum.curve.valid()) samplePaperCurve(datum.stations, datum.curve, edge, options.stations);
+  datum.circle = edge.circle;
+  begin("refine");
+  if (options.method == Method::Refined) refine(datum, ring, options);
+  begin("deformation");
+  datum.tank = in_metres;
+  if (unit != 1.0) putInMetres(datum, unit);
+}
+
 /// Whether a circle has left the tank's by more than the ring in which the points were looked for.
 bool isElsewhere(const Circle& circle, const Tank& tank, double reach) {
   return (circle.center - tank.circle.center).norm() + std::abs(circle.radius - tank.circle.radius) >
@@ -93,21 +120,38 @@ bool isElsewhere(const Circle& circle, const Tank& tank, double reach) {
 /// What the stations' elevations mean, and whether there are any.
 Datum described(Datum datum, const DatumOptions& options) {
   const bool refined = options.method == Method::Refined;
+  const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin) + ": ";
   if (!refined && !datum.curve.valid()) {
     return stopped(datum, Status::FitFailed, "too few edge points for a closed curve");
   }
   if (!refined && isElsewhere(datum.circle, datum.tank, options.crop.reach)) {
-    return stopped(datum, Status::NoCrease, "the edge points do not lie along the foot of the shell");
+    return stopped(datum, Status::NoCrease, candidate + "the edge points do not lie along the foot of the shell");
   }
   if (refined && !datum.refined.valid()) {
-    return stopped(datum, Status::NoCrease, "no foundation surface meets the shell along enough of its foot");
+    return stopped(datum, Status::NoCrease,
+                   candidate + "no foundation surface meets the shell along enough of its foot");
   }
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {
-    return stopped(datum, Status::NoCrease, "the shell meets one and the same surface at fewer than 8 stations");
+    return stopped(datum, Status::NoCrease,
+                   candidate + "the shell meets one and the same surface at fewer than 8 stations");
   }
   blankMissing(datum);
   return meant(std::move(datum), options);
+}
+
+/// A datum whose shell, or whose stations, fail a test of whether this is a tank: refused, or doubtful.
+Datum judged(Datum datum, const DatumOptions& options) {
+  const TestOutcome worst = worstOf(datum.tests);
+  if (worst == TestOutcome::Pass) return datum;
+  const std::string findings = findingsOf(datum.tests);
+  const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin);
+  if (worst == TestOutcome::Fail) return stopped(datum, Status::NoTank, candidate + ", rejected: " + findings);
+  const std::string before = datum.message.empty() ? "" : "; " + datum.message;
+  datum.message =
+      (options.accept ? "accepted, though " : candidate + ", doubtful (--accept takes it): ") + findings + before;
+  if (!options.accept) datum.status = Status::Doubtful;
+  return datum;
 }
 
 }  // namespace
@@ -115,13 +159,15 @@ Datum described(Datum datum, const DatumOptions& options) {
 void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
 
 Datum meant(Datum datum, const DatumOptions& options) {
-  datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations);
+  datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations, datum.covariance);
   datum.antipodal = antipodalOf(datum.stations);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
                     " stations are missing: the datum is not seen there";
   }
+  const std::string units = doubtfulUnits(datum.circle.radius);
+  if (!units.empty()) datum.message += (datum.message.empty() ? "" : "; ") + units;
   const std::string setups = setupMessage(datum.agreement, datum.stations);
   if (!setups.empty()) datum.message += (datum.message.empty() ? "" : "; ") + setups;
   warnOfSteps(datum);
@@ -161,6 +207,8 @@ const char* nameOf(Status status) {
       return "too_few_points";
     case Status::FitFailed:
       return "fit_failed";
+    case Status::Doubtful:
+      return "doubtful";
   }
   return "";
 }
@@ -176,9 +224,20 @@ std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const
   return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
 }
 
+Scan levelled(const Scan& scan, const Datum& datum) {
+  const Eigen::Vector2d& center = datum.tank.circle.center;
+  const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(datum.lean.axis(), Eigen::Vector3d::UnitZ());
+  return scan.turnedAbout(foot + datum.origin, turn.toRotationMatrix());
+}
+
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer,
                    const NormalStage& normal_stage) {
-  return extractDatumAmong(findTanks(scan, options, observer), scan, options, observer, normal_stage);
+  Datum datum = extractDatumAmong(findTanks(scan, options, observer), scan, options, observer, normal_stage);
+  if (!options.level || !datum.lean.known()) return datum;
+  DatumOptions upright = options;
+  upright.level = false;
+  return extractDatum(levelled(scan, datum), upright, observer, normal_stage);
 }
 
 std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
@@ -204,17 +263,22 @@ std::vector<Datum> extractDatumsOf(const std::vector<Tank>& tanks, const Scan& s
   return datums;
 }
 
-Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options, const StageObserver& observer,
+Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& given, const StageObserver& observer,
                      const NormalStage& normal_stage) {
-  requireValid(options);
+  requireValid(given);
+  const double unit = footUnit(tank.circle.radius, tank.resolution);
+  const DatumOptions options = inUnits(given, unit);
   const ThreadScope threads(options.threads);
   const auto begin = [&](const char* stage) {
     if (observer) observer(stage);
   };
   Datum datum = begun(scan);
   datum.tank = tank;
-  if (!tank.has_foundation) return stopped(datum, Status::NoCrease, "no surface meets the foot of the shell");
-
+  const std::string candidate = candidateText(tank.circle, tank.coverage, datum.origin) + ": ";
+  if (!tank.has_foundation) {
+    return stopped(datum, Status::NoCrease,
+                   candidate + "no surface meets the foot of the shell" + otherAxis(scan, options));
+  }
   begin("crop");
   ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
   const AlsoGathered shell{
@@ -230,29 +294,26 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& opt
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return stopped(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }
-  begin("normals");
-  const Normals normals = normal_stage ? normal_stage(ring.search, options.normals, options.threads)
-                                       : estimateNormals(ring.search, options.normals, options.threads);
-  begin("region_growing");
-  const auto candidates = growCandidates(normals, options.growing, options.threads);
-  begin("centre_filter");
-  const EdgePoints edge = filterByCentre(ring.search, candidates, tank.circle, options.centre_filter);
-  for (const auto i : edge.indices) datum.edge_points.push_back(ring.search[static_cast<std::size_t>(i)]);
-  begin("spline");
-  datum.curve = fitClosedSpline(datum.edge_points, edge.azimuths, options.spline);
-  datum.stations = emptyStations(options.stations);
-  if (datum.curve.valid()) samplePaperCurve(datum.stations, datum.curve, edge, options.stations);
-  datum.circle = edge.circle;
-  begin("refine");
-  if (options.method == Method::Refined) refine(datum, ring, options);
-  begin("deformation");
+  const ShellEvidence evidence = lookAtShell(ring, tank);
+  datum.lean = evidence.lean;
+  datum.tests = testsOfShell(tank, evidence);
+  if (worstOf(datum.tests) == TestOutcome::Fail) return judged(std::move(datum), options);
+  measureFoot(datum, unit == 1.0 ? ring : inUnits(ring, unit), options, begin, normal_stage);
+  if (datum.refined.valid()) {
+    dropOffCircle(datum.stations, datum.circle, evidence);
+    shareErrors(datum, ring);
+  }
   datum = described(std::move(datum), options);
   if (!datum.usable()) return datum;
+  const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
+  datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());
+  datum = judged(std::move(datum), options);
+  if (!datum.hasStations()) return datum;
   begin("shell");
   datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
   begin("checks");
   datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis,
-                           shellMeasures(datum.shell, options.analysis.facts));
+                           shellMeasures(datum.shell, options.analysis.facts), datum.covariance);
   return datum;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tank_datum/core/error.h"
+#include "tank_datum/report/report.h"
 
 namespace tank_datum {
 namespace {

@@ -5,11 +5,14 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <random>
 
 #include "core/units.h"
 #include "io/input_file.h"
 #include "io/pcd_writer.h"
+#include "results/staging.h"
+#include "results/stop_signals.h"
 
 namespace tank_datum::bench {
 namespace {
@@ -71,14 +74,20 @@ void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points,
 
 GrowthRun runOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const DatumOptions& options,
                     bool checksums, const std::string& folder) {
-  const std::string path = (std::filesystem::path(folder) / ("bench_" + std::to_string(points) + ".pcd")).string();
+  results::removeStale(folder);
+  // a folder of its own: what stands in the one named is somebody else's
+  auto staging = std::make_unique<results::Staging>(folder);
+  auto on_stop = std::make_unique<results::OnStop>([&staging] { staging->remove(); });
+  const std::string path = staging->newFiles() + "/scan.pcd";
   writeScanOfSize(source, tank, points, path);
   GrowthRun run;
   run.bytes = std::filesystem::file_size(path);
   secondsToRead(path);  // into the page cache, as far as it goes
   run.read_seconds = secondsToRead(path);
   run.chain = runCommand({path}, options, checksums, run.datum);
-  std::filesystem::remove(path);
+  const results::NoStop hold;
+  on_stop.reset();
+  staging.reset();
   return run;
 }
 

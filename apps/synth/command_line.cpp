@@ -1,11 +1,13 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "results/output_guard.h"
 #include "scene_file.h"
 #include "tank_datum/core/error.h"
 
@@ -173,6 +175,19 @@ Json overlaid(Json scene, const CLI::App& app, const Given& given) {
   return scene;
 }
 
+/// The files that the command writes; of those of --stations-split the ones that are there.
+std::vector<NamedPath> outputsOf(const Command& command) {
+  std::vector<NamedPath> all = {{"--output", command.output}, {"--truth", command.truth}};
+  const std::filesystem::path whole(command.output), folder = whole.has_parent_path() ? whole.parent_path() : ".";
+  std::error_code unknown;
+  for (std::filesystem::directory_iterator at(folder, unknown), end; !unknown && at != end; at.increment(unknown)) {
+    if (command.split && at->path().filename().string().rfind(whole.stem().string() + "_", 0) == 0) {
+      all.push_back({"--output", at->path().string()});
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
@@ -189,12 +204,14 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
     status = 2;
     return false;
   }
-  const Json file = given.scene_file.empty() ? Json::object() : readJson(given.scene_file);
-  command.scene = sceneFromJson(overlaid(file, app, given));
   if (command.truth.empty()) {
     const bool named = command.output.size() > 4 && command.output.substr(command.output.size() - 4) == ".pcd";
     command.truth = (named ? command.output.substr(0, command.output.size() - 4) : command.output) + ".truth.json";
   }
+  requireApart({{"scene file", given.scene_file}}, outputsOf(command));
+  requireApart({{"scan", command.output}}, {{"--truth", command.truth}});
+  const Json file = given.scene_file.empty() ? Json::object() : readJson(given.scene_file);
+  command.scene = sceneFromJson(overlaid(file, app, given));
   return true;
 }
 

@@ -10,91 +10,6 @@ namespace {
 
 constexpr double kTouch = 1e-9;  ///< patches that meet overlap by this [m]
 
-}  // namespace
-
-FoundationShape::FoundationShape(const TankShape& tank, double depth, std::uint64_t seed)
-    : tank_(tank),
-      noise_(mixed({seed, 201}), tank.options().foundation.roughness, tank.options().foundation.roughness_length) {
-  addProfile(depth);
-  addHeaps(seed);
-  addRings();
-}
-
-void FoundationShape::band(Surface surface, double d0, double h0, double d1, double h1, bool d0_lip, bool d1_lip) {
-  patches_.push_back({surface, false, d0, d1, d0_lip, d1_lip, h0, (h0 - h1) / (d1 - d0), 0.0, 1.0, true});
-  width_ = std::max(width_, d1);
-}
-
-void FoundationShape::riser(Surface surface, double d, double top, double bottom, double facing, bool lip) {
-  patches_.push_back({surface, true, d, d, lip, lip, top, 0.0, bottom, facing, true});
-}
-
-void FoundationShape::addProfile(double depth) {
-  const Foundation& f = tank_.options().foundation;
-  const double plate = -f.plate_thickness;
-  if (f.kind == "pad") {
-    const double edge = -f.pad_fall * f.pad_width;
-    band(Surface::Pad, 0.0, 0.0, f.pad_width, edge);
-    band(Surface::Shoulder, f.pad_width, edge, f.pad_width + (depth + edge) / f.shoulder_fall, -depth);
-    mask_width_ = f.pad_width;
-  } else if (f.kind == "annular_plate") {
-    band(Surface::AnnularPlate, 0.0, 0.0, f.plate_width, 0.0, false, true);
-    riser(Surface::AnnularPlate, f.plate_width, 0.0, plate, 1.0, true);
-    band(Surface::Ringwall, f.plate_width, plate, f.ringwall_width, plate, true, false);
-    riser(Surface::Ringwall, f.ringwall_width, plate, -depth, 1.0);
-    mask_width_ = f.ringwall_width;
-  } else {
-    band(Surface::AnnularPlate, 0.0, 0.0, f.plate_width, 0.0, false, true);
-    riser(Surface::AnnularPlate, f.plate_width, 0.0, plate, 1.0, true);
-    band(Surface::Slab, f.plate_width, plate, f.crown_inner, plate, true, false);
-    riser(Surface::Crown, f.crown_inner, f.crown_height, plate, -1.0);
-    band(Surface::Crown, f.crown_inner, f.crown_height, f.crown_outer, f.crown_height);
-    riser(Surface::Crown, f.crown_outer, f.crown_height, -f.slab_drop, 1.0);
-    band(Surface::Slab, f.crown_outer, -f.slab_drop, f.slab_width, -f.slab_drop);
-    riser(Surface::Slab, f.slab_width, -f.slab_drop, -depth, 1.0);
-    mask_width_ = f.slab_width;
-  }
-  if (f.weld == 0.0) return;
-  band(Surface::Weld, 0.0, f.weld, f.weld + noise_.bound(), -noise_.bound());
-  patches_.back().rough = false;
-}
-
-void FoundationShape::addRings() {
-  for (const Ring& ring : tank_.options().rings) {
-    const double top = ring.height + ring.thickness / 2.0, bottom = ring.height - ring.thickness / 2.0;
-    band(Surface::Ring, -2.0 * tank_.deviation(), top, ring.width, top);
-    patches_.back().rough = false;
-    band(Surface::Ring, -2.0 * tank_.deviation(), bottom, ring.width, bottom);
-    patches_.back().rough = false;
-    patches_.back().facing = -1.0;
-    riser(Surface::Ring, ring.width, top, bottom, 1.0);
-    patches_.back().rough = false;
-  }
-}
-
-void FoundationShape::addHeaps(std::uint64_t seed) {
-  std::uint64_t number = 0;
-  for (const Soil& soil : tank_.options().soil) {
-    Heap heap{soil, 0.0, ValueNoise(mixed({seed, 202, number++}), soil.roughness, soil.roughness_length)};
-    for (int i = 0; i <= 1000; ++i) heap.base = std::min(heap.base, profile(soil.reach * i / 1000.0, 0.0));
-    heap.base -= 0.01 + heap.noise.bound() + noise_.bound();
-    width_ = std::max(width_, soil.reach);
-    heaps_.push_back(heap);
-  }
-}
-
-double FoundationShape::profile(double d, double lip) const {
-  double highest = -kNever;
-  for (const Patch& p : patches_) {
-    if (p.riser || p.surface == Surface::Weld || p.surface == Surface::Ring) continue;
-    const bool here = d >= p.d0 + (p.d0_lip ? lip : 0.0) && d <= p.d1 + (p.d1_lip ? lip : 0.0);
-    if (here) highest = std::max(highest, p.height(d));
-  }
-  return std::isinf(highest) ? 0.0 : highest;
-}
-
-namespace {
-
 /// How full the heap is at an azimuth, 0 .. 1, and its derivative.
 Sample fullness(const Soil& soil, double radius, double azimuth) {
   const double from_middle = azimuthDifference(azimuth, soil.azimuth), scale = radius / soil.edge;
@@ -137,7 +52,8 @@ bool Span::clipRadius(double low, double high) {
 
 bool FoundationShape::clip(const Patch& patch, Span& span) const {
   const TankOptions& o = tank_.options();
-  const double margin = tank_.datumBound().deviation + 1e-6 + (patch.rough ? noise_.bound() : 0.0);
+  const double rough = patch.rough ? noise_.bound() : 0.0;
+  const double margin = tank_.datumBound().deviation + 1e-6 + rough + levelBound(patch);
   const double one = patch.h0, other = patch.riser ? patch.bottom : patch.height(patch.d1);
   const double low = o.base_elevation + std::min(one, other) - margin;
   const double slack = tank_.deviation() + tank_.lipBound() + 1e-6;
@@ -172,31 +88,63 @@ void FoundationShape::trace(const TankRay& local, int owner, Hit& hit) const {
   }
 }
 
+/// Where an edge that stands at d lies here, from the shell, and how that changes along the ray.
+Sample FoundationShape::edgeOf(Edge edge, double d, const TankPoint& p) const {
+  const Section& s = p.section;
+  if (edge == Edge::Lip) return {d + s.lip, s.lip_rate * p.azimuth_rate};
+  if (edge == Edge::Circle) return {d + tank_.options().radius - s.foot, -s.foot_rate * p.azimuth_rate};
+  return {d, 0.0};
+}
+
+/// What the height of a patch's level above the datum is at a distance d from the shell, and how it changes.
+Sample FoundationShape::levelOf(const Patch& patch, double d, double d_rate, const TankPoint& p) const {
+  const Section& s = p.section;
+  if (patch.level == Level::Plate) return {s.slope * d, s.slope * d_rate + s.slope_rate * p.azimuth_rate * d};
+  if (patch.level == Level::Sector) return {s.rise, s.rise_rate * p.azimuth_rate};
+  return {0.0, 0.0};
+}
+
+/// The most that level may be, either way [m].
+double FoundationShape::levelBound(const Patch& patch) const {
+  if (patch.level == Level::Plate) return tank_.slopeBound().deviation * (patch.d1 + tank_.lipBound());
+  return patch.level == Level::Sector ? tank_.riseBound() : 0.0;
+}
+
 double FoundationShape::crossBand(const Patch& patch, const Span& span) const {
   const auto gap = [&](double t) {
     const TankPoint p = tank_.at(span.ray, t);
     const double d = p.rho - p.section.foot, d_rate = p.rho_rate - p.section.foot_rate * p.azimuth_rate;
     const ValueNoise::Height rough = patch.rough ? noise_.at(p.position.x(), p.position.y()) : ValueNoise::Height{};
+    const Sample level = levelOf(patch, d, d_rate, p);
     const Eigen::Vector3d& v = span.ray.direction;
-    return Sample{patch.facing * (p.h - patch.height(d) - rough.value),
-                  patch.facing * (p.h_rate + patch.fall * d_rate - rough.dx * v.x() - rough.dy * v.y())};
+    return Sample{patch.facing * (p.h - patch.height(d) - level.gap - rough.value),
+                  patch.facing * (p.h_rate + patch.fall * d_rate - level.rate - rough.dx * v.x() - rough.dy * v.y())};
   };
   const auto within = [&](double t) {
     const TankPoint p = tank_.at(span.ray, t);
-    const double d = p.rho - p.section.foot, lip = p.section.lip;
-    return d >= patch.d0 + (patch.d0_lip ? lip : 0.0) - kTouch && d <= patch.d1 + (patch.d1_lip ? lip : 0.0) + kTouch;
+    const double d = p.rho - p.section.foot;
+    return d >= edgeOf(patch.at0, patch.d0, p).gap - kTouch && d <= edgeOf(patch.at1, patch.d1, p).gap + kTouch;
   };
+  const RayBends& bends = span.bends;
+  const double steepest = patch.level == Level::Plate ? tank_.slopeBound().deviation : 0.0;
+  const double widest = patch.d1 + 2.0 * (tank_.deviation() + tank_.lipBound());  // as far as a root is looked for
+  const double fastest = 1.0 + tank_.footSlope() * bends.azimuth_rate;
+  const double level_bend = patch.level == Level::Plate
+                                ? bends.slope * widest + 2.0 * tank_.slopeBound().slope * bends.azimuth_rate * fastest
+                            : patch.level == Level::Sector ? bends.rise
+                                                           : 0.0;
   const double rough_bend = patch.rough ? noise_.bend() * span.ray.a : 0.0;
-  const double bend = span.bends.datum + std::abs(patch.fall) * (span.bends.rho + span.bends.foot) + rough_bend;
+  const double bend =
+      bends.datum + (std::abs(patch.fall) + steepest) * (bends.rho + bends.foot) + level_bend + rough_bend;
   return firstAcceptedRoot(gap, bend, span.begin, span.end, within);
 }
 
 double FoundationShape::crossRiser(const Patch& patch, const Span& span) const {
   const auto gap = [&](double t) {
     const TankPoint p = tank_.at(span.ray, t);
-    const double lip = patch.d0_lip ? p.section.lip : 0.0, lip_rate = patch.d0_lip ? p.section.lip_rate : 0.0;
-    return Sample{patch.facing * (p.rho - p.section.foot - patch.d0 - lip),
-                  patch.facing * (p.rho_rate - (p.section.foot_rate + lip_rate) * p.azimuth_rate)};
+    const Sample edge = edgeOf(patch.at0, patch.d0, p);
+    return Sample{patch.facing * (p.rho - p.section.foot - edge.gap),
+                  patch.facing * (p.rho_rate - p.section.foot_rate * p.azimuth_rate - edge.rate)};
   };
   const double begin = patch.facing > 0.0 ? span.begin : std::max(span.begin, span.ray.closest());
   if (begin > span.end || gap(begin).gap <= 0.0) return kNever;
@@ -205,7 +153,8 @@ double FoundationShape::crossRiser(const Patch& patch, const Span& span) const {
   if (t > span.end) return kNever;
   const TankPoint p = tank_.at(span.ray, t);
   const double rough = patch.rough ? noise_.at(p.position.x(), p.position.y()).value : 0.0;
-  return p.h <= patch.h0 + rough + kTouch && p.h >= patch.bottom - noise_.bound() ? t : kNever;
+  const double top = patch.h0 + levelOf(patch, p.rho - p.section.foot, 0.0, p).gap;
+  return p.h <= top + rough + kTouch && p.h >= patch.bottom - noise_.bound() ? t : kNever;
 }
 
 double FoundationShape::crossHeap(const Heap& heap, const Span& span) const {
@@ -239,7 +188,8 @@ double FoundationShape::crossHeap(const Heap& heap, const Span& span) const {
 
 Eigen::Vector3d FoundationShape::normal(const Patch& patch, const TankPoint& p) const {
   const double cosine = p.position.x() / p.rho, sine = p.position.y() / p.rho;
-  const double out = patch.riser ? 1.0 : patch.fall, up = patch.riser ? 0.0 : 1.0;
+  const double slope = patch.level == Level::Plate ? p.section.slope : 0.0;
+  const double out = patch.riser ? 1.0 : patch.fall - slope, up = patch.riser ? 0.0 : 1.0;
   const double turn = -(up * p.section.datum_rate + out * p.section.foot_rate) / p.rho;
   return tank_.worldNormal({out * cosine - turn * sine, out * sine + turn * cosine, up});
 }

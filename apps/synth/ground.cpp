@@ -42,7 +42,8 @@ bool Ground::masked(const Tank& tank, const Eigen::Vector3d& world) const {
   const double reach = o.radius + tank.shape.deviation() + tank.foundation.maskWidth() + 2.0;
   if ((world.head<2>() - Eigen::Vector2d(o.x, o.y)).squaredNorm() > reach * reach) return false;
   const double width = options_.over_foundation ? 0.0 : tank.foundation.maskWidth();
-  return tank.fromDatum(world, false).x() < width;
+  if (!o.foundation.concentric) return tank.fromDatum(world, false).x() < width;
+  return tank.shape.toTank(world).head<2>().norm() < o.radius + width;
 }
 
 double Ground::leaveMask(const Tank& tank, const Ray& ray, double t) const {
@@ -51,6 +52,7 @@ double Ground::leaveMask(const Tank& tank, const Ray& ray, double t) const {
   const double width = options_.over_foundation ? 0.0 : tank.foundation.maskWidth();
   const auto gap = [&](double at) {
     const TankPoint p = shape.at(local, at);
+    if (shape.options().foundation.concentric) return Sample{shape.options().radius + width - p.rho, -p.rho_rate};
     return Sample{p.section.foot + width - p.rho, p.section.foot_rate * p.azimuth_rate - p.rho_rate};
   };
   const double least = std::max(0.1, std::sqrt(std::max(0.0, local.c - local.b * local.b / local.a)));

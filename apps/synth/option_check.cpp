@@ -106,6 +106,10 @@ void checkTank(Checker& check, const std::string& name, const TankOptions& tank)
     check.refuse(name + "foundation.slab_width", shown(f.slab_width), "> crown_outer");
   else if (f.kind == "pad" && f.pad_width <= f.weld)
     check.refuse(name + "foundation.pad_width", shown(f.pad_width), "> weld");
+  else if (f.kind == "pad" && f.concentric)
+    check.refuse(name + "foundation.concentric", "true", "false for a pad, which has no kerb");
+  else if (f.kind == "pad" && !f.sectors.empty())
+    check.refuse(name + "foundation.sectors", "given", "none for a pad, which the shell stands on");
   if (check.error.empty()) checkSoil(check, name, tank);
 }
 

@@ -66,6 +66,14 @@ void fields(Visitor& v, Soil& o) {
 }
 
 template <class Visitor>
+void fields(Visitor& v, Sector& o) {
+  v.angle("azimuth_deg", o.azimuth);
+  v.angle("width_deg", o.width, within(0.1, 360));
+  v.number("rise", o.rise);
+  v.number("edge", o.edge, atLeast(0.05));
+}
+
+template <class Visitor>
 void fields(Visitor& v, Foundation& o) {
   v.choice("kind", o.kind, {"pad", "annular_plate", "crown"});
   v.number("weld", o.weld, within(0, 0.05));
@@ -75,6 +83,8 @@ void fields(Visitor& v, Foundation& o) {
   v.number("plate_width", o.plate_width, above(0));
   v.number("plate_thickness", o.plate_thickness, above(0));
   v.number("plate_width_variation", o.plate_width_variation, atLeast(0));
+  v.number("plate_slope", o.plate_slope, within(-0.3, 0.3));
+  v.list("plate_slope_waves", o.plate_slope_waves);
   v.number("ringwall_width", o.ringwall_width, above(0));
   v.number("crown_inner", o.crown_inner, above(0));
   v.number("crown_outer", o.crown_outer, above(0));
@@ -83,6 +93,8 @@ void fields(Visitor& v, Foundation& o) {
   v.number("slab_width", o.slab_width, above(0));
   v.number("roughness", o.roughness, atLeast(0));
   v.number("roughness_length", o.roughness_length, atLeast(0.001));
+  v.flag("concentric", o.concentric);
+  v.list("sectors", o.sectors);
 }
 
 template <class Visitor>

@@ -63,24 +63,37 @@ struct Soil {
   double roughness_length = 0.030;  ///< correlation length [m]
 };
 
+/// A sector of the foundation round the plate that stands higher than the rest, fading to it at both ends.
+struct Sector {
+  double azimuth = 0.0;        ///< of the middle of the arc [rad]
+  double width = radians(60);  ///< of the arc [rad]
+  double rise = 0.005;         ///< of ringwall, crown and slab [m]; negative lowers
+  double edge = 0.30;          ///< length of its fading at both ends of the arc [m]; small = a step
+};
+
 /// What lies outside the shell foot; heights count from the datum, distances outwards from the shell.
 struct Foundation {
-  std::string kind = "pad";            ///< pad, annular_plate or crown
-  double weld = 0.0;                   ///< leg of the fillet weld [m]
-  double pad_width = 1.0;              ///< to the shoulder [m]
-  double pad_fall = 0.0;               ///< slope of the pad, falling outwards [1]
-  double shoulder_fall = 0.667;        ///< slope of the shoulder [1]
-  double plate_width = 0.065;          ///< lip of the annular plate [m]
-  double plate_thickness = 0.010;      ///< [m]
-  double plate_width_variation = 0.0;  ///< largest change of the lip along the shell [m]
-  double ringwall_width = 0.30;        ///< to the edge of the ringwall [m]
-  double crown_inner = 0.100;          ///< where the concrete crown begins [m]
-  double crown_outer = 0.180;          ///< and ends [m]
-  double crown_height = 0.015;         ///< of the crown above the datum [m]
-  double slab_drop = 0.035;            ///< of the slab outside the crown below the datum [m]
-  double slab_width = 1.5;             ///< to the edge of the slab [m]
-  double roughness = 0.0;              ///< rms [m], everything but the weld
-  double roughness_length = 0.020;     ///< correlation length [m]
+  std::string kind = "pad";                 ///< pad, annular_plate or crown
+  double weld = 0.0;                        ///< leg of the fillet weld [m]
+  double pad_width = 1.0;                   ///< to the shoulder [m]
+  double pad_fall = 0.0;                    ///< slope of the pad, falling outwards [1]
+  double shoulder_fall = 0.667;             ///< slope of the shoulder [1]
+  double plate_width = 0.065;               ///< lip of the annular plate [m]
+  double plate_thickness = 0.010;           ///< [m]
+  double plate_width_variation = 0.0;       ///< largest change of the lip along the shell [m]
+  double plate_slope = 0.0;                 ///< of the lip, rising outwards, mean [1]
+  std::vector<Harmonic> plate_slope_waves;  ///< of that slope round the tank, amplitudes [1]
+  double ringwall_width = 0.30;             ///< to the edge of the ringwall [m]
+  double crown_inner = 0.100;               ///< where the concrete crown begins [m]
+  double crown_outer = 0.180;               ///< and ends [m]
+  double crown_height = 0.015;              ///< of the crown above the datum [m]
+  double slab_drop = 0.035;                 ///< of the slab outside the crown below the datum [m]
+  double slab_width = 1.5;                  ///< to the edge of the slab [m]
+  double roughness = 0.0;                   ///< rms [m], everything but the weld
+  double roughness_length = 0.020;          ///< correlation length [m]
+  bool concentric = false;      ///< edges of ringwall, crown and slab follow the circle of the tank's radius,
+                                ///< distances count from there; else a shell out of round takes them along
+  std::vector<Sector> sectors;  ///< of ringwall, crown and slab
 };
 
 struct TankOptions {

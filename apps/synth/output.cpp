@@ -2,15 +2,18 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "io/pcd_writer.h"
+#include "results/output_file.h"
+#include "results/output_guard.h"
 #include "tank_datum/core/error.h"
 #include "truth.h"
 
 namespace tank_datum::synth {
 namespace {
+
+constexpr const char* kProgram = "tank_datum_synth";
 
 std::string fileOfStation(const Command& command, std::size_t station) {
   if (!command.split) return command.output;
@@ -19,13 +22,8 @@ std::string fileOfStation(const Command& command, std::size_t station) {
   return (whole.parent_path() / name).string();
 }
 
-std::unique_ptr<PcdWriter> open(const Command& command, std::size_t station, const std::array<double, 3>& viewpoint) {
-  const int size = command.doubles ? 8 : 4;
-  std::vector<PcdField> fields = {{"x", 'F', size}, {"y", 'F', size}, {"z", 'F', size}, {"intensity", 'F', 4}};
-  if (command.label_setups) fields.push_back({"setup", 'U', 2});
-  const auto format = command.ascii ? PcdWriter::Format::Ascii : PcdWriter::Format::Binary;
-  return std::make_unique<PcdWriter>(fileOfStation(command, station), fields, format, viewpoint);
-}
+/// The comment in a scan's head by which it is known again.
+const std::string kMark = std::string("made by ") + kProgram;
 
 /// Where the registration says that the scanner stood.
 std::array<double, 3> viewpointOf(const Scene& scene, const ScanStation& station) {
@@ -46,36 +44,46 @@ Rows labelled(const Rows& rows, std::size_t station) {
   return with;
 }
 
-void writeWhole(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".tmp";
-  std::ofstream file(temporary);
-  file << text;
-  file.close();
-  std::error_code failed;
-  if (file) std::filesystem::rename(temporary, path, failed);
-  if (file && !failed) return;
-  std::filesystem::remove(temporary, failed);
-  throw Error(Error::Kind::File, "truth", "truth file", path, "a place that can be written");
-}
+/// A scan being written beside its place.
+struct ScanFile {
+  ScanFile(const Command& command, const std::string& path, const std::array<double, 3>& viewpoint)
+      : file((requireReplaceable(path), path), isFileWith("# .PCD", "# " + kMark + "\n"), kProgram),
+        writer(file.place(), fieldsOf(command), command.ascii ? PcdWriter::Format::Ascii : PcdWriter::Format::Binary,
+               {kMark, viewpoint}) {}
+
+  static std::vector<PcdField> fieldsOf(const Command& command) {
+    const int size = command.doubles ? 8 : 4;
+    std::vector<PcdField> fields = {{"x", 'F', size}, {"y", 'F', size}, {"z", 'F', size}, {"intensity", 'F', 4}};
+    if (command.label_setups) fields.push_back({"setup", 'U', 2});
+    return fields;
+  }
+
+  OutputFile file;
+  PcdWriter writer;
+};
 
 }  // namespace
 
 ScanSummary writeScan(const Scene& scene, const Command& command) {
   requireReplaceable(command.truth);
+  OutputFile truth(command.truth, isJsonWith({"seed", "options", "scanners", "tanks"}), kProgram);
   const std::vector<ScanStation> stations = scanStations(scene);
-  std::vector<std::unique_ptr<PcdWriter>> writers;
-  if (command.split) {
-    for (std::size_t i = 0; i < stations.size(); ++i)
-      writers.push_back(open(command, i, viewpointOf(scene, stations[i])));
-  } else {
-    writers.push_back(open(command, 0, {}));
+  std::vector<std::unique_ptr<ScanFile>> scans;
+  for (std::size_t i = 0; i < (command.split ? stations.size() : 1); ++i) {
+    const auto viewpoint = command.split ? viewpointOf(scene, stations[i]) : std::array<double, 3>{};
+    scans.push_back(std::make_unique<ScanFile>(command, fileOfStation(command, i), viewpoint));
   }
   const auto append = [&](std::size_t station, const Rows& rows) {
-    writers[command.split ? station : 0]->append(command.label_setups ? labelled(rows, station) : rows);
+    scans[command.split ? station : 0]->writer.append(command.label_setups ? labelled(rows, station) : rows);
   };
   const ScanSummary summary = scanScene(scene, append, command.threads);
-  writeWhole(command.truth, toJson(truthOf(scene, scene.options().truth_stations)).dump(1) + "\n");
-  for (const auto& writer : writers) writer->commit();
+  truth.write(toJson(truthOf(scene, scene.options().truth_stations)).dump(1) + "\n");
+  std::vector<OutputFile*> files = {&truth};
+  for (const auto& scan : scans) {
+    scan->writer.commit();
+    files.push_back(&scan->file);
+  }
+  commitTogether(files);
   return summary;
 }
 

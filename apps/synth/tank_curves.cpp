@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "random.h"
+#include "value_noise.h"
 
 namespace tank_datum::synth {
 
@@ -25,6 +26,25 @@ Curve datumCurve(const TankOptions& tank, double azimuth) {
     if (std::abs(angle) >= kPi / 2.0) continue;
     const double c = std::cos(angle);
     curve.add(-dip.depth * c * c * c * c, 4.0 * dip.depth * c * c * c * std::sin(angle) * scale);
+  }
+  return curve;
+}
+
+Curve plateSlopeCurve(const TankOptions& tank, double azimuth) {
+  Curve curve{tank.foundation.plate_slope, 0.0};
+  for (const Harmonic& one : tank.foundation.plate_slope_waves) {
+    const double angle = one.n * azimuth - one.phase;
+    curve.add(one.amplitude * std::cos(angle), -one.n * one.amplitude * std::sin(angle));
+  }
+  return curve;
+}
+
+Curve sectorCurve(const TankOptions& tank, double azimuth) {
+  Curve curve;
+  for (const Sector& sector : tank.foundation.sectors) {
+    const double from_middle = azimuthDifference(azimuth, sector.azimuth), scale = tank.radius / sector.edge;
+    const Fade fade(std::clamp((sector.width / 2.0 - std::abs(from_middle)) * scale, 0.0, 1.0));
+    curve.add(sector.rise * fade.value, -std::copysign(sector.rise * scale * fade.rate, from_middle));
   }
   return curve;
 }

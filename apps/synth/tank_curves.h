@@ -26,6 +26,12 @@ std::vector<ShellHarmonic> shellHarmonics(const TankOptions& tank, std::uint64_t
 /// The harmonics that vary the width of the annular plate.
 std::vector<ShellHarmonic> lipHarmonics(const TankOptions& tank, std::uint64_t seed);
 
+/// The slope of the annular plate, rising outwards [1].
+Curve plateSlopeCurve(const TankOptions& tank, double azimuth);
+
+/// How far ringwall, crown and slab stand above their usual height [m].
+Curve sectorCurve(const TankOptions& tank, double azimuth);
+
 /// Sum of amplitude * growth^power * cos(n * azimuth - phase).
 Curve harmonicCurve(const std::vector<ShellHarmonic>& harmonics, double azimuth, bool growth);
 

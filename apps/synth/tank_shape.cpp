@@ -53,17 +53,18 @@ TankShape::TankShape(const TankOptions& options, std::uint64_t seed)
 
 void TankShape::tabulate(std::uint64_t seed) {
   const auto shell = shellHarmonics(options_, seed), lip = lipHarmonics(options_, seed);
-  const double level[4] = {options_.base_elevation, options_.radius, 0.0, 0.0};
-  double azimuth = -kPi / 2.0, rate[4] = {0.0, 0.0, 0.0, 0.0};
+  const double level[kCurves] = {options_.base_elevation, options_.radius, 0.0, 0.0, 0.0, 0.0};
+  double azimuth = -kPi / 2.0, rate[kCurves] = {};
   nodes_.resize(kNodeCount + 1);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const double place = 4.0 * static_cast<double>(i) / kNodeCount;
     const double y = place <= 2.0 ? place - 1.0 : 3.0 - place, x = std::copysign(1.0 - std::abs(y), 2.0 - place);
     const double before = azimuth, size = diamondSize(x, y) / std::hypot(x, y);
     azimuth = before + std::remainder(std::atan2(y, x) - before, 2.0 * kPi);
-    const Curve curves[4] = {datumCurve(options_, azimuth), harmonicCurve(shell, azimuth, false),
-                             harmonicCurve(shell, azimuth, true), harmonicCurve(lip, azimuth, false)};
-    for (int k = 0; k < 4; ++k) {
+    const Curve curves[kCurves] = {datumCurve(options_, azimuth),       harmonicCurve(shell, azimuth, false),
+                                   harmonicCurve(shell, azimuth, true), harmonicCurve(lip, azimuth, false),
+                                   plateSlopeCurve(options_, azimuth),  sectorCurve(options_, azimuth)};
+    for (int k = 0; k < kCurves; ++k) {
       const double above_level = k == 0 ? curves[k].value - level[k] : curves[k].value;
       nodes_[i].value[k] = level[k] + above_level;
       nodes_[i].rate[k] = curves[k].rate * size * size;
@@ -74,6 +75,7 @@ void TankShape::tabulate(std::uint64_t seed) {
       rate[k] = curves[k].rate;
     }
   }
+  plain_ = bounds_[4].deviation == 0.0 && bounds_[5].deviation == 0.0;
   const double courses = std::floor(options_.height / options_.course_height) * std::abs(options_.course_step);
   deviation_ = bounds_[1].deviation + 1.2 * bounds_[2].deviation + courses + 1e-3;
 }
@@ -91,7 +93,11 @@ Section TankShape::section(double x, double y) const {
     return a.value[k] + w1 * (b.value[k] - a.value[k]) + s0 * a.rate[k] + s1 * b.rate[k];
   };
   const auto rate = [&](int k) { return dw * (b.value[k] - a.value[k]) + d0 * a.rate[k] + d1 * b.rate[k]; };
-  return {value(0), rate(0), value(1), rate(1), value(2), rate(2), value(3), rate(3)};
+  Section section{value(0), rate(0), value(1), rate(1), value(2), rate(2), value(3), rate(3), 0.0, 0.0, 0.0, 0.0};
+  if (plain_) return section;
+  section.slope = value(4), section.slope_rate = rate(4);
+  section.rise = value(5), section.rise_rate = rate(5);
+  return section;
 }
 
 double TankShape::courseOffset(double h) const {
@@ -172,6 +178,8 @@ RayBends TankShape::bends(const TankRay& ray, double least_rho) const {
           along(bounds_[1]),
           along(bounds_[2]),
           along(bounds_[3]),
+          along(bounds_[4]),
+          along(bounds_[5]),
           moment * moment / (least_rho * least_rho * least_rho),
           first,
           std::abs(ray.direction.z()) + bounds_[0].slope * first};

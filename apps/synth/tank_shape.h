@@ -14,6 +14,8 @@ struct Section {
   double foot = 0.0, foot_rate = 0.0;      ///< outer radius there
   double growth = 0.0, growth_rate = 0.0;  ///< of the radius from there to the top
   double lip = 0.0, lip_rate = 0.0;        ///< change of the annular plate's width
+  double slope = 0.0, slope_rate = 0.0;    ///< of the annular plate, rising outwards [1]
+  double rise = 0.0, rise_rate = 0.0;      ///< of ringwall, crown and slab
 };
 
 /// Bounds of a curve over azimuth: largest deviation from its mean level [m], slope [m/rad], second derivative.
@@ -46,8 +48,8 @@ struct TankPoint {
 
 /// Bounds of second derivatives along a ray outside a given radius, for firstRoot.
 struct RayBends {
-  double datum, foot, growth, lip, rho;  ///< [1/m]
-  double azimuth_rate, h_rate;           ///< largest first derivatives
+  double datum, foot, growth, lip, slope, rise, rho;  ///< [1/m]; of the slope [1/m^2]
+  double azimuth_rate, h_rate;                        ///< largest first derivatives
 };
 
 /// The smooth shape of one tank: datum line, shell radius, lean. Its table is exact to 1e-9 m.
@@ -73,6 +75,10 @@ class TankShape {
   const Bound& datumBound() const { return bounds_[0]; }
   double deviation() const { return deviation_; }  ///< the outer radius is within options.radius +- this
   double lipBound() const { return bounds_[3].deviation; }
+  const Bound& slopeBound() const { return bounds_[4]; }  ///< its deviation is the steepest slope
+  double riseBound() const { return bounds_[5].deviation; }
+  double footSlope() const { return bounds_[1].slope; }          ///< of the shell's radius at its foot [m/rad]
+  double footDeviation() const { return bounds_[1].deviation; }  ///< of the shell at its foot from the circle
 
   TankRay local(const Ray& ray) const;
   TankPoint at(const TankRay& ray, double t) const;
@@ -84,16 +90,18 @@ class TankShape {
   Eigen::Vector3d worldNormal(const Eigen::Vector3d& gradient) const;
 
  private:
+  static constexpr int kCurves = 6;
   void tabulate(std::uint64_t seed);
 
   struct Node {
-    double value[4], rate[4];
+    double value[kCurves], rate[kCurves];
   };
 
   TankOptions options_;
   bool outer_stepped_, inner_stepped_;
   double tilt_slope_, lean_x_, lean_y_, deviation_ = 0.0;
-  Bound bounds_[4];          ///< datum, foot, growth, lip
+  Bound bounds_[kCurves];    ///< datum, foot, growth, lip, slope of the plate, rise
+  bool plain_ = true;        ///< without the last two
   std::vector<Node> nodes_;  ///< at equal steps of diamondAngle
 };
 

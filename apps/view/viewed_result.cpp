@@ -1,10 +1,9 @@
 #include "view/viewed_result.h"
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/length_units.h"
+#include "io/json_file.h"
 #include "search/voxel_sample.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/report/report.h"
@@ -57,11 +56,10 @@ void fill(ViewedResult& result, const Json& json, const std::string& folder, con
 
 ViewedResult readResult(const std::string& folder, const std::vector<std::string>& scans) {
   const std::string path = folder + "/datum.json";
-  std::ifstream in(path);
-  if (!in) throw Error(Error::Kind::File, "view", path, "not readable", "a folder of results of tank_datum");
+  const Json json = readJson(path, "view", "a folder of results of tank_datum");
   ViewedResult result;
   try {
-    fill(result, Json::parse(in), folder, scans);
+    fill(result, json, folder, scans);
   } catch (const Json::exception& error) {
     throw Error(Error::Kind::File, "view", path, error.what(), "a datum.json of tank_datum");
   } catch (const std::out_of_range&) {

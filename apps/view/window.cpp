@@ -209,6 +209,7 @@ void Window::screenshot(const std::string& path) {
   image->ReadFrontBufferOff();
   auto writer = vtkSmartPointer<vtkPNGWriter>::New();
   writer->SetFileName(path.c_str());
+  writer->AddText("Software", kPictureMark);
   writer->SetInputConnection(image->GetOutputPort());
   writer->Write();
   if (writer->GetErrorCode() != 0) {

@@ -13,6 +13,9 @@ namespace tank_datum::view {
 /// The keys, one per line.
 extern const char* const kKeys;
 
+/// By which a picture is known again: the value of its PNG text "Software".
+constexpr const char* kPictureMark = "tank_datum_view";
+
 /// A window on a result. Needs a display that answers.
 class Window {
  public:

@@ -20,6 +20,7 @@
 #include "tank_datum/shell/shell_survey.h"
 #include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
+#include "tank_datum/trust/tank_tests.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -47,6 +48,8 @@ struct DatumOptions {
   AnalysisOptions analysis;
   ShellOptions shell;
   std::optional<Circle> tank;  ///< the tank's circle in the scan's frame [m], when it need not be searched
+  bool accept = false;         ///< a doubtful tank is taken for one
+  bool level = false;          ///< turn the scan so that the shell stands upright
   int pick = 1;                ///< which of the tanks found, best first, counted from 1
   int threads = 0;             ///< 0: all cores; the result does not depend on it
 };
@@ -62,6 +65,7 @@ enum class Status {
   NoCrease,      ///< a shell, but no foundation surface meeting it
   TooFewPoints,  ///< fewer points than the neighbours asked for
   FitFailed,     ///< edge points that no closed curve can be fitted to
+  Doubtful,      ///< a datum of something like a tank, that fails a test of whether it is one
 };
 
 /// The name used in files: "ok", "partial", "no_tank", ...
@@ -88,8 +92,12 @@ struct Datum {
   Antipodal antipodal;
   Analysis analysis;
   ShellSurvey shell;
+  std::vector<TankTest> tests;  ///< of whether it is a tank
+  ShellLean lean;               ///< of the shell near its foot
 
   bool usable() const { return status == Status::Ok || status == Status::Partial; }
+  /// Whether there are stations to look at: of a usable datum, or of a doubtful one.
+  bool hasStations() const { return usable() || status == Status::Doubtful; }
 };
 
 /// Told the name of each stage as it begins.

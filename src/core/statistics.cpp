@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tank_datum/core/normal95.h"
+
 namespace tank_datum {
 
 double median(std::vector<double> values) {
@@ -48,6 +50,19 @@ double tukeyWeight(double residual_in_sigmas) {
   if (std::abs(u) >= 1.0) return 0.0;
   const double w = 1.0 - u * u;
   return w * w;
+}
+
+double student95(double freedom) {
+  constexpr double kOne = 12.706204736432095, kTwo = 4.302652729911275, z = kNormal95;
+  if (!(freedom > 0.0)) return z;
+  if (freedom <= 1.0) return kOne;
+  if (freedom <= 2.0) return kTwo;
+  const double z2 = z * z, n = freedom;
+  const double first = z * (z2 + 1.0) / 4.0;
+  const double second = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
+  const double third = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
+  const double fourth = z * ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
+  return z + (first + (second + (third + fourth / n) / n) / n) / n;
 }
 
 }  // namespace tank_datum

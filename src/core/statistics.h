@@ -20,4 +20,8 @@ double halfSampleMode(const std::vector<double>& sorted);
 /// Tukey's biweight with the constant 4.685 (95 % efficient for normal errors) of the residual in sigmas.
 double tukeyWeight(double residual_in_sigmas);
 
+/// Two-sided 95 % point of Student's t: of the normal distribution for 0 degrees of freedom, which stands for
+/// infinitely many. Source: Abramowitz and Stegun 26.7.5; exact for 1 and 2.
+double student95(double freedom);
+
 }  // namespace tank_datum

@@ -47,6 +47,15 @@ std::pair<std::size_t, std::size_t> FootRing::between(double from, double to) co
 
 namespace {
 
+double meanDistance(const SurfaceRows& rows) {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    sum += rows.weights()[i] * rows.a()[i];
+    weights += rows.weights()[i];
+  }
+  return sum / weights;
+}
+
 /// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
 /// both err together, and a row of the scan close to an end of the band is cut on that side alone.
 /// @param rows  a is d, the residuals are z without the fit
@@ -117,6 +126,7 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
   fit.sigma = std::hypot(noise * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
   fit.sigma_slope = noise * std::sqrt(inverse(1, 1));
   fit.noise = noise;
+  fit.middle = meanDistance(rows);
   return fit;
 }
 

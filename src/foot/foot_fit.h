@@ -26,6 +26,7 @@ struct FootFit {
   double z = kUnknown, sigma = kUnknown;            ///< at the shell, and its standard error [m]
   double slope = kUnknown, sigma_slope = kUnknown;  ///< [m/m]
   double along = kUnknown, bend = kUnknown;         ///< of z along the shell: along t + bend t^2 [m/m], [1/m]
+  double middle = kUnknown;                         ///< mean distance of the points from the shell [m]
   double noise = kUnknown;                          ///< standard deviation of the points about it [m]
   double half_width = kUnknown;                     ///< half the angle of the window the points come from [rad]
   std::size_t points = 0;                           ///< within the band of the profile

@@ -30,11 +30,11 @@ Support supportOf(const Foot& foot, std::size_t station, const FootProfile& prof
 
 /// A station is supported by points of its own; where the scan is so coarse that a stretch may be empty by chance, also
 /// by points within a step on either side.
-std::vector<bool> findSupport(const Foot& foot, const FootProfile& profile) {
+std::vector<bool> findSupport(const Foot& foot, const FootSections& sections) {
   constexpr double kPlenty = 20.0;
   std::vector<Support> supports(foot.directions.size());
 #pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < supports.size(); ++i) supports[i] = supportOf(foot, i, profile);
+  for (std::size_t i = 0; i < supports.size(); ++i) supports[i] = supportOf(foot, i, sections.at(i));
   std::vector<double> counts;
   for (const Support& s : supports) {
     if (s.own > 0) counts.push_back(static_cast<double>(s.own));
@@ -47,14 +47,14 @@ std::vector<bool> findSupport(const Foot& foot, const FootProfile& profile) {
 
 }  // namespace
 
-std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootProfile& profile,
-                                const FootPrior& prior) {
-  const std::vector<bool> supported = findSupport(foot, profile);
+std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootSections& sections,
+                                const FootPriors& priors) {
+  const std::vector<bool> supported = findSupport(foot, sections);
   std::vector<FootFit> kept = foot.fits;
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (!shell[i].seen() || !kept[i].valid() || !supported[i] ||
-        !isSameSurface(foot.points[i], kept[i], prior.slope(foot.directions[i]), profile)) {
+        !isSameSurface(foot.points[i], kept[i], priors.slope[i], sections.at(i))) {
       kept[i] = {};
     }
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/statistics.h"
+#include "foot/lowest_layer.h"
 #include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 
@@ -19,22 +20,6 @@ struct Line {
 };
 
 double middle(const FootProfile& profile, std::size_t bin) { return (static_cast<double>(bin) + 0.5) * profile.bin; }
-
-/// The lowest of the layers that the values lie in: what hangs over the foundation (drip ring, pipe, nozzle) is seen
-/// above it, nothing is seen below. A layer is a cell of `thickness` with at least a tenth of the fullest cell's
-/// values; two cells on either side of it belong to it.
-void keepLowestLayer(std::vector<double>& values, double thickness) {
-  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  const double low = *lowest;
-  std::vector<std::size_t> counts(static_cast<std::size_t>((*highest - low) / thickness) + 1, 0);
-  for (const double v : values) ++counts[static_cast<std::size_t>((v - low) / thickness)];
-  const std::size_t fullest = *std::max_element(counts.begin(), counts.end());
-  std::size_t cell = 0;
-  while (10 * counts[cell] < fullest) ++cell;
-  const double middle_of_cell = low + (static_cast<double>(cell) + 0.5) * thickness;
-  const auto far = [&](double v) { return std::abs(v - middle_of_cell) > 2.5 * thickness; };
-  values.erase(std::remove_if(values.begin(), values.end(), far), values.end());
-}
 
 /// The heights above their station's datum of all points, by bins of d, with several threads.
 std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<FootPoint>>& stations,
@@ -222,12 +207,19 @@ FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, co
   profile.noise = std::max(median(spreads), 1e-7);
   profile.blur = 4.0 * scales.shell_noise;
   profile.edge = static_cast<double>(last + 1) * profile.bin;
+  constexpr double kPlainLean = 0.01;                                      // [m/m]
   const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
   profile.surface = last + 1 < bins ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;
   const bool plate = profile.surface == Surface::AnnularPlate;
   profile.slope = plate ? slopeBeyond(profile, last, scales.reach) : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
-  const Plateau plateau = findPlateau(profile, first, last);
+  Plateau plateau = findPlateau(profile, first, last);
+  if (plate) {  // one that leans is plain along its own slope only
+    FootProfile leaning = profile;
+    leaning.slope = own.slope;
+    const Plateau wider = findPlateau(leaning, first, last);
+    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = own.slope;
+  }
   profile.offset = plateau.offset;
   profile.misfit = plateau.misfit;
   profile.band_from = static_cast<double>(plateau.first) * profile.bin;

@@ -17,12 +17,45 @@ struct Foot {
   std::vector<double> directions;              ///< [rad]
   std::vector<std::vector<FootPoint>> points;  ///< of each station's own stretch
   std::vector<double> datum;                   ///< elevation as known so far, filled up in gaps [m]
+  std::vector<bool> believed;                  ///< a surface that the shell may stand on was seen here or close by
   std::vector<FootFit> fits;
 };
 
+/// Each station's own points, and a first elevation from the stretch that the shell stands on: chosen for the whole
+/// ring together, so that a bank over two thirds of the foot does not pass for it. Sparse stations look a few degrees
+/// around.
+/// @param tank  whose coarse foot the points are looked for around
+/// @return  the elevations where something was believed, else NaN [m]
+std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& scales);
+
+/// The section of the foot, stacked over the whole ring and over arcs of it.
+struct FootSections {
+  FootProfile whole;
+  std::vector<FootProfile> arcs;  ///< at equal steps from the first station on; empty: the whole one everywhere
+  std::size_t stations = 0;
+
+  const FootProfile& at(std::size_t station) const;
+};
+
+/// Stacks the stations' points relative to their datum, NaN where a station is to be left out. Where the surface ends
+/// near the shell, arcs are stacked too: an edge that does not follow the shell's lobes is sharp in a few degrees only.
+FootSections stackSections(const Foot& foot, const std::vector<double>& datum, const FootScales& scales);
+
+/// What is known of the surface's slope at every station before its own points are looked at.
+struct FootPriors {
+  std::vector<double> slope, sigma_slope;  ///< [m/m]
+  double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
+  bool settled = false;                    ///< a station's own points have no more to say about its slope
+
+  FootPrior at(std::size_t station) const;
+};
+
+/// The slope of a wide surface from the whole ring, that of a narrow one from arcs, each with what it leaves open.
+FootPriors learnPriors(const Foot& foot, const FootSections& sections);
+
 /// Stations whose fit has no support of its own, lies on something else, or steps off its neighbours.
-std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootProfile& profile,
-                                const FootPrior& prior);
+std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootSections& sections,
+                                const FootPriors& priors);
 
 /// Elevations to stack the next section with: without strangers, unless they are most of what there is.
 std::vector<double> withoutStrangers(const std::vector<double>& elevations, const std::vector<bool>& strange);

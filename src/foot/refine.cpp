@@ -15,6 +15,7 @@
 #include "foot/shell_fits.h"
 #include "foot/shell_line.h"
 #include "foot/station_section.h"
+#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/harmonics.h"
 
@@ -23,86 +24,38 @@ namespace {
 
 constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
 
-/// Each station's own points, and a first elevation from those just outside the weld.
-void lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
-  constexpr std::size_t kFew = 5;
-  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
-  foot.points.resize(foot.directions.size());
-  std::vector<double> guesses(foot.directions.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < guesses.size(); ++i) {
-    const double direction = foot.directions[i];
-    foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach);
-    std::vector<double> heights;
-    for (double to = near + 0.1 * foot.reach; heights.size() < kFew && to < foot.reach; to += 0.1 * foot.reach) {
-      heights.clear();
-      for (const FootPoint& p : foot.points[i]) {
-        if (p.d >= near && p.d <= to) heights.push_back(p.z);
-      }
-    }
-    guesses[i] = heights.size() < kFew ? kUnknown : median(heights);
-  }
-  foot.datum = filledUp(runningMedian(guesses, 3));
-}
-
-/// Windows grow by borrowing from the neighbours until the standard error is what was asked for.
-FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPrior& prior) {
-  constexpr double kWidestAngle = 10.0 * kPi / 180.0;  // of a curve that a parabola still follows
+/// Windows grow by borrowing from the neighbours until the standard error is what was asked for: that of the level,
+/// since the neighbours' points say no more about the slope than the prior does.
+FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPriors& priors) {
+  constexpr double kWidestAngle = 10.0 * kPi / 180.0;     // of a curve that a parabola still follows
+  constexpr double kKnownSlope = 0.003, kSettled = 1e-4;  // [m/m]
+  const FootPrior prior = priors.at(station);
+  const double slope = priors.slope[station];
   const double azimuth = foot.directions[station], datum = foot.datum[station];
   const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
+  FootPrior level = prior;
+  level.sigma_slope = priors.settled ? kSettled : std::min(prior.sigma_slope, kKnownSlope);
   for (double half = foot.half_step;; half *= 1.4) {
     const auto points = foot.ring.around(azimuth, half, datum, foot.reach);
-    FootFit fit = fitFoot(points, profile, datum + profile.offset, prior.slope(azimuth), prior);
-    fit.half_width = half;
-    if (fit.sigma < foot.options.wanted_sigma || half > widest) return fit;
+    FootFit fit = fitFoot(points, profile, datum + profile.offset, slope, level);
+    if (fit.sigma < foot.options.wanted_sigma || half > widest) {
+      if (priors.settled) {
+        fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
+      } else {
+        fit = fitFoot(points, profile, datum + profile.offset, slope, prior);
+      }
+      fit.half_width = half;
+      return fit;
+    }
   }
 }
 
-std::vector<FootFit> fitStations(const Foot& foot, const FootProfile& profile, const FootPrior& prior) {
+std::vector<FootFit> fitStations(const Foot& foot, const FootSections& sections, const FootPriors& priors) {
   std::vector<FootFit> fits(foot.directions.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < fits.size(); ++i) fits[i] = fitStation(foot, i, profile, prior);
+  forEachIndex(fits.size(), 0, [&](std::size_t i) {
+    if (foot.believed[i]) fits[i] = fitStation(foot, i, sections.at(i), priors);
+  });
   return fits;
-}
-
-/// The slope of a wide foundation surface round the tank, from windows ten degrees wide.
-void learnSlope(const Foot& foot, const FootProfile& profile, FootPrior& prior) {
-  constexpr double kHalfWindow = 5.0 * kPi / 180.0;
-  constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
-  const std::size_t stride = std::max<std::size_t>(1, foot.directions.size() / 36);
-  std::vector<FootFit> fits((foot.directions.size() + stride - 1) / stride);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    const std::size_t i = k * stride;
-    const auto points = foot.ring.around(foot.directions[i], kHalfWindow, foot.datum[i], foot.reach);
-    fits[k] = fitFoot(points, profile, foot.datum[i] + profile.offset, profile.slope, prior);
-  }
-  std::vector<double> azimuths, slopes, weights;
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    if (!fits[k].valid()) continue;
-    azimuths.push_back(foot.directions[k * stride]);
-    slopes.push_back(fits[k].slope);
-    weights.push_back(1.0 / (fits[k].sigma_slope * fits[k].sigma_slope));
-  }
-  if (slopes.size() < 6) return;
-  double mean = 0;
-  for (const double w : weights) mean += w / static_cast<double>(weights.size());
-  for (double& w : weights) w /= mean;
-  prior.slope = fitHarmonics(azimuths, slopes, weights, 1, true, 0.02);
-  const double among_windows = prior.slope.sigma * prior.slope.sigma - 1.0 / mean;
-  prior.sigma_slope = std::max(kLeastSigma, std::sqrt(std::max(0.0, among_windows)));
-}
-
-FootPrior priorFor(const Foot& foot, const FootProfile& profile) {
-  constexpr double kPlateSlope = 0.003;  // an annular plate lies on the ringwall's top to 0.2 mm in 65 [m/m]
-  constexpr double kWideSlope = 0.1;     // of pads and floors, before they are looked at [m/m]
-  FootPrior prior;
-  prior.slope.coefficients = Eigen::Vector3d(profile.slope, 0.0, 0.0);
-  prior.sigma_bend = kHighestWave / foot.radius;
-  const bool plate = profile.surface == Surface::AnnularPlate;
-  prior.sigma_slope = plate ? kPlateSlope : kWideSlope;
-  if (!plate) learnSlope(foot, profile, prior);
-  return prior;
 }
 
 /// The fits with the datum's own shape, harmonics to the eighth, taken out of z.
@@ -126,15 +79,23 @@ std::vector<FootFit> withoutShape(const Foot& foot) {
   return fits;
 }
 
+/// What blends do to the section's level, as the arcs show it.
+double misfitOf(const FootSections& sections) {
+  if (sections.arcs.empty()) return sections.whole.misfit;
+  std::vector<double> misfits;
+  for (const FootProfile& arc : sections.arcs) misfits.push_back(arc.misfit);
+  return median(misfits);
+}
+
 /// What the formal standard errors leave out: roughness common to a window's points, and blends that bend the section.
-void widenSigmas(Foot& foot, const FootProfile& profile) {
+void widenSigmas(Foot& foot, double misfit) {
   std::vector<double> widths;
   for (const FootFit& fit : foot.fits) {
     if (fit.valid()) widths.push_back(fit.half_width);
   }
   if (widths.empty()) return;
   const auto apart = static_cast<std::size_t>(std::ceil(median(widths) / foot.half_step));
-  const double common = std::hypot(commonSigma(withoutShape(foot), apart), profile.misfit);
+  const double common = std::hypot(commonSigma(withoutShape(foot), apart), misfit);
   for (FootFit& fit : foot.fits) fit.sigma = std::hypot(fit.sigma, common);
 }
 
@@ -230,25 +191,25 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   const double side = tank.side == Side::Outside ? 1.0 : -1.0, noise = fits.noise();
   if (!(noise > 0.0)) return refined;  // no shell line anywhere
   const FootRing foot_ring(polar, modelShell(shell, station_options), side, ring.reach);
-  Foot foot{foot_ring, options, ring.reach, kPi / station_options.count, tank.circle.radius, {}, {}, {}, {}};
+  Foot foot{foot_ring, options, ring.reach, kPi / station_options.count, tank.circle.radius, {}, {}, {}, {}, {}};
   for (const Station& s : stations) foot.directions.push_back(s.direction);
 
   const double weld = std::min(options.largest_weld, 0.05 * ring.reach);
   const FootScales scales{std::min(options.widest_band, ring.reach), noise, weld};
-  lookFirst(foot, tank, scales);
-  std::vector<double> to_stack = foot.datum;
+  std::vector<double> to_stack = lookFirst(foot, tank, scales);
   for (std::size_t i = 0; i < shell.size(); ++i) {
     if (!shell[i].seen()) to_stack[i] = kUnknown;
   }
   std::vector<bool> strange;
+  FootSections sections;
   for (int pass = 0; pass < kPasses; ++pass) {
-    refined.profile = stackProfile(foot.points, to_stack, scales);
-    if (!refined.profile.valid()) return refined;
-    const FootPrior prior = priorFor(foot, refined.profile);
-    foot.fits = fitStations(foot, refined.profile, prior);
+    sections = stackSections(foot, to_stack, scales);
+    refined.profile = sections.whole;
+    const FootPriors priors = learnPriors(foot, sections);
+    foot.fits = fitStations(foot, sections, priors);
     std::vector<double> elevations;
     for (const FootFit& fit : foot.fits) elevations.push_back(fit.z);
-    strange = findStrangers(foot, shell, refined.profile, prior);
+    strange = findStrangers(foot, shell, sections, priors);
     to_stack = withoutStrangers(elevations, strange);
     foot.datum = filledUp(elevations);
   }
@@ -256,7 +217,7 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
     if (strange[i]) foot.fits[i] = {};
   }
   refined.sections = sectionsOf(foot, shell, refined.profile.band_to, side);
-  widenSigmas(foot, refined.profile);
+  widenSigmas(foot, misfitOf(sections));
   fillStations(stations, foot, shell, tank.circle.center);
   const ShellCircle round = fitShellCircle(fits.lines, foot.directions, fits.from, fits.to, tank.circle, priorOf(tank));
   refined.circle = round.circle;

@@ -1,5 +1,7 @@
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -73,10 +75,28 @@ Error rowError(const InputFile& file, std::uint64_t row, const std::string& valu
   return fileError("row " + std::to_string(row), file.path(), value, expected);
 }
 
-/// The number at the beginning of [at, end), which blanks, a comma or the end must follow.
+/// Behind what the C library of Windows wrote for a number that is not finite, 1.#QNAN or -1.#IND00, of which [at, end)
+/// begins with the #; null if it is none.
+const char* skipNotFinite(const char* at, const char* end) {
+  const std::string_view rest(at, static_cast<std::size_t>(end - at));
+  for (const std::string_view word : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
+    if (rest.substr(0, word.size()) != word) continue;
+    at += word.size();
+    while (at != end && *at == '0') ++at;
+    return at;
+  }
+  return nullptr;
+}
+
+/// The number at the beginning of [at, end), which blanks, a comma or the end must follow; else null.
 const char* parseNumber(const char* at, const char* end, double& value) {
   if (end - at > 1 && *at == '+' && at[1] != '-') ++at;
-  const auto [stop, code] = std::from_chars(at, end, value);
+  auto [stop, code] = std::from_chars(at, end, value);
+  if (code == std::errc() && stop != end && *stop == '#' && std::abs(value) == 1.0) {
+    stop = skipNotFinite(stop, end);
+    if (stop == nullptr) return nullptr;
+    value = std::numeric_limits<double>::quiet_NaN();
+  }
   const bool whole = stop == end || isBlank(*stop) || *stop == ',';
   return code == std::errc() && whole ? stop : nullptr;
 }
@@ -85,6 +105,7 @@ const char* parseNumber(const char* at, const char* end, double& value) {
 std::size_t parseRow(std::string_view line, std::uint64_t row, const InputFile& file, std::vector<double>& values) {
   const char* end = line.data() + line.size();
   const char* at = skipBlanks(line.data(), end);
+  if (at != end && *at == '#') return 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (at == end) return i;
     const char* stop = parseNumber(at, end, values[i]);
@@ -96,6 +117,12 @@ std::size_t parseRow(std::string_view line, std::uint64_t row, const InputFile& 
     if (i + 1 < values.size() && at != end && *at == ',') at = skipBlanks(at + 1, end);
   }
   return values.size() + (at == end ? 0 : 1);
+}
+
+bool beginsWithNumber(std::string_view line) {
+  const char* end = line.data() + line.size();
+  double value = 0.0;
+  return parseNumber(skipBlanks(line.data(), end), end, value) != nullptr;
 }
 
 Error countError(const InputFile& file, const PcdHeader& header, const std::string& rows) {
@@ -113,9 +140,12 @@ ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Fram
   Labels labels;
   ScanCounts counts;
   while (const auto line = lines.next()) {
+    if (counts.points == header.points) {
+      if (beginsWithNumber(*line)) throw countError(file, header, "more than POINTS");
+      continue;
+    }
     const std::size_t found = parseRow(*line, counts.points + 1, file, values);
     if (found == 0) continue;
-    if (counts.points == header.points) throw countError(file, header, "more than POINTS");
     if (found < values.size() && !lines.terminated()) break;  // the file ends within a row
     if (found != values.size()) {
       const std::string many = found < values.size() ? std::to_string(found) : "more";

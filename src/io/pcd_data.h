@@ -58,7 +58,8 @@ ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, con
 ScanCounts visitPcd(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit);
 
 /// The ascii part of visitPcd. Values are separated by blanks, tabs or one comma each; a row has exactly
-/// header.row_values of them. Empty lines are skipped. More rows than POINTS are refused as fewer are.
+/// header.row_values of them. Empty lines and those that begin with # are skipped, as is what follows the last row and
+/// does not begin with a number. More rows than POINTS are refused as fewer are.
 ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit);
 
 }  // namespace tank_datum

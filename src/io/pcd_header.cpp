@@ -1,8 +1,10 @@
 #include "io/pcd_header.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -34,7 +36,7 @@ Words splitWords(std::string_view line) {
 /// The header's text, split into keyword and values.
 struct Lines {
   std::string path;
-  std::map<std::string_view, Words> values;
+  std::map<std::string, Words, std::less<>> values;  ///< keywords in upper case
   std::uint64_t data_offset = 0;
 
   bool has(std::string_view key) const { return values.count(key) != 0; }
@@ -74,18 +76,25 @@ bool isKeyword(std::string_view word) {
   return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
 }
 
+std::string inCase(std::string_view word, int (*to_case)(int)) {
+  std::string changed(word);
+  for (char& c : changed) c = static_cast<char>(to_case(static_cast<unsigned char>(c)));
+  return changed;
+}
+
 /// Takes one line in; true when it is the last (DATA).
 bool addLine(std::string_view line, std::size_t line_number, Lines& lines) {
   Words words = splitWords(line);
   if (words.empty() || words[0][0] == '#') return false;
-  const std::string_view key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
+  std::string key = inCase(words[0], std::toupper);
+  if (key == "COLUMNS") key = "FIELDS";
   if (!isKeyword(key)) {
     throw fileError("header line " + std::to_string(line_number), lines.path, "\"" + echo(line) + "\"",
                     "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or DATA");
   }
   words.erase(words.begin());
   if (!lines.values.emplace(key, std::move(words)).second) {
-    throw fileError(std::string(key), lines.path, "a second line " + std::to_string(line_number), "one line");
+    throw fileError(key, lines.path, "a second line " + std::to_string(line_number), "one line");
   }
   return key == "DATA";
 }
@@ -93,7 +102,8 @@ bool addLine(std::string_view line, std::size_t line_number, Lines& lines) {
 Lines splitHeader(std::string_view text, const InputFile& file) {
   Lines lines;
   lines.path = file.path();
-  std::size_t begin = 0;
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
+  std::size_t begin = text.substr(0, kByteOrderMark.size()) == kByteOrderMark ? kByteOrderMark.size() : 0;
   for (std::size_t number = 1; begin < text.size(); ++number) {
     const std::size_t newline = text.find('\n', begin);
     if (newline == text.npos && text.size() < file.size()) {
@@ -120,10 +130,21 @@ void checkVersion(const Lines& lines) {
   }
 }
 
+std::int64_t parseCount(const Lines& lines, std::string_view text) {
+  std::int64_t count = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (code != std::errc() || end != text.data() + text.size()) {
+    throw fileError("COUNT", lines.path, echo(text), "whole numbers");
+  }
+  return count;
+}
+
 PcdColumn parseColumn(const Lines& lines, std::size_t i) {
   PcdColumn column;
   column.name = lines.list("FIELDS")[i];
-  const std::string_view type = lines.list("TYPE")[i];
+  if (lines.has("COUNT")) column.count = parseCount(lines, lines.list("COUNT")[i]);
+  if (column.count == 0) return column;  // no bytes of any type
+  const std::string type = inCase(lines.list("TYPE")[i], std::toupper);
   const std::string_view size = lines.list("SIZE")[i];
   const bool is_float = type == "F" && (size == "4" || size == "8");
   const bool is_integer = (type == "I" || type == "U") && (size == "1" || size == "2" || size == "4" || size == "8");
@@ -133,8 +154,24 @@ PcdColumn parseColumn(const Lines& lines, std::size_t i) {
   }
   column.type = type[0];
   column.size = size[0] - '0';
-  if (lines.has("COUNT")) column.count = lines.number("COUNT", lines.list("COUNT")[i], 1);
   return column;
+}
+
+/// Puts a column behind the others. A negative COUNT leads back, and 0 nowhere; neither is a field. PCL's writer means
+/// by it that a message's fields do not stand in the order of their names.
+void addColumn(PcdColumn column, const Lines& lines, PcdHeader& header) {
+  const auto before = static_cast<std::int64_t>(header.row_bytes), size = static_cast<std::int64_t>(column.size);
+  const auto longest = static_cast<std::int64_t>(kLongestRow);
+  if (column.count > (longest - before) / size || column.count < -before / size) {
+    throw fileError("COUNT of field " + echo(column.name), lines.path, std::to_string(column.count),
+                    "rows of at most " + std::to_string(kLongestRow) + " bytes, and no fewer than none");
+  }
+  column.offset = header.row_bytes;
+  column.first_value = header.row_values;
+  header.row_bytes = static_cast<std::size_t>(before + column.count * size);
+  if (column.count <= 0) return;
+  header.row_values += static_cast<std::size_t>(column.count);
+  header.columns.push_back(std::move(column));
 }
 
 void parseColumns(const Lines& lines, PcdHeader& header) {
@@ -146,18 +183,10 @@ void parseColumns(const Lines& lines, PcdHeader& header) {
                       std::to_string(fields) + " as in FIELDS");
     }
   }
-  for (std::size_t i = 0; i < fields; ++i) {
-    PcdColumn column = parseColumn(lines, i);
-    column.offset = header.row_bytes;
-    column.first_value = header.row_values;
-    const std::uint64_t most = (kLongestRow - header.row_bytes) / static_cast<std::uint64_t>(column.size);
-    if (column.count > most) {
-      throw fileError("COUNT of field " + echo(column.name), lines.path, std::to_string(column.count),
-                      "rows of at most " + std::to_string(kLongestRow) + " bytes");
-    }
-    header.row_bytes += column.count * static_cast<std::size_t>(column.size);
-    header.row_values += column.count;
-    header.columns.push_back(std::move(column));
+  for (std::size_t i = 0; i < fields; ++i) addColumn(parseColumn(lines, i), lines, header);
+  for (const PcdColumn& column : header.columns) {
+    if (column.offset + static_cast<std::size_t>(column.count * column.size) <= header.row_bytes) continue;
+    throw fileError("COUNT", lines.path, "a row that ends before its field " + echo(column.name), "rows of all fields");
   }
 }
 
@@ -219,7 +248,7 @@ void parsePoints(const Lines& lines, PcdHeader& header) {
 }
 
 void parseEncoding(const Lines& lines, PcdHeader& header) {
-  const std::string_view word = lines.word("DATA");
+  const std::string word = inCase(lines.word("DATA"), std::tolower);
   if (word == "ascii") {
     header.encoding = PcdEncoding::Ascii;
   } else if (word == "binary") {

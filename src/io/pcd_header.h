@@ -18,7 +18,7 @@ struct PcdColumn {
   std::string name;
   char type = 'F';              ///< 'F' float, 'I' signed, 'U' unsigned
   int size = 4;                 ///< bytes of one value
-  std::uint64_t count = 1;      ///< values of this field in a row
+  std::int64_t count = 1;       ///< values of this field in a row
   std::size_t offset = 0;       ///< bytes before it in a binary row
   std::size_t first_value = 0;  ///< values before it in an ascii row
 };
@@ -39,15 +39,16 @@ struct PcdHeader {
 
 /// Reads and checks the header of a PCD file, the rows not.
 ///
-/// Header lines may come in any order, DATA last. FIELDS (COLUMNS in old files), SIZE and TYPE are needed, and POINTS
-/// or WIDTH; COUNT and HEIGHT default to 1. VERSION may be missing, else it is 0.5, 0.6 or 0.7 with or without the 0.
-/// VIEWPOINT is where the scanner stood, and is not applied to the points. A field `setup`, `scan_id` or
-/// `point_source_id` of one value a row is the label of the setup. x, y and z (or X, Y, Z) must be there once each with
-/// COUNT 1; other fields are free.
+/// Header lines may come in any order, DATA last, keywords and the word after DATA in any case, after a byte order mark
+/// or not. FIELDS (COLUMNS in old files), SIZE and TYPE are needed, and POINTS or WIDTH; COUNT and HEIGHT default to 1.
+/// VERSION may be missing, else it is 0.5, 0.6 or 0.7 with or without the 0. VIEWPOINT is where the scanner stood, and
+/// is not applied to the points. A field `setup`, `scan_id` or `point_source_id` of one value a row is the label of the
+/// setup. x, y and z (or X, Y, Z) must be there once each with COUNT 1; other fields are free. One of COUNT 0 is not
+/// there; one of a negative COUNT leads back in the row, as PCL writes it.
 ///
 /// Refused: unknown or repeated keywords, WIDTH x HEIGHT other than POINTS, more POINTS than the file can hold, a
-/// binary file with room for one row or more behind the last (a shorter tail is padding), a compressed block whose
-/// size is not POINTS rows (what follows the block is padding), a header above 64 KiB, rows above 64 KiB.
+/// compressed block whose size is not POINTS rows, a header above 64 KiB, rows above 64 KiB. Bytes behind the last row
+/// or the compressed block are passed over: PCL's writers fill the file up to a page.
 /// @throws Error (File) naming the file, the keyword, the value met and what was expected
 PcdHeader readPcdHeader(const std::string& path);
 

@@ -18,15 +18,6 @@ void checkAscii(std::uint64_t data_bytes, const InputFile& file, const PcdHeader
   checkAtMost((data_bytes + 1) / (2 * header.row_values), file, header);
 }
 
-void checkBinary(std::uint64_t data_bytes, const InputFile& file, const PcdHeader& header) {
-  const std::uint64_t rows = data_bytes / header.row_bytes;
-  checkAtMost(rows, file, header);
-  if (header.points < rows) {
-    throw fileError("POINTS", file.path(), std::to_string(header.points),
-                    std::to_string(rows) + ", the rows of " + std::to_string(header.row_bytes) + " bytes in the file");
-  }
-}
-
 void checkCompressed(std::uint64_t data_bytes, const InputFile& file, PcdHeader& header) {
   constexpr std::uint64_t kLzfBest = 88;  // LZF makes at most 264 bytes of 3
   if (header.points == 0) return;         // the sizes may be missing then
@@ -57,7 +48,7 @@ void checkPcdSize(const InputFile& file, PcdHeader& header) {
     case PcdEncoding::Ascii:
       return checkAscii(data_bytes, file, header);
     case PcdEncoding::Binary:
-      return checkBinary(data_bytes, file, header);
+      return checkAtMost(data_bytes / header.row_bytes, file, header);
     case PcdEncoding::BinaryCompressed:
       return checkCompressed(data_bytes, file, header);
   }

@@ -131,10 +131,11 @@ void requireReplaceable(const std::string& path) {
                   "a file, or the name of a new one");
 }
 
-PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format,
-                     const std::array<double, 3>& viewpoint)
+PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format, const PcdHeading& heading)
     : path_(std::move(path)), temporary_(temporaryName(path_)), fields_(std::move(fields)), format_(format) {
   checkFields(fields_);
+  if (heading.comment.find('\n') != std::string::npos)
+    throw wrongUse("PcdWriter comment", "\"" + echo(heading.comment) + "\"", "a line");
   requireReplaceable(path_);
   std::string names = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
   for (const PcdField& f : fields_) {
@@ -143,11 +144,12 @@ PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format form
     types += std::string(" ") + f.type;
     counts += " 1";
   }
-  std::string header = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + names + "\n" + sizes + "\n" +
-                       types + "\n" + counts + "\nWIDTH ";
+  std::string header = "# .PCD v0.7 - Point Cloud Data file format\n" +
+                       (heading.comment.empty() ? "" : "# " + heading.comment + "\n") + "VERSION 0.7\n" + names + "\n" +
+                       sizes + "\n" + types + "\n" + counts + "\nWIDTH ";
   width_at_ = static_cast<std::streamoff>(header.size());
   header += paddedCount(0) + "\nHEIGHT 1\nVIEWPOINT ";
-  for (const double at : viewpoint) {
+  for (const double at : heading.viewpoint) {
     appendAscii(at, header);
     header += ' ';
   }

@@ -15,16 +15,21 @@ struct PcdField {
   int size = 4;     ///< bytes: 4 or 8 for 'F'; 1, 2, 4 or 8 else
 };
 
+/// What a file says of itself beside its points.
+struct PcdHeading {
+  std::string comment;                   ///< a line that readers skip, at the head of the file; none when empty
+  std::array<double, 3> viewpoint = {};  ///< where the scanner stood, in the frame and units of the rows; zero: unknown
+};
+
 /// Streams rows into a binary or ascii PCD in bounded memory. The file appears under its name only when commit()
 /// returns; before that, and after a failure, only a temporary file exists beside it, which the destructor removes.
 class PcdWriter {
  public:
   enum class Format { Ascii, Binary };
 
-  /// @param viewpoint  where the scanner stood, in the frame and units of the rows; zero: unknown
   /// @throws Error (File) when the file cannot be made
   PcdWriter(std::string path, std::vector<PcdField> fields, Format format = Format::Binary,
-            const std::array<double, 3>& viewpoint = {});
+            const PcdHeading& heading = {});
   ~PcdWriter();
   PcdWriter(const PcdWriter&) = delete;
   PcdWriter& operator=(const PcdWriter&) = delete;

@@ -3,27 +3,44 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
+#include "io/point_extent.h"
 #include "io/scan_source.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
 
-/// The first finite point in whole metres, however many others come before it; zero if there is none.
+/// The first of the points that lies among them and not at zero, where scanners write what did not return; nothing when
+/// all are there.
+std::optional<Eigen::Vector3d> firstAmong(Points points) {
+  const auto is_zero = [](const Eigen::Vector3d& p) { return p.isZero(0.0); };
+  points.erase(std::remove_if(points.begin(), points.end(), is_zero), points.end());
+  if (points.empty()) return std::nullopt;
+  const Extent extent = extentOf(points);
+  return *std::find_if(points.begin(), points.end(), [&extent](const auto& p) { return extent.holds(p); });
+}
+
+/// The first finite point that is one of the scan, however many others come before it; zero if there is none.
 Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>>& sources) {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  bool found = false;
+  std::optional<Eigen::Vector3d> origin;
   for (const auto& source : sources) {
-    if (found) break;
+    if (origin) break;
     source->visit(Eigen::Vector3d::Zero(), [&](const Points& block, const Labels&) {
-      origin = block.front().array() + 0.0;  // + 0.0: no negative zero in the outputs
-      found = true;
-      return false;
+      origin = firstAmong(block);
+      return !origin;
     });
   }
-  return origin;
+  return origin ? Eigen::Vector3d(origin->array() + 0.0)  // + 0.0: no negative zero in the outputs
+                : Eigen::Vector3d::Zero();
+}
+
+const Points& turnInto(Points& turned, const Points& points, const Eigen::Matrix3d& rotation) {
+  turned.clear();
+  for (const Eigen::Vector3d& p : points) turned.push_back(rotation * p);
+  return turned;
 }
 
 }  // namespace
@@ -36,7 +53,7 @@ Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit) {
   Scan scan;
   scan.paths_ = paths;
   for (const std::string& path : paths) scan.sources_.push_back(pcdSource(path, metres_per_unit));
-  scan.origin_ = findOrigin(scan.sources_);
+  scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
   return scan;
 }
 
@@ -48,15 +65,25 @@ Scan Scan::fromPoints(const Points& points) {
 Scan Scan::fromRows(std::uint64_t rows, Row row) {
   Scan scan;
   scan.sources_.push_back(arraySource(rows, std::move(row)));
-  scan.origin_ = findOrigin(scan.sources_);
+  scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
+  return scan;
+}
+
+Scan Scan::turned(const Eigen::Matrix3d& rotation) const { return turnedAbout(Eigen::Vector3d::Zero(), rotation); }
+
+Scan Scan::turnedAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation) const {
+  Scan scan = *this;
+  scan.rotation_ = rotation_ ? Eigen::Matrix3d(rotation * *rotation_) : rotation;
+  scan.origin_ = (point + rotation * (origin_ - point)).array() + 0.0;
   return scan;
 }
 
 ScanCounts Scan::forEachBlock(const Visitor& visit) const {
   ScanCounts total;
+  Points turned;
   for (const auto& source : sources_) {
-    total += source->visit(origin_, [&](const Points& block, const Labels&) {
-      visit(block);
+    total += source->visit(stored_origin_, [&](const Points& block, const Labels&) {
+      visit(rotation_ ? turnInto(turned, block, *rotation_) : block);
       return true;
     });
   }
@@ -65,7 +92,7 @@ ScanCounts Scan::forEachBlock(const Visitor& visit) const {
 
 double Scan::coordinateStep() const {
   double step = 0.0;
-  for (const auto& source : sources_) step = std::max(step, source->coordinateStep(origin_));
+  for (const auto& source : sources_) step = std::max(step, source->coordinateStep(stored_origin_));
   return step;
 }
 
@@ -76,6 +103,10 @@ ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor
 
 ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n) const {
   if (n < 1) throw Error(Error::Kind::Option, "io", "n of the rows looked at", "0", "at least 1");
+  const Chooser from_turned = [&](std::uint64_t at, const Points& points, Points& chosen) {
+    thread_local Points turned;
+    choose(at, turnInto(turned, points, *rotation_), chosen);
+  };
   ScanCounts total;
   std::uint64_t block = 0;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
@@ -84,7 +115,7 @@ ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const SetupVi
       if (!chosen.empty()) visit(chosen, {static_cast<std::uint32_t>(i), label});
       if (progress_) progress_(total.points);
     };
-    sources_[i]->choose(origin_, {choose, n}, threads, block, told);
+    sources_[i]->choose(stored_origin_, {rotation_ ? from_turned : choose, n}, threads, block, told);
   }
   return total;
 }
@@ -105,7 +136,8 @@ std::string Scan::setupName(SetupKey setup) const {
 std::optional<Eigen::Vector3d> Scan::setupOrigin(SetupKey setup) const {
   if (!sources_[setup.source]->labelField().empty()) return std::nullopt;
   std::optional<Eigen::Vector3d> place = sources_[setup.source]->viewpoint();
-  if (place) *place -= origin_;
+  if (place) *place -= stored_origin_;
+  if (place && rotation_) *place = *rotation_ * *place;
   return place;
 }
 

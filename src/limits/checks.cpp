@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/statistics.h"
+#include "tank_datum/core/normal95.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double k95 = 1.959963984540054;
 
 using Table = std::vector<const Limit*>;
 
@@ -70,11 +70,23 @@ std::string whatIsNotGiven(const Limit& limit, const TankFacts& facts) {
   return names.empty() ? names : "not given: " + names;
 }
 
+/// The interval of a figure: simulated, or from its standard error.
+Interval95 intervalOf(const Measure& measure) {
+  if (measure.interval.known() || !std::isfinite(measure.worst.sigma)) return measure.interval;
+  const double half = student95(measure.freedom) * measure.worst.sigma;
+  return {measure.worst.value - half, measure.worst.value + half};
+}
+
 Verdict verdictOf(const Check& check, bool whole_ring) {
-  const double half = std::isfinite(check.sigma) ? k95 * check.sigma : 0.0;
-  if (check.value - half > check.limit) return Verdict::Fail;
-  if (check.value + half > check.limit || !whole_ring) return Verdict::Undecided;
+  const Interval95 interval = check.interval.known() ? check.interval : Interval95{check.value, check.value};
+  if (interval.low > check.limit) return Verdict::Fail;
+  if (interval.high > check.limit || check.value > check.limit || !whole_ring) return Verdict::Undecided;
   return Verdict::Pass;
+}
+
+/// A standard error whose 95 % reach the further end of the interval.
+double sigmaOf(const Check& check) {
+  return std::max(check.interval.high - check.value, check.value - check.interval.low) / kNormal95;
 }
 
 std::string shareBeyond(const Measure& measure, double limit) {
@@ -116,7 +128,8 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   }
   const Measure& measure = worstOf(candidates, limit ? *limit : first, facts, diameter);
   check.value = measure.worst.value;
-  check.sigma = measure.worst.sigma;
+  check.interval = intervalOf(measure);
+  check.sigma = measure.interval.known() ? sigmaOf(check) : measure.worst.sigma;
   check.azimuth = measure.worst.azimuth;
   if (!measure.unavailable.empty()) {
     check.note = measure.unavailable;
@@ -126,13 +139,23 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   check.trust = limit->trust;
   check.citation = limit->citation;
   check.limit = limitAt(*limit, measure, facts, diameter);
+  if (measure.share && std::isfinite(check.limit)) {
+    const auto at_arc = [&](double arc) {
+      Measure other = measure;
+      other.arc = arc;
+      return limitAt(*limit, other, facts, diameter);
+    };
+    const Interval95 shares = measure.share(at_arc);
+    check.interval = {check.limit * shares.low, check.limit * shares.high};
+    check.sigma = sigmaOf(check);
+  }
   add(check.note, whatIsNotGiven(*limit, facts));
   if (!limit->judged) add(check.note, "shown beside the limit that is judged by");
   if (std::isfinite(check.limit) && limit->judged) check.verdict = verdictOf(check, measure.whole_ring);
   add(check.note, shareBeyond(measure, check.limit));
   if (check.verdict == Verdict::Undecided) {
-    add(check.note,
-        measure.whole_ring ? "the limit lies within the 95 % interval" : "what was not seen could be worse");
+    const bool hidden = !measure.whole_ring && !(check.interval.high > check.limit);
+    add(check.note, hidden ? "what was not seen could be worse" : "the limit lies within the 95 % interval");
   }
   add(check.note, measure.note);
   return check;

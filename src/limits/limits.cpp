@@ -110,9 +110,9 @@ bool DiameterRange::holds(double diameter) const {
 
 const std::vector<std::string>& knownQuantities() {
   static const std::vector<std::string> all = {
-      "tilt_slope",     "tilt_height",     "second_difference", "curvature", "settlement_arc",
-      "neighbour_bend", "neighbour_slope", "slope_10m",         "level_9m",  "level_3m",
-      "level_total",    "roundness_foot",  "roundness_above",   "plumbness"};
+      "tilt_slope",     "tilt_height",    "second_difference", "curvature",       "out_of_plane",
+      "settlement_arc", "neighbour_bend", "neighbour_slope",   "slope_10m",       "level_9m",
+      "level_3m",       "level_total",    "roundness_foot",    "roundness_above", "plumbness"};
   return all;
 }
 

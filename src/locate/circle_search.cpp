@@ -146,9 +146,16 @@ std::vector<WallCircle> findWallCircles(const std::vector<WallCell>& walls, doub
   for (int found = 0; found < kMaxCircles && left.size() >= 8; ++found) {
     const Circle start = bestTriple(left, voxel, options);
     if (!start.valid()) break;
-    const WallCircle best = refined(left, start, voxel);
-    if (!best.circle.valid() || best.coverage < options.min_arc) break;
-    if (best.circle.radius >= options.min_radius && turnsWithAzimuth(left, best.circle, voxel)) result.push_back(best);
+    WallCircle best = refined(left, start, voxel);
+    if (!best.circle.valid()) break;
+    const bool large = best.circle.radius >= options.min_radius;
+    if (best.coverage < options.min_arc) {
+      best.rejected = "a tank is known by " + std::to_string(std::lround(toDegrees(options.min_arc))) + " deg at least";
+      if (large) result.push_back(best);
+      break;
+    }
+    if (!turnsWithAzimuth(left, best.circle, voxel)) best.rejected = "its walls are flat, like a box's";
+    if (large) result.push_back(best);
     StandingRule rule = ruleFor(best.circle.radius, voxel);
     rule.tolerance *= 1.5;
     const auto keep =

@@ -9,6 +9,7 @@
 #include "core/point_hash.h"
 #include "core/units.h"
 #include "locate/ring_shape.h"
+#include "locate/stray_points.h"
 #include "search/voxel_sample.h"
 
 namespace tank_datum {
@@ -98,6 +99,22 @@ double widestReach(const Tank& tank, const CropOptions& options) {
   return reachOf(tank, options) + 2.0 * tank.resolution;
 }
 
+void dropStrays(Ring& ring, const Tank& tank, int threads) {
+  const double finest = 1e-4 * tank.circle.radius;
+  const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
+  if (!holdsStrays(sample)) return;
+  const std::vector<bool> is_stray = findStrays(ring.points, closingEdge(sample));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (is_stray[i]) continue;
+    ring.points[kept] = ring.points[i];
+    if (!ring.point_setups.empty()) ring.point_setups[kept] = ring.point_setups[i];
+    ++kept;
+  }
+  ring.points.resize(kept);
+  if (!ring.point_setups.empty()) ring.point_setups.resize(kept);
+}
+
 }  // namespace
 
 std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options) {
@@ -134,6 +151,7 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   ring.points = share.takePoints();
   ring.setups = numbers.take();
   if (ring.setups.size() > 1 && ring.setups.size() <= kMostSetups) ring.point_setups = share.takeSetups();
+  if (tank.strays) dropStrays(ring, tank, threads);
   if (ring.point_setups.empty()) thinForSearch(ring, tank, options, threads);
   return ring;
 }

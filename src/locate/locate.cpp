@@ -7,10 +7,13 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "io/point_extent.h"
 #include "locate/circle_search.h"
 #include "locate/ring_shape.h"
+#include "locate/stray_points.h"
 #include "locate/wall_map.h"
 #include "locate/wall_sector.h"
+#include "locate/walls_behind.h"
 #include "search/voxel_sample.h"
 #include "tank_datum/core/parallel.h"
 
@@ -23,6 +26,7 @@ constexpr double kShortOfRingwall = 0.075;  // half of the way to the face of th
 struct Sample {
   Points points;
   double voxel = 0;
+  bool strays = false;  ///< there were many, and are no more
 };
 
 /// A tank needs no more than every n-th point to be found; n is odd, since rows of a scan often have even lengths.
@@ -31,17 +35,42 @@ std::uint64_t strideOf(const Scan& scan) {
   return scan.size() / kLookedAt | 1U;
 }
 
+/// About every n-th point of the scan, without those that no surface returned.
+Points lookAt(const Scan& scan, int threads) {
+  Points points = scan.everyNth(strideOf(scan), threads);
+  dropNoReturns(points, -scan.origin());
+  return points;
+}
+
+/// The edge of voxels as small as can be numbered on the way to the farthest point; every smallest radius has the same
+/// ladder of voxels, and so the same tanks.
+double finestVoxel(const Points& points) {
+  constexpr double kRung = 0.008;                 // of this and of its halves and doubles are the edges [m]
+  constexpr double kHalfRange = double(1 << 19);  // voxels
+  double reach = 1e-9;
+  for (const auto& p : points) reach = std::max(reach, p.cwiseAbs().maxCoeff());
+  return kRung * std::exp2(std::ceil(std::log2(reach / kHalfRange / kRung)));
+}
+
 /// The scan thinned to a ladder of voxels, from where the densest surfaces just close (a tenth of the voxels hold two
-/// points) to half of the smallest radius, and at least three rungs. Which rung shows a tank best depends on how much
-/// denser it was scanned than what stands around it.
+/// points) to an eighth of the smallest diameter or, where a tank may be larger than it need be, to a small part of the
+/// scan, and at least three rungs. Which rung shows a tank best depends on how much denser it was scanned than what
+/// stands around it.
 std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& options, int threads) {
-  VoxelSample sample(looked_at, options.sample_points, std::max(0.001, options.min_radius / 250.0), threads);
+  constexpr double kSmallPart = 1.0 / 60.0;  // of the scan's reach: tanks fill a good part of their scan
   std::vector<Sample> samples;
+  if (looked_at.empty()) return samples;
+  const double coarsest = std::max(0.25 * options.min_radius, kSmallPart * extentOf(looked_at).reach);
+  const double finest = finestVoxel(looked_at);
+  VoxelSample sample(looked_at, options.sample_points, finest, threads);
+  const bool strays = holdsStrays(sample);
+  if (strays)
+    sample = VoxelSample(withoutStrays(looked_at, closingEdge(sample)), options.sample_points, finest, threads);
   for (; sample.size() > 50; sample.coarsen()) {
     const double share = sample.shareHolding(2);
     // where most voxels hold several points, one that holds a single one is a stray beam
-    if (share >= 0.1) samples.push_back({sample.points(share >= 0.5 ? 2 : 1), sample.voxel()});
-    if (samples.size() >= 3 && sample.voxel() > 0.25 * options.min_radius) break;
+    if (share >= 0.1) samples.push_back({sample.points(share >= 0.5 ? 2 : 1), sample.voxel(), strays});
+    if (samples.size() >= 3 && sample.voxel() > coarsest) break;
   }
   return samples;
 }
@@ -95,6 +124,7 @@ Tank describe(const Sample& sample, const Circle& circle, double rms) {
   tank.circle = circle;
   tank.rms = rms;
   tank.resolution = sample.voxel;
+  tank.strays = sample.strays;
   auto sectors = sectorsOf(sample.points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
   const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
   std::vector<double> azimuths, feet, heights;
@@ -125,13 +155,39 @@ Tank describe(const Sample& sample, const Circle& circle, double rms) {
   return tank;
 }
 
-std::vector<Tank> tanksOf(const Sample& sample, const LocateOptions& options) {
+std::string degreesOf(double arc) { return std::to_string(std::lround(toDegrees(arc))) + " deg"; }
+
+/// What stands behind a tank whose foot is known.
+void lookBehind(Tank& tank, const std::vector<WallCell>& walls) {
+  if (!tank.foot.valid()) return;
+  const WallsBehind behind = wallsBehind(walls, tank);
+  tank.behind_share = behind.share;
+  tank.behind = behind.distance;
+}
+
+/// The tanks of a sample, and the circles that are none.
+struct Found {
   std::vector<Tank> tanks;
-  for (const auto& found : findWallCircles(mapWalls(sample.points, sample.voxel), sample.voxel, options)) {
-    Tank tank = describe(sample, found.circle, found.rms);
-    if (tank.coverage >= options.min_arc) tanks.push_back(std::move(tank));
+  std::vector<RejectedCircle> rejected;
+};
+
+Found tanksOf(const Sample& sample, const LocateOptions& options) {
+  const std::vector<WallCell> walls = mapWalls(sample.points, sample.voxel);
+  Found all;
+  for (const auto& found : findWallCircles(walls, sample.voxel, options)) {
+    std::string reason = found.rejected;
+    if (reason.empty()) {
+      Tank tank = describe(sample, found.circle, found.rms);
+      lookBehind(tank, walls);
+      if (tank.coverage >= options.min_arc) {
+        all.tanks.push_back(std::move(tank));
+        continue;
+      }
+      reason = "its wall reaches down to a foot over " + degreesOf(tank.coverage) + " only";
+    }
+    all.rejected.push_back({found.circle, found.coverage, reason});
   }
-  return tanks;
+  return all;
 }
 
 /// Whether the stretches of height over which two shells are seen are mostly the same; a ringwall ends where its shell
@@ -195,27 +251,35 @@ std::string firstError(const LocateOptions& options) {
   return text;
 }
 
-std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads) {
-  const Points looked_at = scan.everyNth(strideOf(scan), threads);
+std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads,
+                              std::vector<RejectedCircle>* rejected) {
+  const Points looked_at = lookAt(scan, threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
-  std::vector<std::vector<Tank>> found(samples.size());
+  std::vector<Found> found(samples.size());
   forEachIndex(samples.size(), threads, [&](std::size_t i) { found[i] = tanksOf(samples[i], options); });
   std::vector<Tank> tanks;
-  for (auto& of_sample : found) std::move(of_sample.begin(), of_sample.end(), std::back_inserter(tanks));
+  for (Found& of_sample : found) {
+    std::move(of_sample.tanks.begin(), of_sample.tanks.end(), std::back_inserter(tanks));
+    if (rejected) std::move(of_sample.rejected.begin(), of_sample.rejected.end(), std::back_inserter(*rejected));
+  }
   dropNested(tanks);
-  std::sort(tanks.begin(), tanks.end(),
-            [](const Tank& a, const Tank& b) { return a.coverage * a.circle.radius > b.coverage * b.circle.radius; });
+  const auto longer = [](const auto& a, const auto& b) {
+    return a.coverage * a.circle.radius > b.coverage * b.circle.radius;
+  };
+  std::sort(tanks.begin(), tanks.end(), longer);
+  if (rejected) std::stable_sort(rejected->begin(), rejected->end(), longer);
   for (Tank& tank : tanks) tank.near_foot = tank.foot.valid() ? shareNearFoot(scan, looked_at, tank) : 0.0;
   return tanks;
 }
 
 std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads) {
-  const Points looked_at = scan.everyNth(strideOf(scan), threads);
+  const Points looked_at = lookAt(scan, threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
   if (samples.empty()) return std::nullopt;
   const Sample& sample = samples.front();
   Tank tank = describe(sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
   if (!tank.foot.valid()) return std::nullopt;
+  lookBehind(tank, mapWalls(sample.points, sample.voxel));
   tank.near_foot = shareNearFoot(scan, looked_at, tank);
   return tank;
 }

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/units.h"
+#include "io/json_file.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
 
@@ -68,15 +67,32 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
 }
 
 std::string epochFile(const std::string& path) {
-  return std::filesystem::is_directory(path) ? path + "/datum.json" : path;
+  std::error_code ignored;  // what cannot be looked at cannot be read either, which is said there
+  return std::filesystem::is_directory(path, ignored) ? path + "/datum.json" : path;
 }
+
+namespace {
+
+/// Refuses a result whose run was stopped while it moved its files into place, as its journal shows: here, or in the
+/// folder whose tank_N this is.
+void requireWhole(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
+  for (const auto& place : {folder, folder.parent_path()}) {
+    if (!std::filesystem::exists(place / ".tank_datum-commit" / "journal.json", ignored)) continue;
+    throw Error(Error::Kind::File, "epoch", place.string(), "results incomplete since a run was stopped",
+                "a run of tank_datum or tank_datum_compare on it first, which puts it right");
+  }
+}
+
+}  // namespace
 
 Epoch readEpoch(const std::string& path) {
   const std::string file = epochFile(path);
-  std::ifstream in(file);
-  if (!in) throw Error(Error::Kind::File, "epoch", path, "not read", "a datum.json or a folder with one");
+  requireWhole(file);
+  const Json json = readJson(file, "epoch", "a datum.json or a folder with one");
   try {
-    return epochFrom(Json::parse(in), path);
+    return epochFrom(json, path);
   } catch (const Json::exception& error) {
     throw Error(Error::Kind::File, "epoch", file, error.what(), "a datum.json with its stations");
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "core/deviates.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/window_means.h"
@@ -61,27 +61,6 @@ class Steadied {
   std::vector<double> around_;
 };
 
-/// Normal deviates that are the same on every machine: Box and Muller on a specified generator.
-class Deviates {
- public:
-  double operator()() {
-    if (kept_ready_) {
-      kept_ready_ = false;
-      return kept_;
-    }
-    constexpr double kUnit = 1.0 / 18446744073709551616.0;
-    const double u = (static_cast<double>(generator_()) + 0.5) * kUnit, v = static_cast<double>(generator_()) * kUnit;
-    const double r = std::sqrt(-2.0 * std::log(std::min(u, 1.0)));
-    kept_ = r * std::sin(kTwoPi * v), kept_ready_ = true;
-    return r * std::cos(kTwoPi * v);
-  }
-
- private:
-  std::mt19937_64 generator_{20180419};
-  double kept_ = 0.0;
-  bool kept_ready_ = false;
-};
-
 /// Comparisons of an unmoved tank. A station's error is the mean of white noise along its window, so that stations
 /// share errors as far as they share points.
 class Unmoved {
@@ -127,7 +106,7 @@ class Unmoved {
   CommonPart part_;
   std::size_t cells_ = 0;
   std::vector<Share> shares_;
-  Deviates normal_;
+  Deviates normal_{20180419};
 };
 
 std::vector<float> dzOf(const std::vector<MatchedStation>& stations) {

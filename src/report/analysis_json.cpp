@@ -30,10 +30,7 @@ Json placed(const PlacedValue& v) {
 }
 
 Json secondDifferencesJson(const SecondDifferences& d) {
-  PlacedValue worst;
-  for (const PlacedValue& v : d.all) {
-    if (isLarger(worst, v)) worst = v;
-  }
+  const PlacedValue worst = d.valid() ? d.all[d.worst] : PlacedValue{};
   return {{"points", d.points},     {"starts", d.starts},     {"spacing", number(d.spacing)},
           {"worst", placed(worst)}, {"values", d.all.size()}, {"message", d.message}};
 }

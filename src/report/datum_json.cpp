@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.h"
+#include "io/json_file.h"
+#include "refusals.h"
 #include "report/analysis_json.h"
 #include "report/movement_json.h"
 #include "report/setups_json.h"
@@ -53,6 +55,8 @@ Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
                    {"reach", o.shell.reach},
                    {"cell_points", o.shell.cell_points}};
   json["pick"] = o.pick;
+  json["accept"] = o.accept;
+  json["level"] = o.level;
   json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
   json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
   return json;
@@ -129,18 +133,43 @@ Json antipodalJson(const Datum& datum) {
           {"h", heights}};
 }
 
+/// What was asked of the thing found, to know whether it is a tank.
+Json testsJson(const std::vector<TankTest>& tests) {
+  Json json = Json::array();
+  for (const TankTest& t : tests) {
+    json.push_back({{"name", t.name},
+                    {"value", number(t.value)},
+                    {"limit", number(t.limit)},
+                    {"unit", t.unit},
+                    {"outcome", nameOf(t.outcome)},
+                    {"finding", t.outcome == TestOutcome::Pass ? Json(nullptr) : Json(t.finding)}});
+  }
+  return json;
+}
+
+Json leanJson(const Datum& datum, const StationOptions& options) {
+  if (!datum.lean.known()) return nullptr;
+  const std::string text = leanText(datum, options);
+  return {{"slope_x", datum.lean.slope.x()},
+          {"slope_y", datum.lean.slope.y()},
+          {"sigma", datum.lean.sigma},
+          {"sentence", text.empty() ? Json(nullptr) : Json(text)}};
+}
+
 }  // namespace
 
 std::string datumJson(const Datum& datum, const Provenance& provenance) {
   Json json;
-  json["schema"] = 1;
+  json["schema"] = kSchema;
   json["version"] = kVersion;
   json["input"] = inputJson(provenance, datum.origin, datum.levelled);
   json["options"] = optionsJson(provenance.options, provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
   json["tank"] = tankJson(datum);
-  if (datum.usable()) {
+  json["tests"] = testsJson(datum.tests);
+  json["lean"] = leanJson(datum, provenance.options.stations);
+  if (datum.hasStations()) {
     json["datum"] = datumSection(datum);
     json["tilt"] = tiltJson(datum.tilt);
     json["antipodal"] = antipodalJson(datum);

@@ -81,7 +81,7 @@ void writeResults(const std::string& folder, const Datum& datum, const Provenanc
   writeText(folder + "/datum.json", datumJson(datum, provenance));
   writeText(folder + "/stations.csv", stationsCsv(datum));
   writeText(folder + "/shell.csv", shellCsv(datum.shell));
-  if (!datum.usable()) return;
+  if (!datum.hasStations()) return;
   if (!datum.covariance.empty()) writeText(folder + "/datum_nodes.csv", nodesCsv(datum));
   Points curve;
   for (const Station& s : datum.stations) {

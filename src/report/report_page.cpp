@@ -51,7 +51,7 @@ std::string reportPage(const Datum& datum, const Provenance& provenance) {
   std::vector<PageData> data = {{"datum", "application/json", datumJson(datum, provenance)},
                                 {"stations", "text/csv", stationsCsv(datum)}};
   if (datum.shell.valid()) data.push_back({"shell", "text/csv", shellCsv(datum.shell)});
-  if (!datum.refined.sections.empty() && datum.usable()) {
+  if (!datum.refined.sections.empty() && datum.hasStations()) {
     data.push_back({"sections", "application/json", sectionsJson(datum)});
   }
   return pageWith(data);

@@ -4,6 +4,7 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "refusals.h"
 #include "report/shell_report.h"
 #include "report/sparkline.h"
 #include "setups/setup_report.h"
@@ -110,7 +111,7 @@ std::string checkLines(const std::vector<Check>& checks) {
 std::string summary(const Datum& datum, bool blocks) {
   std::string text = line("status", "%s", nameOf(datum.status));
   if (!datum.message.empty()) text += "               " + datum.message + "\n";
-  if (!datum.usable()) return text;
+  if (!datum.hasStations()) return text;
   const Level& level = datum.level;
   const double z = datum.origin.z();
   text += tankLine(datum);
@@ -123,6 +124,8 @@ std::string summary(const Datum& datum, bool blocks) {
   if (blocks) {
     text += line("elevation", "%s from station 0 round", sparkline(datum.stations, kSparklineColumns).c_str());
   }
+  const std::string lean = leanText(datum, {});
+  if (!lean.empty()) text += line("lean", "%s", lean.c_str());
   return text + methodLines(datum) + tiltLine(datum) + antipodalLine(datum.antipodal) + shellSummary(datum.shell) +
          checkLines(datum.analysis.checks);
 }

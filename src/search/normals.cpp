@@ -1,9 +1,10 @@
 #include "tank_datum/search/normals.h"
 
 #include "fit/plane_normal.h"
-#include "search/neighbour_rows.h"
+#include "search/pcl_normals.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/parallel.h"
+#include "tank_datum/search/bucket_tree.h"
 
 namespace tank_datum {
 namespace {
@@ -26,6 +27,30 @@ Eigen::Vector3f normalOf(const Points& points, std::size_t i, const std::int32_t
   return planeNormal(squares).cast<float>();
 }
 
+Normals withRoom(std::size_t points, int k) {
+  Normals normals;
+  normals.k = k;
+  normals.neighbours.resize(points * static_cast<std::size_t>(k));
+  normals.normals.resize(points);
+  return normals;
+}
+
+/// Neighbours among the points rounded to float32, as PCL's; the sums of the normals in double.
+Normals estimateNormalsWithBuckets(const Points& points, int k, int threads) {
+  const auto width = static_cast<std::size_t>(k);
+  Normals result = withRoom(points.size(), k);
+  std::vector<Eigen::Vector3f> rounded(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) rounded[i] = points[i].cast<float>();
+  const BucketTree tree(rounded, threads);
+  // while its points are still in the cache
+  tree.nearestOfAll(width, threads, result.neighbours.data(), [&](const std::uint32_t* found, std::size_t count) {
+    for (std::size_t j = 0; j < count; ++j) {
+      result.normals[found[j]] = normalOf(points, found[j], &result.neighbours[found[j] * width], k);
+    }
+  });
+  return result;
+}
+
 }  // namespace
 
 const char* nameOf(SearchEngine engine) {
@@ -45,24 +70,18 @@ std::string firstError(const NormalOptions& options) {
 
 Normals estimateNormals(const Points& points, const NormalOptions& options, int threads) {
   const auto k = static_cast<std::size_t>(options.k);
-  Normals result;
-  result.k = options.k;
-  result.neighbours.resize(points.size() * k);
-  result.normals.resize(points.size());
-  if (points.empty()) return result;
-  if (points.size() < k) {
+  if (!points.empty() && points.size() < k) {
     throw Error(Error::Kind::Option, "normals", "k", std::to_string(options.k),
                 "at most as many neighbours as points, " + std::to_string(points.size()));
   }
-
-  const NeighbourRows rows{options.k, threads, result.neighbours.data()};
-  // while its points are still in the cache
-  findRows(options.search, points, rows, [&](const std::uint32_t* found, std::size_t count) {
-    for (std::size_t j = 0; j < count; ++j) {
-      result.normals[found[j]] = normalOf(points, found[j], &result.neighbours[found[j] * k], options.k);
-    }
-  });
-  return result;
+  if (points.empty()) return withRoom(0, options.k);
+  switch (options.search) {
+    case SearchEngine::Flann:
+      return estimateNormalsWithPcl(points, options.k, threads);
+    case SearchEngine::Buckets:
+      return estimateNormalsWithBuckets(points, options.k, threads);
+  }
+  return {};
 }
 
 Normals fitNormals(const Points& points, Neighbours neighbours, int k, int threads) {

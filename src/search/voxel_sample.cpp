@@ -69,13 +69,37 @@ std::size_t doublingsFor(const Places& places, std::size_t max_voxels) {
   return std::min(doublings, kMostDoublings);
 }
 
+/// The share of the places that are alone in their voxel, level by level.
+std::vector<double> sharesAlone(const Places& places) {
+  std::vector<std::size_t> met(kMostDoublings + 2, 0);  // how many meet their nearer neighbour on the curve at a level
+  const auto level_of = [&](std::size_t i) -> std::size_t {  // where place i meets the one before it
+    if (i == 0 || i == places.size()) return kMostDoublings + 1;
+    const std::uint64_t apart = places[i].code ^ places[i - 1].code;
+    if (apart == 0) return 0;
+    return std::min((static_cast<std::size_t>(64 - __builtin_clzll(apart)) + 2) / 3, kMostDoublings + 1);
+  };
+  for (std::size_t i = 0, before = level_of(0); i < places.size(); ++i) {
+    const std::size_t after = level_of(i + 1);
+    ++met[std::min(before, after)];
+    before = after;
+  }
+  std::vector<double> shares;
+  std::size_t left = places.size();
+  for (std::size_t level = 0; level <= kMostDoublings; ++level) {
+    left -= met[level];
+    shares.push_back(static_cast<double>(left) / static_cast<double>(places.size()));
+  }
+  return shares;
+}
+
 }  // namespace
 
 VoxelSample::VoxelSample(const Points& points, std::size_t max_points, double voxel, int threads)
-    : voxel_(voxel), doublings_left_(kMostDoublings) {
+    : voxel_(voxel), finest_(voxel), doublings_left_(kMostDoublings) {
   if (points.empty()) return;
   const double reach = reachOf(points);
   while (!(reach / voxel_ < kHalfRange)) voxel_ *= 2.0;
+  finest_ = voxel_;
   const Places places = sortedPlaces(points, voxel_, threads);
   const std::size_t doublings = doublingsFor(places, max_points), bits = 3 * doublings;
   for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
@@ -86,6 +110,7 @@ VoxelSample::VoxelSample(const Points& points, std::size_t max_points, double vo
     voxels_.push_back({places[first].code >> bits, places[lowest].rank, static_cast<std::uint32_t>(end - first),
                        points[places[lowest].index]});
   }
+  alone_ = sharesAlone(places);
   doublings_left_ -= doublings;
   voxel_ = std::ldexp(voxel_, static_cast<int>(doublings));
 }
@@ -112,6 +137,18 @@ double VoxelSample::shareHolding(std::uint32_t count) const {
   const auto holding =
       std::count_if(voxels_.begin(), voxels_.end(), [count](const Voxel& voxel) { return voxel.count >= count; });
   return static_cast<double>(holding) / static_cast<double>(std::max<std::size_t>(1, size()));
+}
+
+double VoxelSample::shareAlone(double edge) const {
+  if (alone_.empty()) return 0.0;
+  const double doublings = std::clamp(std::round(std::log2(edge / finest_)), 0.0, double(kMostDoublings));
+  return alone_[static_cast<std::size_t>(doublings)];
+}
+
+double VoxelSample::edgeWithAlone(double share) const {
+  double edge = finest_;
+  for (std::size_t level = 0; level < alone_.size() && alone_[level] > share; ++level) edge *= 2.0;
+  return edge;
 }
 
 Points VoxelSample::points(std::uint32_t count) const {

@@ -26,6 +26,13 @@ class VoxelSample {
   /// Share of the voxels that hold at least `count` points.
   double shareHolding(std::uint32_t count) const;
 
+  /// Share of the points given that had a voxel of that edge to themselves [m]: surfaces close at some edge, what
+  /// floats in the air at a much longer one.
+  double shareAlone(double edge) const;
+
+  /// The shortest edge, of those doubled again and again, at which at most this share of the points is alone [m].
+  double edgeWithAlone(double share) const;
+
   /// One point of every voxel that holds at least `count` points, along the Morton curve.
   Points points(std::uint32_t count = 1) const;
 
@@ -42,8 +49,9 @@ class VoxelSample {
     Eigen::Vector3d point;
   };
 
-  double voxel_;
+  double voxel_, finest_;  ///< of now, and of the smallest voxels [m]
   std::vector<Voxel> voxels_;
+  std::vector<double> alone_;   ///< share of the points alone in their voxel, after so many doublings of the smallest
   std::size_t doublings_left_;  ///< after which there are the octants about the origin only
 };
 

@@ -59,32 +59,19 @@ Antipodal antipodalOf(const std::vector<Station>& stations) {
   return result;
 }
 
-Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options) {
-  Tilt tilt;
+namespace {
+
+/// Residuals and the figures of the regression that go with a plane.
+void describePlane(std::vector<Station>& stations, const Eigen::Vector3d& plane, const Eigen::Vector2d& center,
+                   Tilt& tilt) {
   const std::vector<double> weights = waveData(stations, 1).weights;
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
-  double sum = 0, total_weight = 0;
+  double sum = 0, total_weight = 0, residual = 0, total = 0;
   auto weight = weights.begin();
   for (const Station& s : stations) {
     if (s.flag != StationFlag::Measured) continue;
-    const Eigen::Vector3d row(1.0, s.x - center.x(), s.y - center.y());
-    normal += *weight * row * row.transpose();
-    rhs += *weight * s.z * row;
     sum += *weight * s.z;
     total_weight += *weight++;
   }
-  const auto n = static_cast<double>(weights.size());
-  const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
-  if (n < 4 || !lu.isInvertible()) return tilt;
-  PlaneFit fit{lu.solve(rhs), lu.inverse()};
-  const bool gap = hasTiltingGap(stations);
-  if (gap) fit = fitPlaneBesideWaves(stations, center);
-  const Eigen::Vector3d& plane = fit.plane;
-  tilt.mean = plane[0];
-  tilt.gradient = plane.tail<2>();
-
-  double residual = 0, total = 0;
   weight = weights.begin();
   for (Station& s : stations) {
     if (!known(s)) continue;
@@ -94,19 +81,48 @@ Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, cons
     residual += *weight * s.u * s.u;
     total += *weight++ * std::pow(s.z - sum / total_weight, 2);
   }
-  const double up = std::atan2(plane[2], plane[1]);
-  const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
-  tilt.direction = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
-  if (!gap) fit.covariance *= residual / (n - 3.0);
-  const Eigen::Matrix2d covariance = fit.covariance.bottomRightCorner<2, 2>();
-  const Eigen::Vector2d along(std::cos(up), std::sin(up));
-  tilt.sigma_slope = std::sqrt(along.dot(covariance * along));
+  const auto n = static_cast<double>(weights.size());
   tilt.standard_error = std::sqrt(residual / (n - 3.0) * n / total_weight);
   constexpr double kNanometre = 1e-9;  // a datum level to within rounding has no variance to explain
   tilt.r2 = total > total_weight * kNanometre * kNanometre ? std::max(0.0, 1.0 - residual / total) : kUnknown;
   // P(F > f) for 2 and m degrees of freedom is (1 + 2 f / m)^(-m/2), and f = (r2/2) / ((1-r2)/m), hence:
   tilt.p_value = std::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
-  if (gap) tilt.p_value = std::exp(-0.5 * tilt.gradient.dot(covariance.inverse() * tilt.gradient));  // chi-square of 2
+}
+
+/// Whether the measured stations are enough, and not in one line.
+bool spanPlane(const std::vector<Station>& stations, const Eigen::Vector2d& center) {
+  constexpr int kFewest = 4;
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  int count = 0;
+  for (const Station& s : stations) {
+    if (s.flag != StationFlag::Measured) continue;
+    const Eigen::Vector3d row(1.0, s.x - center.x(), s.y - center.y());
+    normal += row * row.transpose();
+    ++count;
+  }
+  return count >= kFewest && Eigen::FullPivLU<Eigen::Matrix3d>(normal).isInvertible();
+}
+
+}  // namespace
+
+Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options,
+             const StationCovariance& covariance) {
+  Tilt tilt;
+  if (!spanPlane(stations, center)) return tilt;
+  const PlaneFit fit = fitPlane(stations, center, covariance);
+  tilt.mean = fit.plane[0];
+  tilt.gradient = fit.plane.tail<2>();
+  describePlane(stations, fit.plane, center, tilt);
+  const double up = std::atan2(fit.plane[2], fit.plane[1]);
+  const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
+  tilt.direction = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
+  const Eigen::Matrix2d spread = fit.covariance.bottomRightCorner<2, 2>();
+  const Eigen::Vector2d along(std::cos(up), std::sin(up));
+  tilt.sigma_slope = std::sqrt(along.dot(spread * along));
+  tilt.freedom = fit.freedom;
+  tilt.covariance = spread;
+  if (hasTiltingGap(stations))  // chi-square of 2
+    tilt.p_value = std::exp(-0.5 * tilt.gradient.dot(spread.inverse() * tilt.gradient));
   return tilt;
 }
 

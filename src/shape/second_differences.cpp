@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "core/units.h"
-#include "stations/ring_series.h"
+#include "shape/survey_rows.h"
 
 namespace tank_datum {
 namespace {
@@ -25,15 +25,6 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-bool equallySpaced(const std::vector<Station>& stations) {
-  const double step = kTwoPi / static_cast<double>(stations.size());
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    const double to_next = stations[(i + 1) % stations.size()].azimuth - stations[i].azimuth;
-    if (std::abs(std::remainder(to_next - step, kTwoPi)) > 0.01 * step) return false;
-  }
-  return !stations.empty();
-}
-
 /// Why a survey of so many points is none for the classic rule; or empty.
 std::string objection(int points, double circumference) {
   const double spacing = circumference / points;
@@ -51,52 +42,82 @@ std::string objection(int points, double circumference) {
   return {};
 }
 
-void addStart(const RingSeries& u, double start, int points, std::vector<PlacedValue>& all) {
+/// Where surveys start: at every station, and at so many places between that there are at least kFewestStarts.
+/// Starts a whole number of points apart are the same survey.
+std::vector<double> startsOf(const std::vector<Station>& stations, int points) {
+  constexpr double kSame = 1e-7;  // [rad]
+  constexpr double kFewestStarts = 10.0;
   const double step = kTwoPi / points;
-  for (int i = 0; i < points; ++i) {
-    const auto before = u.at(start + (i - 1) * step), here = u.at(start + i * step),
-               after = u.at(start + (i + 1) * step);
-    if (!before || !here || !after) continue;
-    const double value = here->value - 0.5 * (before->value + after->value);
-    all.push_back({std::abs(value), std::hypot(here->sigma, 0.5 * before->sigma, 0.5 * after->sigma), here->azimuth});
+  std::vector<double> starts;
+  const auto put = [&](double azimuth) {
+    const double start = azimuth - step * std::floor(azimuth / step + kSame);
+    const bool known = std::any_of(starts.begin(), starts.end(),
+                                   [&](double s) { return std::abs(std::remainder(s - start, step)) < kSame; });
+    if (!known) starts.push_back(start);
+  };
+  for (const Station& s : stations) put(s.azimuth);
+  const std::vector<double> at_stations = starts;
+  const auto count = static_cast<double>(starts.size());
+  const double parts = std::ceil(kFewestStarts / count);
+  for (double i = 1.0; i < parts; ++i) {
+    for (const double s : at_stations) put(s + step / count * i / parts);
   }
+  std::sort(starts.begin(), starts.end());
+  return starts;
 }
 
 }  // namespace
 
-SecondDifferences secondDifferencesOf(const std::vector<Station>& stations, double radius, int points) {
-  SecondDifferences result;
+SurveyPlan planSurvey(const std::vector<Station>& stations, double radius, int points) {
+  SurveyPlan plan;
   const auto count = static_cast<int>(stations.size());
   const double circumference = kTwoPi * radius;
-  if (!equallySpaced(stations)) {
-    result.message = "the stations are not equally spaced";
-    return result;
+  if (count == 0) {
+    plan.message = "there are no stations";
+    return plan;
   }
   const bool sparse = circumference / count >= kClosest - kRounding;
   const bool chosen = points == 0;
   if (chosen) points = sparse ? count : 2 * static_cast<int>(std::lround(circumference / kWanted / 2.0));
   if (points > count) {
-    result.message = formatted("%d points asked for, and only %d stations", points, count);
-    return result;
+    plan.message = formatted("%d points asked for, and only %d stations", points, count);
+    return plan;
   }
   if (chosen && points < kFewestPoints && !sparse) {
-    result.message = "the tank is too small for 8 points 4.6 m (15 ft) apart";
-    return result;
+    plan.message = "the tank is too small for 8 points 4.6 m (15 ft) apart";
+    return plan;
   }
-  result.message = objection(points, circumference);
-  if (!result.message.empty()) return result;
-  result.points = points;
-  result.spacing = circumference / points;
-  result.starts = std::max(1, count / points);
+  plan.message = objection(points, circumference);
+  if (!plan.message.empty()) return plan;
+  plan.points = points;
+  plan.spacing = circumference / points;
+  plan.as_they_are = points == count;
+  plan.starts = plan.as_they_are ? std::vector<double>{stations.front().azimuth} : startsOf(stations, points);
+  if (plan.spacing > kSound + kRounding) {
+    plan.message = formatted("points %.2f m apart see less of the curvature than those at 15 to 22 ft", plan.spacing);
+  }
+  return plan;
+}
+
+SecondDifferences secondDifferencesOf(const std::vector<Station>& stations, double radius, int points) {
+  const SurveyPlan plan = planSurvey(stations, radius, points);
+  SecondDifferences result;
+  result.message = plan.message;
+  if (!plan.valid()) return result;
+  result.points = plan.points;
+  result.spacing = plan.spacing;
+  result.starts = static_cast<int>(plan.starts.size());
   const RingSeries u(stations, &Station::u, &Station::sigma_z);
-  for (int start = 0; start < result.starts; ++start) {
-    addStart(u, stations[static_cast<std::size_t>(start)].azimuth, points, result.all);
+  const RingRows rows = secondDifferenceRows(u, plan, radius);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    result.all.push_back(rows.of(row, u.values()));
+    result.spacings.push_back(plan.spacing / std::sqrt(rows.scale(row)));
   }
-  if (result.spacing > kSound + kRounding) {
-    result.message =
-        formatted("points %.2f m apart see less of the curvature than those at 15 to 22 ft", result.spacing);
+  if (rows.empty()) {
+    result.message = "no three neighbouring points have an elevation";
+  } else {
+    result.worst = rows.largest(u.values());
   }
-  if (result.all.empty()) result.message = "no three neighbouring points have an elevation";
   return result;
 }
 

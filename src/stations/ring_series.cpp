@@ -7,28 +7,47 @@
 
 namespace tank_datum {
 
-RingSeries::RingSeries(const std::vector<Station>& stations, double Station::*quantity, double Station::*sigma)
-    : step_(1.01 * kTwoPi / static_cast<double>(std::max<std::size_t>(1, stations.size()))) {
-  for (const Station& s : stations) {
-    if (std::isfinite(s.*quantity)) values_.push_back({s.azimuth, s.*quantity, s.*sigma});
+double turnAhead(double from, double to) { return to - from - kTwoPi * std::floor((to - from) / kTwoPi); }
+
+RingSeries::RingSeries(const std::vector<Station>& stations, double Station::*quantity, double Station::*sigma) {
+  constexpr double kGap = 2.0;  // of the mean distance: between typed stations that are not equally spaced
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const Station& s = stations[i];
+    if (!std::isfinite(s.*quantity)) continue;
+    values_.push_back({s.azimuth, s.*quantity, s.*sigma});
+    numbers.push_back(i);
+  }
+  const double widest = 1.01 * kGap * kTwoPi / static_cast<double>(std::max<std::size_t>(1, stations.size()));
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const std::size_t next = (i + 1) % values_.size();
+    const bool neighbours = (numbers[i] + 1) % stations.size() == numbers[next];
+    joined_.push_back(neighbours && turnAhead(values_[i].azimuth, values_[next].azimuth) <= widest);
   }
 }
 
-std::optional<RingValue> RingSeries::at(double azimuth) const {
+std::optional<RingPlace> RingSeries::placeOf(double azimuth) const {
   constexpr double kSame = 1e-9;  // rounding of an azimuth [rad]
   if (values_.empty()) return {};
   azimuth -= kTwoPi * std::floor(azimuth / kTwoPi);
   const auto later = [](const RingValue& v, double a) { return v.azimuth < a; };
   const auto found = std::lower_bound(values_.begin(), values_.end(), azimuth - kSame, later);
   const auto next = static_cast<std::size_t>(found - values_.begin()) % values_.size();
-  const RingValue& b = values_[next];
-  const RingValue& a = values_[(next + values_.size() - 1) % values_.size()];
-  const auto ahead = [](double from, double to) { return to - from - kTwoPi * std::floor((to - from) / kTwoPi); };
-  if (std::abs(std::remainder(b.azimuth - azimuth, kTwoPi)) <= kSame) return RingValue{azimuth, b.value, b.sigma};
-  const double whole = ahead(a.azimuth, b.azimuth), part = ahead(a.azimuth, azimuth) / whole;
-  if (!(whole <= step_)) return {};
-  return RingValue{azimuth, (1.0 - part) * a.value + part * b.value,
-                   std::hypot((1.0 - part) * a.sigma, part * b.sigma)};
+  const std::size_t last = (next + values_.size() - 1) % values_.size();
+  if (std::abs(std::remainder(values_[next].azimuth - azimuth, kTwoPi)) <= kSame) return RingPlace{next, next, 0.0};
+  if (!joined_[last]) return {};
+  const double from = values_[last].azimuth;
+  return RingPlace{last, next, turnAhead(from, azimuth) / turnAhead(from, values_[next].azimuth)};
+}
+
+std::optional<RingValue> RingSeries::at(double azimuth) const {
+  const auto place = placeOf(azimuth);
+  if (!place) return {};
+  const RingValue &a = values_[place->before], &b = values_[place->after];
+  if (place->before == place->after) return RingValue{azimuth, a.value, a.sigma};
+  const double share = place->share;
+  return RingValue{azimuth, (1.0 - share) * a.value + share * b.value,
+                   std::hypot((1.0 - share) * a.sigma, share * b.sigma)};
 }
 
 }  // namespace tank_datum

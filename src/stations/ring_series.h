@@ -12,6 +12,12 @@ struct RingValue {
   double azimuth, value, sigma;
 };
 
+/// Where an azimuth lies among the values: (1 - share) of one and share of the next.
+struct RingPlace {
+  std::size_t before = 0, after = 0;
+  double share = 0.0;
+};
+
 /// A quantity of the stations that have it, readable at any azimuth between neighbours.
 class RingSeries {
  public:
@@ -22,12 +28,22 @@ class RingSeries {
   const std::vector<RingValue>& values() const { return values_; }
   bool empty() const { return values_.empty(); }
 
-  /// Linear between two neighbours with nothing missing between them; nothing in a gap. At a station its own.
+  /// Between two neighbouring stations with nothing missing between them, nor so much as twice the stations' mean
+  /// distance; nothing in a gap. At a station that station alone.
+  std::optional<RingPlace> placeOf(double azimuth) const;
+
+  /// Linear between the two.
   std::optional<RingValue> at(double azimuth) const;
+
+  /// Whether nothing is missing between a value and the next.
+  bool joined(std::size_t i) const { return joined_[i]; }
 
  private:
   std::vector<RingValue> values_;
-  double step_;  ///< the longest way between neighbours without a gap [rad]
+  std::vector<bool> joined_;
 };
+
+/// The way from one azimuth ahead to another [rad], from 0 to a turn.
+double turnAhead(double from, double to);
 
 }  // namespace tank_datum

@@ -147,6 +147,10 @@ const std::vector<std::pair<const char*, Json>> kPlateChanges = {
     {"/tanks/0/foundation/plate_thickness", 0.02},
     {"/tanks/0/foundation/plate_width_variation", 0.01},
     {"/tanks/0/foundation/ringwall_width", 0.4},
+    {"/tanks/0/foundation/plate_slope", -0.03},
+    {"/tanks/0/foundation/plate_slope_waves/0", {{"n", 3}, {"amplitude", 0.02}, {"phase_deg", 10}}},
+    {"/tanks/0/foundation/concentric", true},
+    {"/tanks/0/foundation/sectors/0", {{"rise", 0.01}, {"azimuth_deg", 10}, {"width_deg", 90}, {"edge", 0.2}}},
 };
 
 const std::vector<std::pair<const char*, Json>> kCrownChanges = {

@@ -62,5 +62,18 @@ TEST(TukeyWeight, IsOneInTheMiddleAndNothingFrom4Point685SigmasOn) {
 
 TEST(TukeyWeight, DoesNotAskForTheSign) { EXPECT_EQ(tukeyWeight(-1.5), tukeyWeight(1.5)); }
 
+TEST(Student95, OfTables) {
+  for (const auto& [freedom, expected] : {std::pair{1.0, 12.706},
+                                          {2.0, 4.303},
+                                          {3.0, 3.182},
+                                          {5.0, 2.571},
+                                          {11.0, 2.201},
+                                          {30.0, 2.042},
+                                          {1e6, 1.960},
+                                          {0.0, 1.960}}) {
+    EXPECT_NEAR(student95(freedom), expected, 0.003) << freedom;
+  }
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -47,6 +47,25 @@ TEST(PcdAscii, NotFiniteInAnyCase) {
   EXPECT_EQ(asciiPoints(6, "nan 0 0\n0 NaN 0\n0 0 NAN\n-nan 0 0\ninf 0 -Inf\n1 2 3\n"), (Points{{1, 2, 3}}));
 }
 
+TEST(PcdAscii, NotFiniteAsWindowsWroteIt) {
+  EXPECT_EQ(asciiPoints(6, "-1.#IND 0 0\n0 1.#QNAN 0\n0 0 1.#INF\n-1.#IND00 0 0\n0 +1.#SNAN 0\n1 2 3\n"),
+            (Points{{1, 2, 3}}));
+  for (const std::string word : {"1.#", "1.#IN", "2.#IND", "1.#INDX", "1.#INF1", "#IND"}) {
+    expectRefusal(1, "1 2 " + word + "\n", "\"" + word + "\"");
+  }
+}
+
+TEST(PcdAscii, CommentsBetweenRows) {
+  EXPECT_EQ(asciiPoints(2, "# from here\n1 2 3\n \t#4 5 6\n\n#\n7 8 9\n# the end\n"), (Points{{1, 2, 3}, {7, 8, 9}}));
+  expectRefusal(2, "1.5 2.5 3.5\n# 4 5 6\n", "1 whole ones, expected 2 (POINTS)");
+}
+
+TEST(PcdAscii, BytesBehindTheLastRowArePassedOver) {
+  const std::string page(4096, '\0');
+  EXPECT_EQ(asciiPoints(1, "1 2 3\n" + page), (Points{{1, 2, 3}}));
+  EXPECT_EQ(asciiPoints(1, "1 2 3\n\x1a"), (Points{{1, 2, 3}}));  // the end of a file under DOS
+}
+
 TEST(PcdAscii, WhatIsNoNumber) {
   expectRefusal(2, "1 2 3\n4 abc 6\n", "row 2 of ");
   expectRefusal(2, "1 2 3\n4 abc 6\n", "\"abc\", expected a number");

@@ -108,8 +108,8 @@ TEST(PcdHeader, TypesAndSizes) {
   expectRefusal(with("TYPE F F F", "TYPE F F D"), "D 4, expected F of 4 or 8 bytes");
   expectRefusal(with("TYPE F F F", "TYPE F F"), "2 values, expected 3 as in FIELDS");
   expectRefusal(with("COUNT 1 1 1", "COUNT 1 1 1 1"), "4 values, expected 3");
-  expectRefusal(with("COUNT 1 1 1", "COUNT 1 0 1"), "0, expected a whole number >= 1");
-  expectRefusal(with("COUNT 1 1 1", "COUNT 1 1 18446744073709551615"), "65536 bytes");
+  expectRefusal(with("COUNT 1 1 1", "COUNT 1 1.0 1"), "1.0, expected whole numbers");
+  expectRefusal(with("COUNT 1 1 1", "COUNT 1 1 9223372036854775807"), "65536 bytes");
 }
 
 TEST(PcdHeader, CountsThatAreNotOrDisagree) {
@@ -134,13 +134,52 @@ TEST(PcdHeader, MorePointsThanTheFileCanHold) {
   }
 }
 
-TEST(PcdHeader, BytesBehindTheLastRow) {
-  const std::string text = pcd_files::pcd(pcd_files::kXyzFloat, {{1, 2, 3}}, "binary");
-  EXPECT_EQ(parse(text + std::string(11, '\n')).points, 1U);
-  expectRefusal(text + std::string(12, '\n'), "1, expected 2, the rows of 12 bytes in the file");
-  EXPECT_EQ(
-      parse(pcd_files::pcd(pcd_files::kXyzFloat, {{1, 2, 3}}, "binary_compressed") + std::string(4096, '\0')).points,
-      1U);
+TEST(PcdHeader, BytesBehindTheDataArePassedOver) {
+  for (const std::string data : {"binary", "binary_compressed"}) {
+    const std::string text = pcd_files::pcd(pcd_files::kXyzFloat, {{1, 2, 3}}, data);
+    for (const std::size_t more : {11, 12, 4096}) EXPECT_EQ(parse(text + std::string(more, '\0')).points, 1U) << more;
+  }
+}
+
+TEST(PcdHeader, FieldsOfCountZeroAreNotThere) {
+  std::vector<pcd_files::Field> fields = {{"x", 'F', 4}, {"_", 'U', 1, 0}, {"y", 'F', 4}, {"z", 'F', 4}};
+  for (const std::string data : {"ascii", "binary", "binary_compressed"}) {
+    const PcdHeader header = parse(pcd_files::pcd(fields, {{1, 2, 3}}, data));
+    EXPECT_EQ(header.row_bytes, 12U);
+    EXPECT_EQ(header.row_values, 3U);
+    EXPECT_EQ(header.xyz, (std::array<std::size_t, 3>{0, 1, 2}));
+  }
+  fields[1] = {"nothing", 'X', 0, 0};  // whose type and size mean nothing
+  EXPECT_EQ(parse(pcd_files::pcd(fields, {{1, 2, 3}}, "binary")).row_bytes, 12U);
+  expectRefusal(with("COUNT 1 1 1", "COUNT 1 0 1"), "no y, expected x, y and z");
+}
+
+TEST(PcdHeader, NegativeCountsLeadBack) {
+  const std::vector<pcd_files::Field> fields = {{"x", 'F', 4}, {"_", 'U', 1, 8}, {"rgb", 'U', 4}, {"_", 'U', 1, -12},
+                                                {"y", 'F', 4}, {"z", 'F', 4},    {"_", 'U', 1, 4}};
+  const std::string text = pcd_files::header(fields, 1, "binary");
+  const PcdHeader header = parse(text + std::string(16, '\0'));
+  EXPECT_EQ(header.row_bytes, 16U);
+  ASSERT_EQ(header.columns.size(), 6U);
+  EXPECT_EQ(header.columns[2].offset, 12U);  // rgb
+  EXPECT_EQ(header.columns[header.xyz[1]].offset, 4U);
+  EXPECT_EQ(header.columns[header.xyz[2]].offset, 8U);
+  expectRefusal(text + std::string(15, '\0'), "expected at most 0");
+  expectRefusal(with("COUNT 1 1 1", "COUNT 1 1 -3"), "no fewer than none");
+  const std::vector<pcd_files::Field> cut = {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}, {"_", 'U', 1, -8}};
+  expectRefusal(pcd_files::header(cut, 1, "binary") + std::string(99, '\0'), "ends before its field y");
+}
+
+TEST(PcdHeader, AnyCaseAndAByteOrderMark) {
+  EXPECT_EQ(parse(with("DATA ascii", "DATA ASCII")).points, 1U);
+  EXPECT_EQ(parse(with("DATA ascii", "data Ascii")).points, 1U);
+  EXPECT_EQ(parse(with("FIELDS", "columns")).points, 1U);
+  EXPECT_EQ(parse(with("TYPE F F F", "type f f F")).row_bytes, 12U);
+  expectRefusal(with("HEIGHT 1", "HEIGHT 1\nheight 1"), "HEIGHT of ");
+  const std::string mark = "\xef\xbb\xbf", text = with("VERSION 0.7", "version .7");
+  EXPECT_EQ(parse(mark + text).data_offset, parse(text).data_offset + mark.size());
+  EXPECT_EQ(parse(mark + text.substr(text.find('\n') + 1)).points, 1U);  // before a keyword, not a comment
+  expectRefusal(mark.substr(0, 2) + text, "header line 1 of ");
 }
 
 TEST(PcdHeader, CompressedSizesThatLie) {

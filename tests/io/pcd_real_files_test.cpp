@@ -60,6 +60,20 @@ TEST(PcdRealFiles, StereoScene) {
   EXPECT_EQ(counts.points - counts.invalid, 209280U);
 }
 
+/// Written by PCL, which fills the file up to a page.
+TEST(PcdRealFiles, Padded) {
+  if (pcd_files::dataFolder().empty()) GTEST_SKIP() << "TANK_DATUM_DATA is not set";
+  const auto finite = [](const std::string& name) {
+    const ScanCounts counts = Scan::open({dataFile("padded/" + name)}).forEachBlock([](const Points&) {});
+    EXPECT_EQ(counts.points, Scan::open({dataFile("padded/" + name)}).size());
+    return counts.points - counts.invalid;
+  };
+  for (const char* name : {"sample_pc2_ascii.pcd", "sample_pc2_binary.pcd", "sample_pc2_bc.pcd"}) {
+    EXPECT_EQ(finite(name), 25963U) << name;
+  }
+  EXPECT_EQ(finite("zaghetto.pcd"), 59750U);
+}
+
 TEST(PcdRealFiles, BadOnes) {
   if (pcd_files::dataFolder().empty()) GTEST_SKIP() << "TANK_DATUM_DATA is not set";
   const auto expectRefusal = [](const std::string& path, const std::string& part) {

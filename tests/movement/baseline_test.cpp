@@ -51,6 +51,29 @@ TEST_F(BaselineFile, IsTheDatumThatWasWritten) {
   }
 }
 
+TEST_F(BaselineFile, IsRefusedWhileItsResultsAreIncomplete) {
+  namespace fs = std::filesystem;
+  const fs::path folder = path_ + ".folder", journal = folder / ".tank_datum-commit" / "journal.json";
+  fs::create_directories(journal.parent_path());
+  fs::create_directories(folder / "tank_1");
+  for (const fs::path& place : {folder, folder / "tank_1"}) fs::copy_file(path_, place / "datum.json");
+  std::ofstream(journal) << "{}";
+  const auto refused = [](const fs::path& path) -> std::string {
+    try {
+      readEpoch(path.string());
+    } catch (const Error& error) {
+      return error.kind() == Error::Kind::File ? error.what() : "";
+    }
+    return "";
+  };
+  for (const fs::path& path : {folder, folder / "datum.json", folder / "tank_1"}) {
+    EXPECT_NE(refused(path).find("results incomplete since a run was stopped"), std::string::npos) << path;
+  }
+  fs::remove(journal);
+  EXPECT_EQ(refused(folder), "");
+  fs::remove_all(folder);
+}
+
 TEST_F(BaselineFile, IsRefusedWhenUnusable) {
   EXPECT_EQ(refusal(), "");
   write("{");

@@ -27,6 +27,7 @@ RESULTS = (
     "datum_curve.pcd",
     "report.html",
 )
+FOLDER = (*RESULTS, "manifest.json")
 
 
 @dataclass(frozen=True)

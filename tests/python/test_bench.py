@@ -56,6 +56,7 @@ def test_both_chains_take_k_and_theta(tmp_path: Path) -> None:
 def test_larger_scans_are_made_run_and_removed(tmp_path: Path) -> None:
     folder = tmp_path / "scans"
     folder.mkdir()
+    (folder / "bench_10000.pcd").write_text("mine")
     sizes = ("--scale", "--smallest", 0.01, "--largest", 0.1, "--folder", folder)
     growth = figures(tmp_path, *sizes)["growth"]
     assert [run["points"] for run in growth] == [10_000, 100_000]
@@ -63,7 +64,7 @@ def test_larger_scans_are_made_run_and_removed(tmp_path: Path) -> None:
     assert all(run["measured"] > 100 and run["read_seconds"] > 0 for run in growth)
     assert growth[-1]["largest_difference_in_sigmas"] == 0.0
     assert 0.0 < growth[0]["largest_difference_in_sigmas"] < 6.0
-    assert list(folder.iterdir()) == []
+    assert [(p.name, p.read_text()) for p in folder.iterdir()] == [("bench_10000.pcd", "mine")]
 
 
 def test_the_stock_chain_is_left_out_on_request(tmp_path: Path) -> None:

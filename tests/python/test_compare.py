@@ -21,6 +21,7 @@ def epoch(path: Path, dip: float = 0.0, **changes: object) -> Path:
             {"azimuth_deg": i, "direction_deg": i, "z": z, "sigma_z": 0.0002, "flag": "measured"}
         )
     result = {
+        "schema": 1,
         "status": "ok",
         "options": {"method": "refined"},
         "tank": {"center": [0, 0], "radius": 30},
@@ -48,6 +49,7 @@ def test_three_surveys_give_a_table_a_trend_and_files(tmp_path: Path) -> None:
     assert len(rows) == 361
     assert float(rows[101].split(",")[1]) == pytest.approx(-0.001)
     assert sorted(f.name for f in (tmp_path / "m").iterdir()) == [
+        "manifest.json",
         "movement.csv",
         "movement.json",
         "report.html",
@@ -131,18 +133,16 @@ def test_surveys_of_other_station_counts_share_one_table(tmp_path: Path) -> None
     assert [float(rows[100].split(",")[k]) for k in (3, 6)] == pytest.approx([-0.001, -0.002])
 
 
-def test_a_failure_leaves_no_earlier_result(tmp_path: Path) -> None:
+def test_a_failure_leaves_the_earlier_result(tmp_path: Path) -> None:
     surveys = [epoch(tmp_path / f"{i}.json", 0.001 * i) for i in range(2)]
     other = epoch(tmp_path / "other.json", tank={"center": [0, 0], "radius": 29})
     assert compare(*surveys, "-o", tmp_path / "m").returncode == 0
     (tmp_path / "m/datum.json").write_text("not of this command")
-    assert compare(surveys[0], other, "-o", tmp_path / "m").returncode == 2
-    assert sorted(p.name for p in (tmp_path / "m").iterdir()) == ["datum.json", "previous"]
-    assert sorted(p.name for p in (tmp_path / "m/previous").iterdir()) == [
-        "movement.csv",
-        "movement.json",
-        "report.html",
-    ]
+    before = {p.name: p.read_bytes() for p in (tmp_path / "m").iterdir()}
+    failed = compare(surveys[0], other, "-o", tmp_path / "m")
+    assert failed.returncode == 2
+    assert f"; {tmp_path / 'm'} holds the results of an earlier run, unchanged" in failed.stderr
+    assert {p.name: p.read_bytes() for p in (tmp_path / "m").iterdir()} == before
 
 
 @pytest.mark.parametrize(
@@ -206,7 +206,7 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
 @pytest.mark.parametrize(
     ("changes", "status", "reason"),
     [
-        ("not JSON", 3, "a datum.json with its stations"),
+        ("not JSON", 3, "a datum.json or a folder with one"),
         ({"stations": None}, 3, "a datum.json with its stations"),
         ({"status": "no_tank"}, 2, "of status no_tank, expected a result with a usable datum"),
         ({"options": {"method": "paper"}}, 2, "of method paper, expected the method"),
@@ -218,7 +218,7 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
 def test_unusable_baselines_are_refused_before_the_extraction(
     tmp_path: Path, of_the_sample: dict, changes: dict | str, status: int, reason: str
 ) -> None:
-    """Nothing is written, and what an earlier run left is set aside."""
+    """Nothing is written, and what stood there before stays."""
     baseline, out = tmp_path / "baseline.json", tmp_path / "out"
     text = changes if isinstance(changes, str) else json.dumps(of_the_sample | changes)
     baseline.write_text(text)
@@ -229,7 +229,7 @@ def test_unusable_baselines_are_refused_before_the_extraction(
     assert done.returncode == status, done.stderr
     assert done.stderr.startswith("tank_datum: ") and reason in done.stderr
     assert done.stderr.count("\n") == 1
-    assert [p.name for p in out.iterdir()] == ["previous"]
+    assert [(p.name, p.read_text()) for p in out.iterdir()] == [("datum.json", "of an earlier run")]
 
 
 def test_a_missing_baseline_is_a_file_error(tmp_path: Path) -> None:
@@ -247,5 +247,5 @@ def test_a_baseline_is_not_written_over(tmp_path: Path) -> None:
     for baseline in (tmp_path / "a", tmp_path / "a/datum.json"):
         done = subprocess.run([*run, "--baseline", baseline], capture_output=True, text=True)
         assert done.returncode == 2
-        assert "outside of the output folder" in done.stderr
+        assert "outside of the inputs; this is the baseline" in done.stderr
     assert (tmp_path / "a/datum.json").read_bytes() == before

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from results import (
+    FOLDER,
     HEADER,
-    RESULTS,
     Run,
     read_datum,
     read_pcd,
@@ -111,7 +111,7 @@ def result(
 
 
 def test_folder_holds_the_results_alone(result: tuple[str, Path]) -> None:
-    assert sorted(p.name for p in result[1].iterdir()) == sorted(RESULTS)
+    assert sorted(p.name for p in result[1].iterdir()) == sorted(FOLDER)
 
 
 def test_datum_json(result: tuple[str, Path]) -> None:
@@ -267,5 +267,5 @@ def test_same_bytes(run: Runner, synth: Synth, tmp_path: Path, method: str) -> N
     for folder, threads in zip(folders, (0, 0, 1, 2), strict=True):
         args = ["-o", folder, "--method", method, "--threads", threads]
         assert run(synth(scanners=2), *args).returncode == 0
-    for (a, b), name in itertools.product(itertools.pairwise(folders), RESULTS):
+    for (a, b), name in itertools.product(itertools.pairwise(folders), FOLDER):
         assert (a / name).read_bytes() == (b / name).read_bytes(), name

@@ -47,6 +47,7 @@ def no_datum(result: Run, folder: Path, *statuses: str) -> None:
     one_line(result, datum["status"], datum["message"])
     assert sorted(p.name for p in folder.iterdir()) == [
         "datum.json",
+        "manifest.json",
         "report.html",
         "shell.csv",
         "stations.csv",

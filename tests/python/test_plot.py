@@ -65,7 +65,7 @@ def test_of_a_whole_result(whole: Path, tmp_path: Path) -> None:
     result = plot(whole, "-o", tmp_path)
     assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
     wanted = {f"{name}.{kind}" for name in PICTURES for kind in ("pdf", "svg", "png")}
-    assert {p.name for p in tmp_path.iterdir()} == wanted | {"report.pdf"}
+    assert {p.name for p in tmp_path.iterdir()} == wanted | {"report.pdf", "manifest.json"}
     for name in PICTURES:
         pixels = matplotlib.image.imread(tmp_path / f"{name}.png")[:, :, :3]
         assert pixels.shape[1] >= 1900  # 170 mm at 300 dpi
@@ -79,8 +79,8 @@ def test_same_bytes_beside_the_results_as_in_a_folder(copy: Path, tmp_path: Path
     assert plot(copy, "-o", tmp_path / "a", "--formats", "svg").returncode == 0
     assert plot(copy, "--formats", "svg").returncode == 0
     names = sorted(p.name for p in (tmp_path / "a").iterdir())
-    assert names == sorted([*(f"{name}.svg" for name in PICTURES), "report.pdf"])
-    for name in names:
+    assert names == sorted([*(f"{name}.svg" for name in PICTURES), "report.pdf", "manifest.json"])
+    for name in set(names) - {"manifest.json"}:
         assert (tmp_path / "a" / name).read_bytes() == (copy / name).read_bytes()
 
 
@@ -105,7 +105,11 @@ def test_of_no_tank(run: Runner, tmp_path: Path) -> None:
     assert result.returncode == 1
     assert result.stderr.startswith("plot.py: no_tank: ")
     assert result.stderr.count("\n") == 1
-    assert sorted(p.name for p in (tmp_path / "pics").iterdir()) == ["cloud.png", "report.pdf"]
+    assert sorted(p.name for p in (tmp_path / "pics").iterdir()) == [
+        "cloud.png",
+        "manifest.json",
+        "report.pdf",
+    ]
     assert pages(tmp_path / "pics" / "report.pdf") == 2
 
 

@@ -164,7 +164,58 @@ def test_update_shows_then_rewrites(cases: Path) -> None:
     assert result.returncode == 0
     assert "0.5" in result.stdout
     assert stations_of(cases) == before
-    assert not list(cases.parent.glob("**/*.part"))
+    assert sorted(p.name for p in (cases.parent / "sample").iterdir()) == [
+        "datum.json",
+        "stations.csv",
+    ]
+
+
+def everything(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+def test_update_writes_the_fixtures_it_names_and_nothing_else(cases: Path) -> None:
+    """A fixture further down runs in the cases file's own folder too."""
+    root = cases.parent
+    text = cases.read_text().replace('name = "sample"', 'name = "sample"\nfixture = "deep/B"')
+    shutil.copy(ROOT / "tests" / "data" / "sample.pcd", root / "scan.pcd")
+    cases.write_text(text.replace(str(ROOT / "tests" / "data" / "sample.pcd"), "scan.pcd"))
+    shutil.copytree(root / "sample", root / "deep" / "B")
+    for name in ("notes.txt", "report.html", "datum.json.bak", "deep/datum.json"):
+        (root / "deep" / "B" / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / "deep" / "B" / name).write_text("mine")
+    stations = root / "deep" / "B" / "stations.csv"
+    stations.write_text(stations.read_text().replace("measured", "missing", 1))
+    before = everything(root)
+    result = qa(cases, "--update")
+    assert result.returncode == 0, result.stdout + result.stderr
+    after = everything(root)
+    assert set(after) == set(before)
+    changed = {name for name in after if after[name] != before[name]}
+    assert changed == {"deep/B/stations.csv", "deep/B/datum.json"}
+
+
+def test_update_keeps_what_tank_datum_did_not_write(cases: Path) -> None:
+    fixture = cases.parent / "sample"
+    (fixture / "datum.json").write_text('{"datum": "WGS 84"}')
+    (fixture / "stations.csv").write_text("petrol stations")
+    result = qa(cases, "--update")
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert (fixture / "datum.kept.json").read_text() == '{"datum": "WGS 84"}'
+    assert (fixture / "stations.kept.csv").read_text() == "petrol stations"
+    assert result.stderr.count("kept as") == 2
+    assert qa(cases).returncode == 0
+
+
+def test_junit_is_no_input_and_replaces_only_its_own(cases: Path, tmp_path: Path) -> None:
+    before = cases.read_bytes()
+    refused = qa(cases, "--junit", cases)
+    assert (refused.returncode, refused.stdout, cases.read_bytes()) == (2, "", before)
+    (tmp_path / "junit.xml").write_text("mine")
+    for _ in range(2):
+        assert qa(cases, "--junit", tmp_path / "junit.xml").returncode == 0
+    assert (tmp_path / "junit.kept.xml").read_text() == "mine"
+    assert not (tmp_path / "junit.kept-2.xml").exists()
 
 
 def test_status_is_compared(cases: Path) -> None:
@@ -210,6 +261,19 @@ def test_command_that_is_not_there(cases: Path) -> None:
         ('[tolerance]\nz = "much"\n[[case]]\n', "tolerance.z, 'much', expected a number >= 0"),
         ('[[case]]\nname = "a"\ninputs = ["b"]\n' * 2, "a name of its own"),
         ("[[case", "expected TOML"),
+        *(
+            (f'[[case]]\nname = "a"\ninputs = ["b"]\n{line}\n', said)
+            for line, said in (
+                ('fixture = "../a"', "a.fixture, '../a', expected the name of a folder below"),
+                ('fixture = "."', "a.fixture, '.', expected the name of a folder below"),
+                ('fixture = "/tmp/a"', "a.fixture, '/tmp/a', expected the name of a folder below"),
+                ('files = ["../datum.json"]', "a.files, '../datum.json', expected names"),
+                ('options = ["-o", "x"]', "a.options, '-o', expected no option that names"),
+                ('options = ["-ox"]', "a.options, '-ox', expected no option that names"),
+                ('options = ["--output=x"]', "a.options, '--output=x', expected no option"),
+                ('options = ["--timings", "x"]', "a.options, '--timings', expected no option"),
+            )
+        ),
     ],
 )
 def test_wrong_cases_are_refused(tmp_path: Path, text: str, said: str) -> None:

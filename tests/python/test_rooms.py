@@ -88,12 +88,24 @@ def test_includes_go_down_only() -> None:
 @pytest.mark.parametrize(
     ("path", "include", "rule"),
     [
-        ("src/locate/crop.cpp", "shell/shell_bands.h", "locate includes shell, which stands above it"),
+        (
+            "src/locate/crop.cpp",
+            "shell/shell_bands.h",
+            "locate includes shell, which stands above it",
+        ),
         ("src/movement/epoch.cpp", "tank_datum/report/report.h", "movement includes report"),
         ("src/shape/analysis.cpp", "tank_datum/datum.h", "shape includes ., which stands above it"),
-        ("include/tank_datum/foot/refine.h", "foot/shell_line.h", "a public header includes a private"),
+        (
+            "include/tank_datum/foot/refine.h",
+            "foot/shell_line.h",
+            "a public header includes a private",
+        ),
         ("src/python/options.cpp", "exit_status.h", "the library includes a program's header"),
-        ("apps/view/scene.cpp", "synth/scene.h", "the program view includes a header of its sibling"),
+        (
+            "apps/view/scene.cpp",
+            "synth/scene.h",
+            "the program view includes a header of its sibling",
+        ),
     ],
 )
 def test_a_forbidden_include_is_named_with_file_line_and_rule(

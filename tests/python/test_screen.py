@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from conftest import executable
-from results import RESULTS, Run, read_datum, read_stations
+from results import FOLDER, RESULTS, Run, read_datum, read_stations
 
 Runner = Callable[..., Run]
 Synth = Callable[..., Path]
@@ -60,7 +60,7 @@ CHOSEN = {
     "angle-deg": 50.0,
     "centre-tolerance": 0.2,
     "control-points": 12,
-    "search": "buckets",
+    "search": "flann",
     "stations": 72,
     "zero-azimuth-deg": 15.0,
     "heights": "0.25,0.5",
@@ -142,7 +142,7 @@ def test_sparkline_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
 def test_quiet(run: Runner, synth: Synth, tmp_path: Path) -> None:
     result = run(synth(), "-o", tmp_path / "out", "--quiet")
     assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == sorted(RESULTS)
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == sorted(FOLDER)
 
 
 def stderr_on_terminal(*args: object) -> tuple[int, str]:

@@ -122,6 +122,24 @@ def test_options_and_keys_change_the_picture(
     assert changed(plain, shot(option, value)) > least
 
 
+def test_a_screenshot_replaces_only_one_of_its_own(
+    display: str, folder: Path, tmp_path: Path
+) -> None:
+    png = tmp_path / "shot.png"
+    png.write_text("mine")
+    first = view(display, folder, "--screenshot", png)
+    assert first.returncode == 0
+    assert first.stderr.endswith(f"kept as {tmp_path}/shot.kept.png\n")
+    assert view(display, folder, "--screenshot", png).stderr == ""
+    assert (tmp_path / "shot.kept.png").read_text() == "mine"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["shot.kept.png", "shot.png"]
+    scan = write_xyz(tmp_path / "scan.pcd", np.array([[5.0, 0, 0], [0, 5.0, 0.3]]))
+    (tmp_path / "link.png").symlink_to(scan)
+    refused = view(display, folder, "--scan", scan, "--screenshot", tmp_path / "link.png")
+    assert (refused.returncode, refused.stderr.count("\n")) == (2, 1)
+    assert "this is the scan" in refused.stderr
+
+
 def test_keys_undo(shot: Callable[..., Pixels], plain: Pixels) -> None:
     """Twice is back; a layer hidden stays hidden when it is drawn anew."""
     assert changed(plain, shot("--keys", "+-ccddttllhh231r")) < 10  # rounding of the camera

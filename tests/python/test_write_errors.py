@@ -14,7 +14,7 @@ import pytest
 
 import clouds
 from conftest import executable, run_program
-from results import RESULTS, Run, write_xyz
+from results import FOLDER, RESULTS, Run, write_xyz
 from test_errors import FILE_FAILED, NO_DATUM, USABLE, WRONG_USE, no_datum, one_line
 
 Runner = Callable[..., Run]
@@ -134,20 +134,22 @@ def finished(scan: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def contents(folder: Path) -> dict[str, bytes]:
-    return {n: (folder / n).read_bytes() for n in RESULTS}
+    return {n: (folder / n).read_bytes() for n in FOLDER}
 
 
 @pytest.mark.parametrize("name", FAILURES)
-def test_old_result_moves_away(
+def test_old_result_stays(
     run: Runner, scan: Path, finished: Path, tmp_path: Path, name: str
 ) -> None:
-    """A run that began and failed puts the old result into previous/, whole."""
+    """A run that began and failed leaves the old result as it was, and says that it is old."""
     out = Path(shutil.copytree(finished, tmp_path / "out"))
     args, status = FAILURES[name]
     words = [a.format(folder=tmp_path, scan=scan) for a in args]
-    assert run(*words, "-o", out).returncode == status
-    assert names(out) == sorted(f"previous/{n}" for n in RESULTS)
-    assert contents(out / "previous") == contents(finished)
+    result = run(*words, "-o", out)
+    assert result.returncode == status
+    one_line(result, f"; {out} holds the results of an earlier run, unchanged")
+    assert names(out) == sorted(FOLDER)
+    assert contents(out) == contents(finished)
 
 
 @pytest.mark.parametrize("words", WRONG_WORDS, ids=" ".join)
@@ -157,7 +159,7 @@ def test_wrong_use_touches_nothing(
     """A command line that cannot be understood begins no run: the old result stays where it is."""
     out = Path(shutil.copytree(finished, tmp_path / "out"))
     assert run(scan, "-o", out, *words).returncode == WRONG_USE
-    assert names(out) == sorted(RESULTS)
+    assert names(out) == sorted(FOLDER)
     assert contents(out) == contents(finished)
 
 

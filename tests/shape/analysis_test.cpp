@@ -68,6 +68,35 @@ TEST(Analyse, AWideGapLeavesTheShapeUndecided) {
             Verdict::Pass);
 }
 
+TEST(Analyse, OneWaveAtTwiceTheLimitFailsWhateverItsNumber) {
+  for (const int n : {6, 7, 8, 12}) {
+    const auto z = wave(360, [n](double a) { return 2.0 * kLimit * 900 / (n * n) * std::cos(n * a); });
+    const Analysis analysis = analysed(noisy(z, 0.001, 7), 0.001, sixtyMetreTank());
+    const Check& check = named(analysis, "curvature by trigonometric regression");
+    EXPECT_NEAR(check.value / check.limit, 2.0, 0.25) << n;
+    EXPECT_EQ(check.verdict, Verdict::Fail) << n;
+  }
+}
+
+TEST(Analyse, DistortionIsBySecondDifferences) {  // STANDARDS 3: a first difference would be 1/379, and fail
+  std::vector<double> z(30, 0.0);
+  const double spacing = kTurn;  // between 30 points round 188.5 m
+  z[10] = spacing / 379.0;
+  z[9] = 2.0 * (spacing / 379.0 - spacing / 487.0);
+  const Analysis analysis = analysed(z, 1e-5, sixtyMetreTank());
+  EXPECT_NEAR(1.0 / named(analysis, "distortion between survey points (DeBeer)").value, 487.0, 2.0);
+  EXPECT_EQ(named(analysis, "distortion between survey points (DeBeer)").verdict, Verdict::Pass);
+  EXPECT_NEAR(1.0 / named(analysis, "height of neighbouring survey points").value, 379.0, 0.5);
+}
+
+TEST(Analyse, GreenwoodsTiltIsShownAndNotJudged) {
+  const auto z = wave(36, [](double a) { return 30.0 * 0.02 * std::cos(a); });
+  const Check& check = named(analysed(z, 1e-4, sixtyMetreTank()), "planar tilt");
+  EXPECT_EQ(check.code, "Greenwood");
+  EXPECT_NEAR(check.limit, 0.005, 1e-12);
+  EXPECT_EQ(check.verdict, Verdict::NotApplicable);
+}
+
 TEST(Analyse, EveryReportSaysWhatItIsNot) {
   const Analysis analysis = analysed(bent(0.5), 0.001, sixtyMetreTank());
   const auto says = [&](const char* words) {

@@ -82,14 +82,14 @@ TEST(FitTilt, BesideAGapKnowsWhatWavesMayHide) {
   for (const double arc : {90.0, 150.0, 240.0, 320.0}) {
     int within = 0;
     double sigma = 0.0;
-    for (int run = 0; run < 200; ++run) {
+    for (int run = 0; run < 50; ++run) {
       auto stations = seenOver(arc, random);
       const Tilt tilt = fitTilt(stations, kCenter, {});
       const Eigen::Vector2d along = tilt.gradient.normalized();
       within += std::abs(along.dot(tilt.gradient - truth)) <= 2.0 * tilt.sigma_slope;
-      sigma += tilt.sigma_slope / 200;
+      sigma += tilt.sigma_slope / 50;
     }
-    EXPECT_GE(within, 180) << arc;
+    EXPECT_GE(within, 43) << arc;
     EXPECT_GT(sigma, arc < 100.0 ? 1e-4 : 0.0) << arc;   // nothing is said of the tilt from a quarter of the ring
     EXPECT_LT(sigma, arc > 200.0 ? 4e-5 : 2e-3) << arc;  // and much from two thirds
   }

@@ -49,7 +49,38 @@ TEST(UnevennessWithin, IsHalfTheRangeInTheWindow) {
   EXPECT_NEAR(unevennessWithin(stations, 30.0, 3.0).value, 0.003, 1e-12);
   EXPECT_NEAR(unevennessWithin(stations, 30.0, 2.0).value, 0.002, 1e-12);
   EXPECT_NEAR(unevennessWithin(stations, 30.0, 3.0).sigma, 0.0005 * std::sqrt(2.0), 1e-12);
-  EXPECT_TRUE(std::isnan(unevennessWithin(stations, 30.0, 0.1).value));
+  EXPECT_TRUE(std::isnan(unevennessWithin({}, 30.0, 3.0).value));
+}
+
+TEST(UnevennessWithin, IsOfPlacesBetweenTheStationsToo) {
+  std::vector<double> z(16, 0.0);  // 11.8 m apart: no two within 9 m
+  z[5] = 0.0109;
+  const auto stations = survey(z, 30.0, 0.001);
+  const double apart = kTurn * 30.0 / 16.0;
+  EXPECT_NEAR(unevennessWithin(stations, 30.0, 9.0).value, 0.5 * 0.0109 * 9.0 / apart, 1e-9);
+  EXPECT_NEAR(unevennessWithin(stations, 30.0, 18.0).value, 0.5 * 0.0109, 1e-9);  // whole, and back again
+  z[4] = NAN;
+  EXPECT_NEAR(unevennessWithin(survey(z, 30.0), 30.0, 9.0).value, 0.5 * 0.0109 * 9.0 / apart, 1e-9);
+  z[6] = NAN;
+  EXPECT_NEAR(unevennessWithin(survey(z, 30.0), 30.0, 9.0).value, 0.0, 1e-9) << "nothing is known beside it";
+}
+
+TEST(Steepest, IsOfUnevenStationsToo) {
+  std::vector<double> azimuths = {0, 20, 35, 65, 90, 110, 130, 150, 180, 200, 225, 250, 275, 300, 320, 340};
+  auto stations = survey(std::vector<double>(16, 1.0), 20.0, 0.001);
+  for (std::size_t i = 0; i < 16; ++i) stations[i].azimuth = azimuths[i] * kDegree;
+  stations[3].z += 0.080;  // 30 degrees from the station before, 25 from the next
+  EXPECT_NEAR(steepest(stations, 20.0, 10.0, &Station::z).value, 0.080 / 10.0, 1e-9);
+  for (std::size_t i = 4; i < 16; ++i) stations[i].z = 1.080 - 0.006 * static_cast<double>(i - 3);
+  EXPECT_NEAR(steepest(stations, 20.0, 10.0, &Station::z).value, 0.080 / (20.0 * 30.0 * kDegree), 1e-9);  // 7.6 mm/m
+}
+
+TEST(UnevennessOfAll, CountsEachStationForItsArc) {
+  auto stations = survey({0.0, 0.0, 0.0, 0.009, 0.0, 0.0, 0.0, 0.0}, 30.0);
+  stations[3].azimuth = 120 * kDegree;  // its neighbours at 90 and 180
+  EXPECT_NEAR(unevennessOfAll(stations).value, 0.009 * (1.0 - 45.0 / 360.0), 1e-9);
+  stations[4].azimuth = 150 * kDegree;
+  EXPECT_NEAR(unevennessOfAll(stations).value, 0.009 * (1.0 - 30.0 / 360.0), 1e-9);
 }
 
 TEST(UnevennessOfAll, IsFromTheMean) {

@@ -64,9 +64,39 @@ TEST(SecondDifferencesOf, RefusesSurveysTheCodeDoesNotKnow) {
   EXPECT_NE(secondDifferencesOf(stations, 30.0, 400).message.find("only 360 stations"), std::string::npos);
   const auto small = survey(std::vector<double>(360, 1.0), 5.0);
   EXPECT_NE(secondDifferencesOf(small, 5.0, 0).message.find("too small"), std::string::npos);
-  auto uneven = survey(std::vector<double>(16, 1.0), 18.0);
-  uneven[3].azimuth += 0.1;
-  EXPECT_NE(secondDifferencesOf(uneven, 18.0, 0).message.find("equally"), std::string::npos);
+  EXPECT_NE(secondDifferencesOf({}, 18.0, 0).message.find("no stations"), std::string::npos);
+}
+
+TEST(SecondDifferencesOf, AStationFurthestOutOfPlaneIsAPointOfOneSurvey) {
+  std::vector<double> z(64, 0.0);
+  z[8] = -0.030;
+  const auto d = secondDifferencesOf(survey(z, 30.0), 30.0, 0);
+  EXPECT_EQ(d.points, 30);
+  EXPECT_EQ(d.starts, 32);  // 64 stations against 30 points: every second start is another's
+  EXPECT_NEAR(d.all[d.worst].value, 0.030, 1e-4);
+  EXPECT_NEAR(d.all[d.worst].azimuth, 8 * kTurn / 64, 1e-6);
+}
+
+TEST(SecondDifferencesOf, MakesTenSurveysAtLeast) {
+  const auto d = secondDifferencesOf(survey(wave(72, [](double a) { return 0.01 * std::cos(2 * a); }), 30.0), 30.0, 36);
+  EXPECT_EQ(d.starts, 10);  // each second station is a point: two surveys, and four places between them each
+}
+
+TEST(SecondDifferencesOf, UnevenPointsAreTakenAsTheyAre) {
+  auto degrees = survey(
+      {1.050, 1.030, 1.040, 0.980, 0.940, 0.940, 0.980, 1.040, 1.060, 1.065, 1.090, 1.120, 1.090, 1.060}, 21.0312);
+  for (Station& s : degrees) s.azimuth = std::round(s.azimuth / kDegree) * kDegree;
+  const auto d = secondDifferencesOf(degrees, 21.0312, 0);
+  ASSERT_EQ(d.all.size(), 14U);
+  EXPECT_NEAR(d.all[2].value, 0.0389, 5e-4);
+  // on a circle of the shape k l^2 / 2 any two arcs give k times their product over two
+  std::vector<Station> three = survey({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 10.0);
+  three[1].azimuth = 35 * kDegree;
+  const double to_before = 350 * kDegree, to_after = 550 * kDegree;  // 10 m radius: arcs of 35 and 55 degrees
+  for (Station& s : three) s.u = 0.5 * 0.001 * std::pow(10.0 * (s.azimuth - 35 * kDegree), 2.0);
+  const auto bent = secondDifferencesOf(three, 10.0, 0);
+  EXPECT_NEAR(bent.all[1].value, 0.5 * 0.001 * to_before * to_after, 1e-9);
+  EXPECT_NEAR(bent.spacings[1], std::sqrt(to_before * to_after), 1e-9);
 }
 
 TEST(SecondDifferencesOf, LeavesOutPointsInAGap) {

@@ -60,6 +60,13 @@ class Scan {
   /// The same without a copy: points of any kind in memory, asked for row by row in every pass.
   static Scan fromRows(std::uint64_t rows, Row row);
 
+  /// The same scan in a frame turned about the zero of its own, as when another of its axes looks up. Coordinates in
+  /// the results are the turned frame's.
+  Scan turned(const Eigen::Matrix3d& rotation) const;
+
+  /// The same scan turned about a point of its own frame, as when it was not level.
+  Scan turnedAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation) const;
+
   /// Visits every finite point once, in file order. May be called again for another pass.
   /// @throws Error (File) when the data are shorter or other than the header says
   ScanCounts forEachBlock(const Visitor& visit) const;
@@ -121,6 +128,8 @@ class Scan {
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> paths_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d stored_origin_ = Eigen::Vector3d::Zero();  ///< the same point in the frame of the files
+  std::optional<Eigen::Matrix3d> rotation_;                  ///< from their frame to the scan's
   Progress progress_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,14 @@ std::string firstError(const TankFacts& facts);
 
 /// A figure that the file of limits may judge.
 struct Measure {
-  std::string quantity;          ///< one of knownQuantities()
-  PlacedValue worst;             ///< unknown when it could not be had
-  double spacing = kUnknown;     ///< of survey points, L [m]
-  double arc = kUnknown;         ///< length of the settlement arc, S [m]
+  std::string quantity;       ///< one of knownQuantities()
+  PlacedValue worst;          ///< unknown when it could not be had
+  Interval95 interval;        ///< of the largest, where errors are known; else worst.sigma gives it
+  double freedom = 0.0;       ///< degrees of freedom behind worst.sigma; 0: normal
+  double spacing = kUnknown;  ///< of survey points, L [m]
+  double arc = kUnknown;      ///< length of the settlement arc, S [m]
+  /// 95 % interval of the largest value over the limit for its arc, where the limit goes with it.
+  std::function<Interval95(const std::function<double(double arc)>& limit)> share;
   std::vector<PlacedValue> all;  ///< every value of which `worst` is the largest, where their share matters
   std::string note;              ///< what a reader should know of it
   std::string unavailable;       ///< why it could not be had
@@ -41,6 +46,7 @@ struct Check {
   std::string code, clause, name;
   double value = kUnknown, sigma = kUnknown;  ///< in `unit`; sigma is its standard error
   double limit = kUnknown;                    ///< unknown when something for it is not given
+  Interval95 interval;                        ///< 95 %: of the largest of all places, not of the worst one alone
   double azimuth = kUnknown;                  ///< of the worst place [rad]
   std::string unit;
   Verdict verdict = Verdict::NotApplicable;
@@ -50,7 +56,8 @@ struct Check {
 };
 
 /// Every limit beside the figure it is for; rows of a table (one code, clause and name) make one check.
-/// Pass and fail need the limit outside the value's 95 % interval; a pass also that no gap hides a part of the ring.
+/// A failure needs the whole 95 % interval beyond the limit; a pass value and interval within it, and that no gap hides
+/// a part of the ring.
 /// @param diameter  of the tank [m]
 std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
                          double diameter);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tank_datum/core/export.h"
+#include "tank_datum/core/normal95.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/movement/epoch.h"
 
@@ -41,8 +42,6 @@ void requireValid(const MovementOptions& options);
 /// @throws Error (Option) naming radius or centre, and the units that may have been confused
 void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
                      const MovementOptions& options);
-
-constexpr double kNormal95 = 1.959963984540054;  ///< two-sided 95 % point of the normal distribution
 
 /// Refuses a survey none of whose stations has a standard error.
 /// @throws Error (Option) naming it and, of a levelling, the column that its table lacks

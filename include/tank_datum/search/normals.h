@@ -12,16 +12,16 @@
 namespace TANK_DATUM_API tank_datum {
 
 enum class SearchEngine {
-  Flann,    ///< pcl::KdTreeFLANN, the reference
-  Buckets,  ///< BucketTree: the same neighbours, found for a bucket of points at a time
+  Flann,    ///< pcl::KdTreeFLANN and pcl::NormalEstimation
+  Buckets,  ///< BucketTree: the same neighbours, found for a bucket of points at a time; normals with sums in double
 };
 
 /// The name used at the command line and in files: "flann", "buckets".
 const char* nameOf(SearchEngine engine);
 
 struct NormalOptions {
-  int k = 20;                                   ///< neighbours of a point, the point itself included
-  SearchEngine search = SearchEngine::Buckets;  ///< who finds them; both find the same
+  int k = 20;                                 ///< neighbours of a point, the point itself included
+  SearchEngine search = SearchEngine::Flann;  ///< who finds them and fits the normals; both find the same neighbours
 };
 
 /// One line naming the first refused field, or empty.
@@ -40,8 +40,8 @@ struct Normals {
 };
 
 /// Steps 1 and 2 of the method: the k nearest neighbours of every point, and the normal as the eigenvector of the
-/// smallest eigenvalue of their covariance (ISPRS Archives 2018, normal vector of point cloud). The sums are taken in
-/// double relative to the point. The result does not depend on the number of threads.
+/// smallest eigenvalue of their covariance (ISPRS Archives 2018, normal vector of point cloud). The result does not
+/// depend on the number of threads.
 /// @param points   at least options.k of them [m], or none
 /// @param threads  0 means all cores
 /// @throws Error (Option) for fewer

@@ -42,8 +42,9 @@ struct Analysis {
 
 /// Describes and judges stations whose tilt is fitted; fills u_fit and curvature of those whose z is known.
 /// @param radius  of the tank [m]
-/// @param shell   figures of the shell, where it was surveyed
+/// @param shell       figures of the shell, where it was surveyed
+/// @param covariance  of the stations; empty: sigma_z each
 Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius, const AnalysisOptions& options,
-                 const std::vector<Measure>& shell = {});
+                 const std::vector<Measure>& shell = {}, const StationCovariance& covariance = {});
 
 }  // namespace tank_datum

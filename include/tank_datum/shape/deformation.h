@@ -5,6 +5,7 @@
 
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -42,19 +43,23 @@ struct Tilt {
   double sigma_slope = kUnknown;                                   ///< standard error of the slope [m/m]
   double standard_error = kUnknown;                                ///< of the regression, what a station departs by [m]
   double direction = kUnknown;  ///< towards the highest point, as the user counts azimuths [rad]
-  double r2 = kUnknown;         ///< share of the variance that the plane explains
-  double p_value = kUnknown;    ///< F test on 2 and N - 3 degrees of freedom, see fitTilt
+  double freedom = 0.0;         ///< degrees of freedom behind sigma_slope; 0: errors given
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Constant(kUnknown);  ///< of the gradient
+  double r2 = kUnknown;                                              ///< share of the variance that the plane explains
+  double p_value = kUnknown;  ///< F test on 2 and N - 3 degrees of freedom, see fitTilt
 
   bool valid() const { return gradient.allFinite(); }
   double slope() const { return gradient.norm(); }
 };
 
 /// Linear regression of z on 1, cos, sin (STANDARDS: tilt plane) over the measured stations, about `center`; at least
-/// four of them. Weighted by the stations' standard errors, those widened by what the stations scatter about the plane
-/// beyond them, so that out-of-plane settlement does not leave the fit to the few best stations. Beside a gap of more
-/// than 30 degrees, waves of two to four lobes are fitted along with it, so that they do not pass for tilt, and what
-/// they leave unknown widens sigma_slope; p_value is then of a chi-square test. Fills z_tilt and u of every station
+/// four of them. Of up to 64 stations all round by least squares, weighted by their standard errors; of more, or beside
+/// a gap, along with the waves of the datum (RingModel), so that these do not pass for tilt. sigma_slope comes from the
+/// errors of the stations, shared ones and those that neighbours show included, and from what waves leave unknown, not
+/// from out-of-plane settlement. Beside a gap p_value is of a chi-square test. Fills z_tilt and u of every station
 /// whose z is known.
-Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options);
+/// @param covariance  of the stations; empty: sigma_z each
+Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options,
+             const StationCovariance& covariance = {});
 
 }  // namespace tank_datum

@@ -13,6 +13,13 @@ struct PlacedValue {
   double azimuth = kUnknown;  ///< [rad]
 };
 
+/// 95 % interval of a figure; unknown when the errors are.
+struct Interval95 {
+  double low = kUnknown, high = kUnknown;
+
+  bool known() const { return low <= high; }
+};
+
 /// Whether the second is the larger one, or the first is unknown.
 inline bool isLarger(const PlacedValue& largest, const PlacedValue& candidate) {
   return !(candidate.value <= largest.value);

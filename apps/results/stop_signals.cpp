@@ -1,0 +1,71 @@
+#include "results/stop_signals.h"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <thread>
+
+namespace tank_datum::results {
+namespace {
+
+struct Shared {
+  std::recursive_mutex busy;
+  std::map<unsigned, std::function<void()>> actions;
+  unsigned next = 0;
+};
+
+/// Never destroyed, since the thread that waits for signals outlives main().
+Shared& shared() {
+  static Shared* const all = new Shared;
+  return *all;
+}
+
+void waitAndEnd(const sigset_t& signals, const std::string& program) {
+  int number = 0;
+  if (sigwait(&signals, &number) != 0) return;
+  shared().busy.lock();  // for good: nobody begins a step any more
+  auto& actions = shared().actions;
+  for (auto latest = actions.rbegin(); latest != actions.rend(); ++latest) latest->second();
+  std::cerr << program << ": stopped by " << strsignal(number) << "\n" << std::flush;
+  signal(number, SIG_DFL);
+  sigset_t one;
+  sigemptyset(&one);
+  sigaddset(&one, number);
+  pthread_sigmask(SIG_UNBLOCK, &one, nullptr);
+  raise(number);
+}
+
+}  // namespace
+
+void stopCleanly(const std::string& program) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  bool any = false;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+    sigaddset(&signals, number);
+    any = true;
+  }
+  if (!any) return;
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals, program] { waitAndEnd(signals, program); }).detach();
+}
+
+OnStop::OnStop(std::function<void()> cleanUp) {
+  const NoStop hold;
+  number_ = shared().next++;
+  shared().actions[number_] = std::move(cleanUp);
+}
+
+OnStop::~OnStop() {
+  const NoStop hold;
+  shared().actions.erase(number_);
+}
+
+NoStop::NoStop() : held_(shared().busy) {}
+
+}  // namespace tank_datum::results

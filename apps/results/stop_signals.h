@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <string>
+
+namespace tank_datum::results {
+
+/// Makes SIGINT, SIGTERM and SIGHUP clean up before the process ends by them. To be called before there are threads:
+/// the signals are taken by a thread of their own. One that the caller ignores stays ignored.
+/// @param program  the name that begins the line on stderr
+void stopCleanly(const std::string& program);
+
+/// What is to be cleaned up when a signal comes, as long as this lives.
+class OnStop {
+ public:
+  explicit OnStop(std::function<void()> cleanUp);
+  ~OnStop();
+  OnStop(const OnStop&) = delete;
+  OnStop& operator=(const OnStop&) = delete;
+
+ private:
+  unsigned number_;
+};
+
+/// As long as this lives a signal waits: for the steps between which a process must not end.
+class NoStop {
+ public:
+  NoStop();
+
+ private:
+  std::unique_lock<std::recursive_mutex> held_;
+};
+
+}  // namespace tank_datum::results

@@ -1,0 +1,17 @@
+# cpack -G DEB --config build/CPackConfig.cmake: one package with the commands, the library and its headers. What they
+# need of Debian's packages, dpkg-shlibdeps says.
+set(CPACK_PACKAGE_NAME tank-datum)
+set(CPACK_PACKAGE_VENDOR "tank_datum")
+set(CPACK_PACKAGE_CONTACT "The authors of tank_datum <tank-datum@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Datum of a storage tank from a laser scan")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL library commands)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libpcl-dev, libeigen3-dev")
+set(CPACK_STRIP_FILES ON)
+include(CPack)

@@ -1,0 +1,155 @@
+#include "foot/foot_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/statistics.h"
+
+namespace tank_datum {
+namespace {
+
+using Places = std::vector<std::vector<FootCandidate>>;
+using Choice = std::vector<std::optional<std::size_t>>;
+
+constexpr double kNone = 2.5;      // cost of choosing nothing at a place, in which the others are counted
+constexpr double kEnterGap = 0.5;  // of going from something to nothing or back
+constexpr double kStepCost = 4.0;  // of a step between neighbours
+
+/// What the better places of the ring show: how near to the shell a stretch begins, and its noise [m].
+struct Usual {
+  double from, noise;
+};
+
+/// What speaks against a stretch, 0 for none.
+double costOf(const FootCandidate& c, const Usual& usual, double reach) {
+  constexpr double kGap = 0.05;         // of the reach: a stretch that begins so much further out than usual
+  constexpr double kUsualSlope = 0.05;  // [m/m]
+  constexpr double kShellBelow = 0.01;  // of the reach: shell seen that far below the stretch shows that it ends before
+  constexpr double kHidden = 0.2;       // of the reach: a shell seen no further down is hidden by something
+  double cost = std::max(0.0, c.from - usual.from) / (kGap * reach);
+  const double steep = std::max(0.0, std::abs(c.slope) - 2.0 * c.sigma_slope) / kUsualSlope;
+  cost += 0.5 * steep * steep;
+  cost += std::max(0.0, std::log2(c.noise / usual.noise) - 1.0);
+  if (c.over_foot > kShellBelow * reach + 3.0 * c.error) cost += c.over_foot / (kShellBelow * reach);
+  if (c.over_foot < -kHidden * reach) cost += 1.0;
+  return cost;
+}
+
+/// How far two stretches at one level may differ in height, usually: a datum climbs, and they are known so well.
+double usualDifference(const FootCandidate& a, const FootCandidate& b, double arc, double reach) {
+  constexpr double kClimb = 0.004;  // of a datum along its shell over a short arc [m/m]
+  constexpr double kShort = 4.0;    // reaches
+  constexpr double kFar = 0.001;    // and over a long one [m/m]
+  constexpr double kLeast = 0.03;   // of the reach: lip, ringwall and crown are told apart by their sections
+  return kClimb * std::min(arc, kShort * reach) + kFar * arc + kLeast * reach + std::hypot(a.error, b.error);
+}
+
+/// The places as states of a path: state s of place i is candidate s, the last state is none of them.
+struct Ring {
+  const Places& places;
+  std::vector<std::vector<double>> costs;
+  double arc, reach;
+
+  double stepCost(std::size_t i, std::size_t s, std::size_t j, std::size_t t) const {
+    const bool none_i = s == places[i].size(), none_j = t == places[j].size();
+    if (none_i || none_j) return none_i == none_j ? 0.0 : kEnterGap;
+    const FootCandidate &a = places[i][s], &b = places[j][t];
+    const double off = (a.height - b.height) / usualDifference(a, b, arc, reach);
+    return std::min(kStepCost, off * off);
+  }
+};
+
+/// The cheapest path that begins and ends in the best state of the clearest place.
+Choice cheapestPath(const Ring& ring) {
+  const std::size_t count = ring.places.size();
+  std::size_t start = 0;
+  const auto least = [&](std::size_t i) { return *std::min_element(ring.costs[i].begin(), ring.costs[i].end()); };
+  for (std::size_t i = 1; i < count; ++i) {
+    if (least(i) < least(start)) start = i;
+  }
+  std::vector<std::vector<std::size_t>> from(count);
+  const std::vector<double>& first = ring.costs[start];
+  const auto begin = static_cast<std::size_t>(std::min_element(first.begin(), first.end()) - first.begin());
+  std::vector<double> before(first.size(), std::numeric_limits<double>::infinity());
+  before[begin] = 0.0;
+  for (std::size_t k = 1; k <= count; ++k) {
+    const std::size_t i = (start + k - 1) % count, j = (start + k) % count;
+    std::vector<double> now(ring.costs[j].size(), std::numeric_limits<double>::infinity());
+    from[j].assign(now.size(), 0);
+    for (std::size_t t = 0; t < now.size(); ++t) {
+      for (std::size_t s = 0; s < before.size(); ++s) {
+        const double cost = before[s] + ring.stepCost(i, s, j, t) + ring.costs[j][t];
+        if (cost < now[t]) now[t] = cost, from[j][t] = s;
+      }
+    }
+    before = std::move(now);
+  }
+  Choice choice(count);
+  std::size_t state = begin;
+  for (std::size_t k = count; k > 0; --k) {
+    const std::size_t j = (start + k) % count;
+    if (state < ring.places[j].size()) choice[j] = state;
+    state = from[j][state];
+  }
+  return choice;
+}
+
+/// Neighbouring choices at one level.
+struct Run {
+  std::vector<std::size_t> members;
+  double cost = 0;  ///< mean of its members', less what its length is worth
+};
+
+std::vector<Run> runsOf(const Ring& ring, const Choice& choice) {
+  std::vector<std::size_t> seen, starts;
+  for (std::size_t i = 0; i < choice.size(); ++i) {
+    if (choice[i]) seen.push_back(i);
+  }
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const std::size_t at = seen[k], before = seen[(k + seen.size() - 1) % seen.size()];
+    const auto apart = static_cast<double>((at + choice.size() - before) % choice.size());
+    const FootCandidate &a = ring.places[before][*choice[before]], &b = ring.places[at][*choice[at]];
+    if (std::abs(a.height - b.height) > 2.0 * usualDifference(a, b, apart * ring.arc, ring.reach)) starts.push_back(k);
+  }
+  std::vector<Run> runs;
+  for (std::size_t s = 0; s < starts.size() && starts.size() > 1; ++s) {
+    Run run;
+    const std::size_t next = starts[(s + 1) % starts.size()];
+    for (std::size_t k = starts[s]; run.members.empty() || k != next; k = (k + 1) % seen.size()) {
+      run.members.push_back(seen[k]);
+      run.cost += ring.costs[seen[k]][*choice[seen[k]]];
+    }
+    const auto length = static_cast<double>(run.members.size());
+    run.cost = run.cost / length - 0.25 * std::log2(length);
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, double arc, double reach) {
+  std::vector<double> noises, beginnings;
+  for (const auto& place : places) {
+    for (const FootCandidate& c : place) noises.push_back(c.noise);
+    if (!place.empty()) beginnings.push_back(place.front().from);
+  }
+  if (noises.empty()) return Choice(places.size());
+  const Usual usual{quantile(beginnings, 0.25), std::max(quantile(noises, 0.25), 1e-7)};
+  Ring ring{places, {}, arc, reach};
+  for (const auto& place : places) {
+    ring.costs.emplace_back();
+    for (const FootCandidate& c : place) ring.costs.back().push_back(costOf(c, usual, reach));
+    ring.costs.back().push_back(kNone);
+  }
+  Choice choice = cheapestPath(ring);
+  for (auto runs = runsOf(ring, choice); !runs.empty(); runs = runsOf(ring, choice)) {
+    const auto dearest =
+        std::max_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.cost < b.cost; });
+    for (const std::size_t i : dearest->members) choice[i].reset();
+  }
+  return choice;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "fit/circular_series.h"
+#include "foot/foot_choice.h"
+#include "foot/foot_state.h"
+#include "tank_datum/core/parallel.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+/// Whether a window's rows of points fill the section beside the shell well enough to tell its stretches apart.
+bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, double near) {
+  constexpr std::size_t kCells = 10, kFilled = 7;  // of a fiftieth of the reach each
+  constexpr int kFewest = 10;
+  std::array<int, kCells> counts{};
+  for (const FootPoint& p : points) {
+    const double cell = (p.d - near) / (0.02 * scales.reach);
+    if (cell >= 0.0 && cell < static_cast<double>(kCells)) ++counts[static_cast<std::size_t>(cell)];
+  }
+  const auto full = std::count_if(counts.begin(), counts.end(), [](int count) { return count >= kFewest; });
+  return static_cast<std::size_t>(full) >= kFilled;
+}
+
+/// The stretches in the window about a station that is wide enough to tell them apart, a few degrees at most.
+std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, double height,
+                                        const FootScales& scales) {
+  constexpr double kWidest = 5.0 * kPi / 180.0;  // half the arc that a sparse station may look at
+  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
+  for (;; half = std::min(1.6 * half, kWidest)) {
+    const auto points = foot.ring.around(foot.directions[station], half, height, foot.reach);
+    if (half >= kWidest || isFilled(points, scales, near)) return findCandidates(points, scales);
+  }
+}
+
+/// The elevation of a station's own points just outside the weld, of those about the stretch that was chosen; the
+/// stretch's where they are few.
+double guessAt(const std::vector<FootPoint>& points, double chosen, double near, double reach) {
+  constexpr std::size_t kFew = 5, kPlenty = 50;
+  constexpr double kAbout = 0.06;  // of the reach: what is further off is another thing
+  std::vector<double> heights;
+  const auto beside = std::count_if(points.begin(), points.end(), [&](const FootPoint& p) { return p.d >= near; });
+  if (static_cast<std::size_t>(beside) < kPlenty) return chosen;
+  for (double to = near + 0.1 * reach; heights.size() < kFew && to < reach; to += 0.1 * reach) {
+    heights.clear();
+    for (const FootPoint& p : points) {
+      if (p.d >= near && p.d <= to && std::abs(p.z - chosen) < kAbout * reach) heights.push_back(p.z);
+    }
+  }
+  return heights.size() < kFew ? chosen : median(heights);
+}
+
+/// Stations within a few degrees of one where something was believed.
+std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
+  constexpr double kClose = 3.0 * kPi / 180.0;
+  const auto count = static_cast<std::ptrdiff_t>(datum.size());
+  const auto reach = std::max<std::ptrdiff_t>(1, std::lround(kClose / step));
+  std::vector<bool> close(datum.size(), false);
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    if (!std::isfinite(datum[static_cast<std::size_t>(i)])) continue;
+    for (std::ptrdiff_t j = i - reach; j <= i + reach; ++j) close[static_cast<std::size_t>((j + count) % count)] = true;
+  }
+  return close;
+}
+
+}  // namespace
+
+std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
+  constexpr std::size_t kMostPlaces = 360;
+  const std::size_t count = foot.directions.size(), stride = (count + kMostPlaces - 1) / kMostPlaces;
+  const std::size_t places = (count + stride - 1) / stride;
+  foot.points.resize(count);
+  forEachIndex(count, 0, [&](std::size_t i) {
+    const double direction = foot.directions[i];
+    foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach);
+  });
+  std::vector<std::vector<FootCandidate>> candidates(places);
+  forEachIndex(places, 0, [&](std::size_t k) {
+    const double height = tank.foot(foot.directions[k * stride]), half = foot.half_step * static_cast<double>(stride);
+    candidates[k] = candidatesAt(foot, k * stride, half, height, scales);
+  });
+  const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
+  const auto choice = chooseRoundRing(candidates, arc, foot.reach);
+  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
+  std::vector<double> datum(count, kUnknown);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = std::min(places - 1, i / stride);
+    if (choice[k]) datum[i] = guessAt(foot.points[i], candidates[k][*choice[k]].height, near, foot.reach);
+  }
+  foot.believed = closeTo(datum, 2.0 * foot.half_step);
+  foot.datum = filledUp(runningMedian(datum, 3));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isfinite(datum[i])) datum[i] = foot.datum[i];
+  }
+  return datum;
+}
+
+}  // namespace tank_datum

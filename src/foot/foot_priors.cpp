@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "fit/adaptive_smooth.h"
+#include "foot/foot_check.h"
+#include "foot/foot_state.h"
+#include "tank_datum/core/parallel.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
+constexpr double kWideSlope = 0.1;     // of pads and floors, before they are looked at [m/m]
+constexpr double kLipSlope = 0.05;     // of the lips of annular plates: bent by the weld, by settlement [m/m]
+
+/// Fits of the slope in windows a few degrees wide, at every so many stations.
+struct Slopes {
+  std::size_t stride;
+  std::vector<FootFit> fits;
+};
+
+Slopes fitSlopes(const Foot& foot, const FootSections& sections, std::size_t windows, double half_window,
+                 double sigma_slope, double sigma_bend) {
+  const std::size_t count = foot.directions.size();
+  Slopes slopes;
+  slopes.stride = std::max<std::size_t>(1, count / windows);
+  slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
+  FootPrior prior;
+  prior.sigma_slope = sigma_slope;
+  prior.sigma_bend = sigma_bend;
+  forEachIndex(slopes.fits.size(), 0, [&](std::size_t k) {
+    const std::size_t i = k * slopes.stride;
+    if (!foot.believed[i]) return;
+    const FootProfile& profile = sections.at(i);
+    const auto points = foot.ring.around(foot.directions[i], half_window, foot.datum[i], foot.reach);
+    slopes.fits[k] = fitFoot(points, profile, foot.datum[i] + profile.offset, profile.slope, prior);
+  });
+  return slopes;
+}
+
+/// The slope of a wide foundation surface round the tank, from windows ten degrees wide.
+void learnWide(const Foot& foot, const FootSections& sections, FootPriors& priors) {
+  constexpr double kHalfWindow = 5.0 * kPi / 180.0;
+  constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
+  const Slopes found = fitSlopes(foot, sections, 36, kHalfWindow, kWideSlope, priors.sigma_bend);
+  std::vector<double> azimuths, slopes, weights;
+  for (std::size_t k = 0; k < found.fits.size(); ++k) {
+    if (!found.fits[k].valid()) continue;
+    azimuths.push_back(foot.directions[k * found.stride]);
+    slopes.push_back(found.fits[k].slope);
+    weights.push_back(1.0 / (found.fits[k].sigma_slope * found.fits[k].sigma_slope));
+  }
+  if (slopes.size() < 6) return;
+  double mean = 0;
+  for (const double w : weights) mean += w / static_cast<double>(weights.size());
+  for (double& w : weights) w /= mean;
+  const PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, 1, true, 0.02);
+  const double among_windows = fit.sigma * fit.sigma - 1.0 / mean;
+  for (std::size_t i = 0; i < priors.slope.size(); ++i) {
+    priors.slope[i] = fit(foot.directions[i]);
+    priors.sigma_slope[i] = std::max(kLeastSigma, std::sqrt(std::max(0.0, among_windows)));
+  }
+}
+
+/// The most that range noise may make a surface seem to lean: it moves a point along its slanting ray, in d and z
+/// together, and so draws the slope to that of the ray where the points' density ends within the surface. How much of
+/// the scatter in z is range noise and how much is roughness, which does nothing of the kind, cannot be told.
+/// @param shell_noise  which is the range noise in d [m]
+double feignedLean(const FootFit& fit, double shell_noise) {
+  const double spread = fit.noise / fit.sigma_slope;  // square root of the sum of squares of d [m]
+  return shell_noise * fit.noise * static_cast<double>(fit.points) / (spread * spread);
+}
+
+/// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do.
+struct Expected {
+  double slope, tolerance;
+};
+
+/// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
+/// more than their errors explain (empirical Bayes).
+void drawTogether(const std::vector<SeriesValue>& series, const Expected& expected, std::vector<SeriesValue>& smooth) {
+  std::vector<double> values, variances;
+  for (const SeriesValue& v : series) {
+    if (!std::isfinite(v.value)) continue;
+    values.push_back(v.value);
+    variances.push_back(v.sigma * v.sigma);
+  }
+  if (values.size() < 6) return;
+  double ring = median(values);
+  const double scatter = robustSigma(values, ring);
+  if (std::abs(ring - expected.slope) < expected.tolerance) ring = expected.slope;
+  const double own = std::max(1e-12, scatter * scatter - median(variances));
+  for (SeriesValue& v : smooth) {
+    if (!std::isfinite(v.value)) continue;
+    const double weight = own / (own + v.sigma * v.sigma);
+    v.value = weight * v.value + (1.0 - weight) * ring;
+    v.sigma *= std::sqrt(weight);
+  }
+}
+
+/// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
+void widen(std::vector<SeriesValue>& series) {
+  std::vector<FootFit> fits(series.size());
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    if (std::isfinite(series[k].value)) fits[k].z = series[k].value, fits[k].sigma = series[k].sigma;
+  }
+  const double common = commonSigma(fits, 1);
+  for (SeriesValue& v : series) v.sigma = std::hypot(v.sigma, common);
+}
+
+/// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
+void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& priors) {
+  constexpr double kHalfWindow = 2.5 * kPi / 180.0;
+  constexpr double kLeastSigma = 0.001;           // what blends and roughness do to the slope of a lip [m/m]
+  constexpr double kDoubt = 0.1, kFeigned = 0.6;  // of the largest lean that range noise may feign
+  constexpr std::size_t kWidest = 4;
+  const Slopes found = fitSlopes(foot, sections, 72, kHalfWindow, kLipSlope, priors.sigma_bend);
+  std::vector<SeriesValue> series;
+  std::vector<double> feigned;
+  for (const FootFit& fit : found.fits) {
+    series.push_back({kUnknown, kUnknown, 1.0});
+    if (!fit.valid()) continue;
+    feigned.push_back(feignedLean(fit, 0.25 * sections.whole.blur));
+    series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
+  }
+  if (feigned.empty()) return;
+  widen(series);
+  const double doubt = median(feigned), least = std::hypot(kLeastSigma, kDoubt * doubt);
+  std::vector<SeriesValue> smooth = smoothed(series, kWidest);
+  drawTogether(series, {sections.whole.slope, kFeigned * doubt}, smooth);
+  for (std::size_t i = 0; i < priors.slope.size(); ++i) {
+    const std::size_t k = i / found.stride, next = (k + 1) % smooth.size();
+    const double share = static_cast<double>(i - k * found.stride) / static_cast<double>(found.stride);
+    const bool left = std::isfinite(smooth[k].value), right = std::isfinite(smooth[next].value);
+    if (!left && !right) continue;
+    const SeriesValue &a = smooth[left ? k : next], &b = smooth[right ? next : k];
+    priors.slope[i] = (1.0 - share) * a.value + share * b.value;
+    priors.sigma_slope[i] = std::hypot(least, (1.0 - share) * a.sigma + share * b.sigma);
+  }
+}
+
+}  // namespace
+
+FootPrior FootPriors::at(std::size_t station) const {
+  FootPrior prior;
+  prior.slope.coefficients = Eigen::VectorXd::Constant(1, slope[station]);
+  prior.sigma_slope = sigma_slope[station];
+  prior.sigma_bend = sigma_bend;
+  return prior;
+}
+
+FootPriors learnPriors(const Foot& foot, const FootSections& sections) {
+  const bool narrow = sections.whole.surface == Surface::AnnularPlate;
+  FootPriors priors;
+  priors.slope.assign(foot.directions.size(), sections.whole.slope);
+  priors.sigma_slope.assign(foot.directions.size(), narrow ? kLipSlope : kWideSlope);
+  priors.sigma_bend = kHighestWave / foot.radius;
+  priors.settled = narrow;
+  narrow ? learnNarrow(foot, sections, priors) : learnWide(foot, sections, priors);
+  return priors;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "foot/foot_state.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kArcs = 72;
+constexpr std::size_t kFewestPoints = 3'000;  // for a section in fifty bins of sixty
+constexpr std::size_t kMostPoints = 20'000;   // more sharpen no edge
+
+/// The stations of an arc, as wide as a section needs; empty when that is no arc any more.
+std::vector<std::size_t> arcAround(const Foot& foot, std::size_t middle, const std::vector<double>& datum) {
+  const std::size_t count = foot.directions.size();
+  const std::size_t widest = count / 12, narrowest = std::max<std::size_t>(1, count / kArcs);
+  std::vector<std::size_t> members;
+  std::size_t points = 0;
+  for (std::size_t away = 0; away <= widest; ++away) {
+    if (away > narrowest && points >= kFewestPoints) return members;
+    for (const std::size_t i : {(middle + away) % count, (middle + count - away) % count}) {
+      if ((away == 0 && !members.empty()) || !std::isfinite(datum[i])) continue;
+      members.push_back(i);
+      points += foot.points[i].size();
+    }
+  }
+  return points >= kFewestPoints ? members : std::vector<std::size_t>{};
+}
+
+FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members, const std::vector<double>& datum,
+                      const FootScales& scales) {
+  std::size_t total = 0;
+  for (const std::size_t i : members) total += foot.points[i].size();
+  const std::size_t every = std::max<std::size_t>(1, total / kMostPoints);
+  std::vector<std::vector<FootPoint>> points;
+  std::vector<double> levels;
+  for (const std::size_t i : members) {
+    points.emplace_back();
+    for (std::size_t k = 0; k < foot.points[i].size(); k += every) points.back().push_back(foot.points[i][k]);
+    levels.push_back(datum[i]);
+  }
+  return stackProfile(points, levels, scales);
+}
+
+/// Whether a section of an arc shows the surface that the whole ring's does: not a heap that lies on it, nor what lies
+/// behind it where the arc has too few points on it.
+bool isAlike(const FootProfile& arc, const FootProfile& whole, double reach) {
+  constexpr double kSlope = 0.08;  // of lips, which lean more than wide surfaces do [m/m]
+  constexpr double kNoise = 2.5;
+  constexpr double kLevel = 0.004;  // of the reach
+  return arc.valid() && arc.noise < kNoise * whole.noise && std::abs(arc.slope - whole.slope) < kSlope &&
+         std::abs(arc.offset - whole.offset) < kLevel * reach;
+}
+
+}  // namespace
+
+const FootProfile& FootSections::at(std::size_t station) const {
+  return arcs.empty() ? whole : arcs[station * arcs.size() / stations];
+}
+
+FootSections stackSections(const Foot& foot, const std::vector<double>& datum, const FootScales& scales) {
+  FootSections sections;
+  sections.stations = foot.directions.size();
+  sections.whole = stackProfile(foot.points, datum, scales);
+  const FootProfile& whole = sections.whole;
+  if (!whole.valid()) return sections;
+  sections.arcs.resize(kArcs);
+  forEachIndex(kArcs, 0, [&](std::size_t k) {
+    const std::size_t middle = std::min(sections.stations - 1, (2 * k + 1) * sections.stations / (2 * kArcs));
+    const std::vector<std::size_t> members = arcAround(foot, middle, datum);
+    FootProfile& arc = sections.arcs[k];
+    arc = members.empty() ? whole : sectionOf(foot, members, datum, scales);
+    if (!isAlike(arc, whole, foot.reach)) arc = whole;
+    arc.band_from = std::max(arc.band_from, whole.band_from);
+    if (arc.band_to <= arc.band_from) arc = whole;
+  });
+  const auto ends = [](const FootProfile& arc) { return arc.surface != Surface::Foundation; };
+  if (2 * std::count_if(sections.arcs.begin(), sections.arcs.end(), ends) < static_cast<std::ptrdiff_t>(kArcs)) {
+    sections.arcs.clear();
+  }
+  return sections;
+}
+
+}  // namespace tank_datum

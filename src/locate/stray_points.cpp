@@ -1,0 +1,87 @@
+#include "locate/stray_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "core/point_hash.h"
+#include "io/point_extent.h"
+
+namespace tank_datum {
+namespace {
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct CellHash {
+  std::size_t operator()(const Cell& cell) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t i : cell) hash = mixed(hash ^ static_cast<std::uint64_t>(i));
+    return hash;
+  }
+};
+
+Cell cellOf(const Eigen::Vector3d& p, double edge) {
+  const auto index = [&](int axis) { return static_cast<std::int64_t>(std::floor(p[axis] / edge)); };
+  return {index(0), index(1), index(2)};
+}
+
+using CellCounts = std::unordered_map<Cell, std::uint32_t, CellHash>;
+
+std::uint32_t countAround(const CellCounts& counts, const Cell& cell, std::uint32_t enough) {
+  std::uint32_t sum = 0;
+  for (std::int64_t i = 0; i < 27 && sum < enough; ++i) {
+    const auto found = counts.find({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
+    if (found != counts.end()) sum += found->second;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void dropNoReturns(Points& points, const Eigen::Vector3d& zero) {
+  const auto drop = [&points](const auto& is_out) {
+    points.erase(std::remove_if(points.begin(), points.end(), is_out), points.end());
+  };
+  drop([&zero](const Eigen::Vector3d& p) { return p == zero; });
+  if (points.empty()) return;
+  const Extent extent = extentOf(points);
+  drop([&extent](const Eigen::Vector3d& p) { return !extent.holds(p); });
+}
+
+bool holdsStrays(const VoxelSample& sample) {
+  // Of the points, a share that may be alone where surfaces close: half are strays at most, a fifth of the others is
+  // alone by chance. The sparse ends of clean scans are half as many as what counts as many further on.
+  constexpr double kAlone = 0.6, kManyAtTwice = 0.15, kManyAtFourTimes = 0.05;
+  const double closing = sample.edgeWithAlone(kAlone);
+  return sample.shareAlone(2.0 * closing) > kManyAtTwice || sample.shareAlone(4.0 * closing) > kManyAtFourTimes;
+}
+
+double closingEdge(const VoxelSample& sample) {
+  constexpr double kAlone = 0.7;  // of the points: soon enough that few strays have company
+  return sample.edgeWithAlone(kAlone);
+}
+
+std::vector<bool> findStrays(const Points& points, double edge) {
+  constexpr std::uint32_t kCompany = 5;  // points in 27 cells, itself included; where surfaces close there are 18
+  const double cell = 2.0 * edge;
+  CellCounts counts;
+  counts.reserve(points.size());
+  for (const auto& p : points) ++counts[cellOf(p, cell)];
+  std::vector<bool> is_stray;
+  is_stray.reserve(points.size());
+  for (const auto& p : points) is_stray.push_back(countAround(counts, cellOf(p, cell), kCompany) < kCompany);
+  return is_stray;
+}
+
+Points withoutStrays(const Points& points, double edge) {
+  const std::vector<bool> is_stray = findStrays(points, edge);
+  Points kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!is_stray[i]) kept.push_back(points[i]);
+  }
+  return kept;
+}
+
+}  // namespace tank_datum

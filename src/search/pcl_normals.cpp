@@ -1,0 +1,79 @@
+#include "search/pcl_normals.h"
+
+#include <pcl/features/normal_3d.h>
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <pcl/features/impl/normal_3d.hpp>
+
+#include "search/spatial_order.h"
+#include "tank_datum/core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/// Calls work(begin, end) for the parts of 0 .. count - 1, in plain threads: FLANN opens a parallel region for every
+/// query, which inside of another region means a new team, allocated and locked, each time.
+template <typename Work>
+void forEachPart(std::size_t count, int threads, const Work& work) {
+  constexpr std::size_t kPart = 1024;
+  std::atomic<std::size_t> next{0};
+  const auto take_parts = [&] {
+    for (std::size_t begin; (begin = next.fetch_add(kPart)) < count;) work(begin, std::min(begin + kPart, count));
+  };
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < threadCount(threads); ++i) others.push_back(std::async(std::launch::async, take_parts));
+  take_parts();
+  for (auto& other : others) other.get();
+}
+
+Cloud::Ptr roundedCloud(const Points& points) {
+  const auto cloud = std::make_shared<Cloud>();
+  cloud->reserve(points.size());
+  for (const auto& p : points) {
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())));
+  }
+  return cloud;
+}
+
+}  // namespace
+
+Normals estimateNormalsWithPcl(const Points& points, int k, int threads) {
+  const auto width = static_cast<std::size_t>(k);
+  Normals result;
+  result.k = k;
+  result.neighbours.resize(points.size() * width);
+  result.normals.resize(points.size());
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+  Cloud::Ptr cloud;
+  std::vector<std::uint32_t> order;  // neighbouring queries go through the same nodes
+  forEachIndex(2, threads, [&](std::size_t task) {
+    if (task == 1) {
+      order = mortonOrder(points);
+    } else {
+      cloud = roundedCloud(points);
+      tree.setInputCloud(cloud);
+    }
+  });
+  forEachPart(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+    pcl::Indices found(width);
+    std::vector<float> squared_distances(width);
+    float curvature = 0;
+    for (std::size_t query = begin; query < end; ++query) {
+      const std::uint32_t i = order[query];
+      tree.nearestKSearch((*cloud)[i], k, found, squared_distances);
+      std::copy(found.begin(), found.end(), result.neighbours.begin() + static_cast<std::ptrdiff_t>(i * width));
+      Eigen::Vector3f& n = result.normals[i];
+      estimation.computePointNormal(*cloud, found, n.x(), n.y(), n.z(), curvature);
+    }
+  });
+  return result;
+}
+
+}  // namespace tank_datum

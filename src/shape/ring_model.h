@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "tank_datum/stations/station_covariance.h"
+#include "tank_datum/stations/stations.h"
+
+namespace tank_datum {
+
+/// The measured stations as the model takes them.
+struct RingData {
+  Eigen::VectorXd azimuths;   ///< as the user counts them [rad]
+  Eigen::VectorXd z;          ///< [m]
+  Eigen::VectorXd sigmas;     ///< of each station's own error [m]; all the same when none is known
+  Eigen::MatrixXd shared;     ///< [m x n] errors that stations share
+  double usual_wave = 0.0;    ///< standard deviation of a coefficient of n = 2 before anything is seen [m]
+  bool sigmas_known = false;  ///< false: from the stations' own residuals
+
+  Eigen::Index count() const { return z.size(); }
+};
+
+/// @param radius      of the tank [m]
+/// @param covariance  of all stations; empty: sigma_z each
+RingData ringData(const std::vector<Station>& stations, double radius, const StationCovariance& covariance);
+
+/// What the errors of the stations are, beside the shared ones that the survey knows of.
+struct RingNoise {
+  double scale = 1.0;          ///< own errors over sigmas, at least 1 where sigmas are given
+  double repeatability = 1.0;  ///< of all errors that the stations show, over sigmas; above or below 1
+  double neighbours = 0.0;     ///< standard deviation of an error that neighbours share [m]
+  double length = 0.0;         ///< arc over which they do [rad]
+  double freedom = 0.0;        ///< degrees of freedom behind the scale; 0: it was given
+};
+
+/// The datum along the ring: z = mean + tilt + waves, with errors; u(t) = sum a_n cos nt + b_n sin nt up to order().
+/// Mean and tilt are free. The waves have normal priors whose standard deviation falls with a power of n; its size, its
+/// power, and size and length of an error that neighbours share (Matern 3/2) are those of largest restricted marginal
+/// likelihood (Patterson and Thompson, Biometrika 58, 1971). A single wave that stands above that gets a wider prior of
+/// its own (automatic relevance). So what stations tell of the waves is taken from them, and what a gap hides is as
+/// uncertain as the waves seen make it.
+class RingModel {
+ public:
+  explicit RingModel(const RingData& data);
+
+  int order() const { return order_; }
+  const RingData& data() const { return data_; }
+  const RingNoise& noise() const { return noise_; }
+
+  /// Coefficients 1, a1, b1, a2, ... of the datum, given the survey, and their covariance.
+  const Eigen::VectorXd& coefficients() const { return mean_; }
+  Eigen::MatrixXd covariance() const;
+  /// Variance of what an error that neighbours share adds to each coefficient of a survey [m^2].
+  const Eigen::VectorXd& neighbourVariances() const { return errors_; }
+
+  /// Surveys that could have been: each column a datum as likely as this survey leaves it, what the same survey of
+  /// that datum would measure, and what this model would make of it.
+  struct Simulated {
+    Eigen::MatrixXd truth;     ///< [coefficients x draws]
+    Eigen::MatrixXd estimate;  ///< [coefficients x draws]
+    Eigen::MatrixXd survey;    ///< [stations x draws] elevations [m]; of more than 64 stations empty
+  };
+  Simulated simulate(int draws, std::uint64_t seed) const;
+
+  /// Whether there are so many stations that they show their errors beside each other: more than 64.
+  bool dense() const;
+
+  /// Matrix product without Eigen's own threads, so that results do not depend on their number.
+  static Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+  /// Values of a sum of waves at azimuths: [azimuths x coefficients].
+  static Eigen::MatrixXd rowsAt(const Eigen::VectorXd& azimuths, int order);
+
+ private:
+  void estimatePriors();
+  double ownScale2();
+  double differencesScale() const;
+  void solve();
+
+  RingData data_;
+  RingNoise noise_;
+  int order_ = 0;
+  double offset_ = 0.0;             ///< taken from z before it is solved for [m]
+  Eigen::MatrixXd design_;          ///< [stations x (coefficients, shared errors)]
+  Eigen::MatrixXd normal_;          ///< design' D^-1 design, D of sigmas^2
+  Eigen::VectorXd rhs_;             ///< design' D^-1 z
+  double squares_ = 0.0;            ///< z' D^-1 z
+  Eigen::VectorXd waves_, errors_;  ///< prior variances of each coefficient: of the datum, of neighbours' errors [m^2]
+  Eigen::LLT<Eigen::MatrixXd> posterior_;  ///< of the precision of all unknowns
+  Eigen::VectorXd mean_;
+};
+
+}  // namespace tank_datum

@@ -1,0 +1,161 @@
+#include "shape/simulated_surveys.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "stations/ring_series.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr int kDraws = 400;
+constexpr std::uint64_t kSeed = 6531012;
+
+/// Stations with a value everywhere: missing ones, and more where none stand over twice their mean distance.
+std::vector<Station> filled(const std::vector<Station>& stations) {
+  std::vector<Station> whole;
+  const double mean = kTwoPi / static_cast<double>(std::max<std::size_t>(1, stations.size()));
+  const auto put = [&whole](double azimuth) {
+    whole.emplace_back();
+    whole.back().azimuth = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
+    whole.back().z = whole.back().u = 0.0;
+    whole.back().flag = StationFlag::Measured;
+  };
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const double here = stations[i].azimuth;
+    put(here);
+    const double ahead = stations.size() > 1 ? turnAhead(here, stations[(i + 1) % stations.size()].azimuth) : kTwoPi;
+    const double parts = ahead > 2.0 * mean ? std::ceil(ahead / mean) : 1.0;
+    for (double k = 1.0; k < parts; ++k) put(here + ahead * k / parts);
+  }
+  std::sort(whole.begin(), whole.end(), [](const Station& a, const Station& b) { return a.azimuth < b.azimuth; });
+  return whole;
+}
+
+Eigen::VectorXd azimuthsOf(const std::vector<Station>& stations) {
+  std::vector<double> known;
+  for (const Station& s : stations) {
+    if (std::isfinite(s.z)) known.push_back(s.azimuth);
+  }
+  return Eigen::Map<Eigen::VectorXd>(known.data(), static_cast<Eigen::Index>(known.size()));
+}
+
+/// The order statistic that leaves 2.5 % of the draws beyond it.
+double beyond(std::vector<double> values, bool above) {
+  const std::size_t tail = values.size() / 40;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(above ? values.size() - 1 - tail : tail);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+SimulatedSurveys::SimulatedSurveys(const std::vector<Station>& stations, double radius,
+                                   const StationCovariance& covariance)
+    : radius_(radius), model_(ringData(stations, radius, covariance)), whole_(filled(stations)) {
+  valid_ = model_.order() > 0 && (model_.dense() || model_.data().sigmas_known);
+  if (!valid_) return;
+  known_azimuths_ = azimuthsOf(stations);
+  whole_azimuths_ = azimuthsOf(whole_);
+  draws_ = model_.simulate(kDraws, kSeed);
+  z_ = valuesOf(false);
+  u_ = valuesOf(true);
+}
+
+Eigen::VectorXd SimulatedSurveys::standingWaves() const {
+  constexpr double kStands = 3.0;  // power over that of its error: as much by chance in 5 % of waves
+  const Eigen::MatrixXd covariance = model_.covariance();
+  Eigen::VectorXd waves = model_.coefficients();
+  for (Eigen::Index j = 3; j < waves.size(); j += 2) {
+    if (waves.segment<2>(j).squaredNorm() < kStands * (covariance(j, j) + covariance(j + 1, j + 1)))
+      waves.segment<2>(j).setZero();
+  }
+  return waves;
+}
+
+SimulatedSurveys::Values SimulatedSurveys::valuesOf(bool of_u) const {
+  const Eigen::Index first = of_u ? 3 : 0, count = model_.coefficients().size() - first;
+  const auto at = [&](const Eigen::VectorXd& azimuths) {
+    return Eigen::MatrixXd(RingModel::rowsAt(azimuths, model_.order()).rightCols(count));
+  };
+  const Eigen::MatrixXd rows = at(known_azimuths_);
+  Values values;
+  values.truths = RingModel::product(rows, draws_.truth.bottomRows(count));
+  values.whole = whole_azimuths_.size() == known_azimuths_.size()
+                     ? values.truths
+                     : RingModel::product(at(whole_azimuths_), draws_.truth.bottomRows(count));
+  values.standing = rows * standingWaves().tail(count);
+  if (!model_.dense()) return raw(std::move(values), of_u);
+  values.estimates = RingModel::product(rows, draws_.estimate.bottomRows(count));
+  values.surveyed = rows * model_.coefficients().tail(count);
+  return values;
+}
+
+/// Of few stations the figures are of the elevations as they were surveyed, less their plane.
+SimulatedSurveys::Values SimulatedSurveys::raw(Values values, bool of_u) const {
+  values.estimates = draws_.survey;
+  values.surveyed = model_.data().z;
+  if (!of_u) return values;
+  const Eigen::MatrixXd plane = RingModel::rowsAt(model_.data().azimuths, 1);
+  const Eigen::VectorXd weights = model_.data().sigmas.array().square().inverse();
+  const Eigen::MatrixXd weighted = plane.transpose() * weights.asDiagonal();
+  const Eigen::MatrixXd fit = (weighted * plane).ldlt().solve(weighted);
+  values.estimates -= RingModel::product(plane, RingModel::product(fit, values.estimates));
+  values.surveyed -= plane * (fit * values.surveyed);
+  return values;
+}
+
+Interval95 SimulatedSurveys::interval(const Values& values, const RingFigure& seen, const RingFigure& whole) {
+  const double surveyed = seen(values.surveyed.data()), standing = seen(values.standing.data());
+  std::vector<double> raised, missed;
+  Eigen::VectorXd disturbed;
+  for (Eigen::Index k = 0; k < values.truths.cols(); ++k) {
+    disturbed = values.standing + values.estimates.col(k) - values.truths.col(k);
+    raised.push_back(seen(disturbed.data()) - standing);
+    const double truth = whole ? whole(values.whole.col(k).data()) : seen(values.truths.col(k).data());
+    missed.push_back(seen(values.estimates.col(k).data()) - truth);
+  }
+  const double low = std::max(0.0, surveyed - beyond(std::move(raised), true));
+  return {low, std::max(low, surveyed - beyond(std::move(missed), false))};
+}
+
+Interval95 SimulatedSurveys::intervalOf(const RingFigure& seen, const RingFigure& whole, bool of_u) const {
+  return valid_ ? interval(of_u ? u_ : z_, seen, whole) : Interval95{};
+}
+
+SimulatedSurveys::Values SimulatedSurveys::wavesTo(int order, bool curvature) const {
+  const int highest = std::min(order, model_.order());
+  const Eigen::Index count = 2 * highest - 2;
+  const auto at = [&](const Eigen::VectorXd& azimuths) {
+    Eigen::MatrixXd rows = RingModel::rowsAt(azimuths, highest).rightCols(count);
+    for (int n = 2; curvature && n <= highest; ++n) rows.middleCols(2 * n - 4, 2) *= (n / radius_) * (n / radius_);
+    return rows;
+  };
+  const auto middle = [&](const Eigen::MatrixXd& all) { return Eigen::MatrixXd(all.middleRows(3, count)); };
+  const Eigen::MatrixXd rows = at(known_azimuths_);
+  Values values;
+  values.truths = RingModel::product(rows, middle(draws_.truth));
+  values.whole = whole_azimuths_.size() == known_azimuths_.size()
+                     ? values.truths
+                     : RingModel::product(at(whole_azimuths_), middle(draws_.truth));
+  values.estimates = RingModel::product(rows, middle(draws_.estimate));
+  values.surveyed = rows * model_.coefficients().segment(3, count);
+  values.standing = rows * standingWaves().segment(3, count);
+  return values;
+}
+
+Interval95 SimulatedSurveys::ofWaves(int order, const RingFigure& seen) const {
+  return valid_ && order > 1 ? interval(wavesTo(order, false), seen, {}) : Interval95{};
+}
+
+Interval95 SimulatedSurveys::curvature(int order) const {
+  if (!valid_ || order < 2) return {};
+  const Values values = wavesTo(order, true);
+  const auto largest = [](Eigen::Index places) {
+    return [places](const double* v) { return Eigen::Map<const Eigen::VectorXd>(v, places).cwiseAbs().maxCoeff(); };
+  };
+  return interval(values, largest(values.truths.rows()), largest(values.whole.rows()));
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "shape/ring_model.h"
+#include "tank_datum/stations/placed_value.h"
+
+namespace tank_datum {
+
+/// What is read of a ring of values: one number per place, in order.
+using RingFigure = std::function<double(const double* values)>;
+
+/// Intervals for figures that are the largest of many, from surveys as the model says they could have been.
+///
+/// The lower end takes from the figure what errors add to it: the same errors on a datum of those waves only that stand
+/// out of them. The upper end is that of a datum as likely as the survey leaves it, beyond what the same survey of it
+/// would give, in gaps too.
+class SimulatedSurveys {
+ public:
+  /// @param radius  of the tank [m]
+  SimulatedSurveys(const std::vector<Station>& stations, double radius, const StationCovariance& covariance);
+
+  const RingModel& model() const { return model_; }
+  /// Whether errors are known: given, or shown by more than 64 stations.
+  bool valid() const { return valid_; }
+
+  /// The stations with every gap filled: a ring for figures of the whole circumference.
+  const std::vector<Station>& wholeRing() const { return whole_; }
+
+  /// Interval of a figure of z, or of U.
+  /// @param seen   of the values at the stations that have an elevation
+  /// @param whole  of those at wholeRing(); empty: nothing is asked of what was not seen
+  /// @param of_u   whether the plane is taken out first
+  Interval95 intervalOf(const RingFigure& seen, const RingFigure& whole, bool of_u) const;
+
+  /// Interval of a figure of U's waves 2 to `order` at the stations that have an elevation.
+  Interval95 ofWaves(int order, const RingFigure& seen) const;
+
+  /// Interval of the largest |curvature| of the waves 2 to `order` [1/m].
+  Interval95 curvature(int order) const;
+
+ private:
+  struct Values {
+    Eigen::MatrixXd estimates, truths;   ///< at the stations with an elevation, one column per draw
+    Eigen::MatrixXd whole;               ///< truths at the whole ring
+    Eigen::VectorXd surveyed, standing;  ///< as surveyed; of the waves that stand out of the errors
+  };
+  Values valuesOf(bool of_u) const;
+  Values raw(Values values, bool of_u) const;
+  Values wavesTo(int order, bool curvature) const;
+  static Interval95 interval(const Values& values, const RingFigure& seen, const RingFigure& whole);
+  Eigen::VectorXd standingWaves() const;
+
+  double radius_;
+  RingModel model_;
+  bool valid_ = false;
+  std::vector<Station> whole_;
+  Eigen::VectorXd known_azimuths_, whole_azimuths_;
+  RingModel::Simulated draws_;
+  Values z_, u_;
+};
+
+}  // namespace tank_datum

@@ -1,0 +1,192 @@
+#include "trust/shell_evidence.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/statistics.h"
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kFewest = 5;  // points of a sector that have a middle
+
+/// A point of the wall: its height above the foot, and its distance from the axis.
+struct WallPoint {
+  double height, radius;
+};
+
+using Sectors = std::vector<std::vector<WallPoint>>;
+
+/// What stands within a tenth of the radius of the shell, clear of the foot.
+Sectors wallPoints(const Ring& ring, const Tank& tank, std::size_t count) {
+  constexpr double kBeside = 0.1, kClear = 0.15;  // of the radius; of the ring's reach
+  const double band = std::min(kBeside * tank.circle.radius, ring.reach);
+  Sectors sectors(count);
+  for (const Eigen::Vector3d& p : ring.points) {
+    const double azimuth = tank.azimuthOf(p.head<2>()), height = p.z() - tank.foot(azimuth);
+    if (height < kClear * ring.reach || height > ring.reach) continue;
+    const double radius = (p.head<2>() - tank.circle.center).norm();
+    if (std::abs(radius - tank.circle.radius) > band) continue;
+    sectors[static_cast<std::size_t>(azimuth / kTwoPi * static_cast<double>(count)) % count].push_back(
+        {height, radius});
+  }
+  return sectors;
+}
+
+/// The middle of a sector's wall: what stands apart from the median is no part of it.
+struct Middle {
+  double azimuth, radius, noise;
+  double lean = kUnknown;  ///< outwards [m/m]
+};
+
+double leanOf(const std::vector<WallPoint>& points, double least_height) {
+  double n = 0, h = 0, r = 0, hh = 0, hr = 0;
+  double low = points.front().height, high = low;
+  for (const WallPoint& p : points) {
+    n += 1, h += p.height, r += p.radius, hh += p.height * p.height, hr += p.height * p.radius;
+    low = std::min(low, p.height), high = std::max(high, p.height);
+  }
+  const double spread = hh - h * h / n;
+  return n >= 8 && high - low >= least_height && spread > 0.0 ? (hr - h * r / n) / spread : kUnknown;
+}
+
+Middle middleOf(std::vector<WallPoint> points, double azimuth, double least_height) {
+  constexpr double kApart = 5.0;  // sigmas
+  const auto radii = [&points] {
+    std::vector<double> values;
+    for (const WallPoint& p : points) values.push_back(p.radius);
+    return values;
+  };
+  const double first = median(radii()), spread = kApart * robustSigma(radii(), first);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const WallPoint& p) { return std::abs(p.radius - first) > spread + 1e-9 * first; }),
+               points.end());
+  Middle middle;
+  middle.azimuth = azimuth;
+  middle.radius = median(radii());
+  middle.noise = robustSigma(radii(), middle.radius);
+  middle.lean = leanOf(points, least_height);
+  return middle;
+}
+
+/// Spacing of the points on the wall, from the sectors of a first, coarse look.
+double spacingOf(const Sectors& sectors, double width) {
+  std::vector<double> spacings;
+  for (const auto& points : sectors) {
+    if (points.size() < kFewest) continue;
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                                 [](const auto& a, const auto& b) { return a.height < b.height; });
+    spacings.push_back(std::sqrt(width * (high->height - low->height) / static_cast<double>(points.size())));
+  }
+  return median(spacings);
+}
+
+/// The middles of sectors three spacings wide.
+std::vector<Middle> middlesOf(const Ring& ring, const Tank& tank, double& spacing) {
+  constexpr std::size_t kCoarse = 48, kFinest = 360;
+  const double round = kTwoPi * tank.circle.radius;
+  spacing = spacingOf(wallPoints(ring, tank, kCoarse), round / double(kCoarse));
+  if (!(spacing > 0.0)) return {};
+  const auto count = static_cast<std::size_t>(std::clamp(round / (3.0 * spacing), 24.0, double(kFinest)));
+  const Sectors sectors = wallPoints(ring, tank, count);
+  const double width = kTwoPi / static_cast<double>(count);
+  std::vector<Middle> middles;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (sectors[i].size() < kFewest) continue;
+    middles.push_back(middleOf(sectors[i], (static_cast<double>(i) + 0.5) * width, 0.3 * ring.reach));
+  }
+  return middles;
+}
+
+double medianOf(const std::vector<Middle>& middles, double Middle::*value) {
+  std::vector<double> values;
+  for (const Middle& m : middles) {
+    if (std::isfinite(m.*value)) values.push_back(m.*value);
+  }
+  return median(values);
+}
+
+/// What all sectors share of their leans, and its standard error: on a short arc no fit tells a cone from a lean.
+void lookForCone(const std::vector<Middle>& middles, ShellEvidence& evidence) {
+  std::vector<double> leans;
+  for (const Middle& m : middles) {
+    if (std::isfinite(m.lean)) leans.push_back(m.lean);
+  }
+  if (leans.size() < 8) return;
+  evidence.cone = median(leans);
+  evidence.sigma_cone = 1.25 * robustSigma(leans, evidence.cone) / std::sqrt(static_cast<double>(leans.size()));
+}
+
+/// The lean of each sector is a cone's and what the axis' lean makes of it: cone + slope . direction.
+void fitLean(const std::vector<Middle>& middles, ShellEvidence& evidence) {
+  Eigen::Vector3d fit(medianOf(middles, &Middle::lean), 0.0, 0.0);
+  double sigma = kUnknown;
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  for (int iteration = 0; iteration < 10; ++iteration) {
+    std::vector<double> off;
+    for (const Middle& m : middles) {
+      if (std::isfinite(m.lean))
+        off.push_back(m.lean - fit.dot(Eigen::Vector3d(1, std::cos(m.azimuth), std::sin(m.azimuth))));
+    }
+    if (off.size() < 8) return;
+    sigma = std::max(robustSigma(off, 0.0), 1e-9);
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (const Middle& m : middles) {
+      if (!std::isfinite(m.lean)) continue;
+      const Eigen::Vector3d row(1, std::cos(m.azimuth), std::sin(m.azimuth));
+      const double weight = tukeyWeight((m.lean - fit.dot(row)) / sigma);
+      normal += weight * row * row.transpose();
+      right += weight * m.lean * row;
+    }
+    const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
+    if (!lu.isInvertible()) return;
+    inverse = lu.inverse();
+    fit = inverse * right;
+  }
+  evidence.lean.slope = fit.tail<2>();
+  evidence.lean.sigma = sigma * std::sqrt(std::max(inverse(1, 1), inverse(2, 2)));
+}
+
+double sigmaOfRadius(const std::vector<Middle>& middles, const Circle& circle, double sigma) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  for (const Middle& m : middles) {
+    const Eigen::Vector3d row(std::cos(m.azimuth), std::sin(m.azimuth), 1.0);
+    normal += row * row.transpose();
+  }
+  const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
+  return lu.isInvertible() ? sigma * std::sqrt(lu.inverse()(2, 2)) : circle.radius;
+}
+
+}  // namespace
+
+ShellEvidence lookAtShell(const Ring& ring, const Tank& tank) {
+  constexpr std::size_t kFewestSectors = 8;
+  ShellEvidence evidence;
+  const std::vector<Middle> middles = middlesOf(ring, tank, evidence.spacing);
+  evidence.sectors = middles.size();
+  if (middles.size() < kFewestSectors) return evidence;
+  std::vector<Eigen::Vector2d> plan;
+  for (const Middle& m : middles) {
+    plan.push_back(tank.circle.center + m.radius * Eigen::Vector2d(std::cos(m.azimuth), std::sin(m.azimuth)));
+  }
+  evidence.circle = fitCircleRobust(plan, tank.circle);
+  if (!evidence.circle.valid()) return evidence;
+  evidence.noise = medianOf(middles, &Middle::noise);
+  std::vector<double> off;
+  for (const auto& p : plan) off.push_back(evidence.circle.residual(p));
+  evidence.off_round = robustSigma(off, 0.0);
+  const double near = 2.5 * kOutOfRoundness * evidence.circle.radius + 2.0 * evidence.noise;
+  evidence.on_circle =
+      static_cast<double>(std::count_if(off.begin(), off.end(), [near](double r) { return std::abs(r) <= near; })) /
+      static_cast<double>(off.size());
+  evidence.sigma_radius = sigmaOfRadius(middles, evidence.circle, evidence.off_round);
+  lookForCone(middles, evidence);
+  fitLean(middles, evidence);
+  return evidence;
+}
+
+}  // namespace tank_datum

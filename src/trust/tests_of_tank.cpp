@@ -1,0 +1,134 @@
+#include "trust/tests_of_tank.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/statistics.h"
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+/// The numbers of a test: beyond `doubtful` the thing may be no tank, beyond `fail` it is none.
+struct Bounds {
+  const char* name;
+  const char* unit;
+  double doubtful, fail;
+};
+
+// A tank is a tank. Every number is free of scale: a share, or measured by what spacing and noise of the scan leave.
+//
+// behind     A shell is opaque. Walls behind it in the same azimuth, over a tenth of what is seen of it, are what an
+// open
+//            tank with a pole in it may show; over a quarter of it they make it a row of other things.
+// round      Standard deviation of the wall about its circle over what explains it: 0.4 % of the radius (see
+//            kOutOfRoundness) and the noise, which counts up to the spacing of the points: what is thicker than that is
+//            no single wall. Tins, cans and mugs before depth cameras have 0.4 to 1.1, tanks 0.1 to 0.9, boxes 4,
+//            streets and rooms 2 to 9.
+// on_circle  Share of the azimuths at which the wall is off the circle by more than 2.5 times that: pipes and stairs
+// hide
+//            a tank's shell over a tenth of it. Cans have 0 to 0.1.
+// radius     Standard error of the radius over the radius: an arc that knows its circle to a few per cent only is an
+// arc
+//            of anything. Cans of 36 mm, noise 1 mm, have 0.03.
+// cone       Slope of the wall outwards beyond 3 standard errors: a bowl opens by more than 7 degrees, a shell of
+// courses
+//            that thin upwards by less than 1.
+// level      Range of the datum over the diameter, as for waves: of a tank that leans by 1.5 % in a scan by 2 degrees.
+// waves      Range of the datum about its plane over the diameter, beyond 6 standard errors of a station and two
+// spacings
+//            of the points: a shell buckles at a hundredth of it.
+// stations   Least arc that is measured, degrees: of 30 degrees three quarters are needed for a wave of any length that
+// a
+//            code asks for, and a foot seen on 40 degrees has them.
+constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3.2},
+    kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
+    kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0};
+
+template <typename... Values>
+TankTest judged(const Bounds& bounds, double value, const char* format, Values... values) {
+  TankTest test;
+  test.name = bounds.name;
+  test.unit = bounds.unit;
+  test.value = value;
+  test.limit = bounds.doubtful;
+  const bool at_least = bounds.fail < bounds.doubtful;
+  const auto beyond = [&](double limit) { return at_least ? value < limit : value > limit; };
+  test.outcome = beyond(bounds.fail)       ? TestOutcome::Fail
+                 : beyond(bounds.doubtful) ? TestOutcome::Doubtful
+                                           : TestOutcome::Pass;
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  test.finding = text;
+  return test;
+}
+
+double rangeAboutPlane(const std::vector<Station>& stations) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Station& s : stations) {
+    if (s.flag == StationFlag::Measured) low = std::min(low, s.u), high = std::max(high, s.u);
+  }
+  return std::max(0.0, high - low);
+}
+
+}  // namespace
+
+std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell) {
+  std::vector<TankTest> tests;
+  tests.push_back(judged(kBehind, tank.behind_share, "walls lie %.3g m behind it over %.0f %% of what is seen of it",
+                         tank.behind, 100.0 * tank.behind_share));
+  if (!shell.known()) return tests;
+  const double radius = shell.circle.radius;
+  const double explained = std::hypot(kOutOfRoundness * radius, std::min(shell.noise, shell.spacing));
+  tests.push_back(judged(kRound, shell.off_round / explained,
+                         "its wall is off the circle by %.3g m RMS, where noise and out-of-roundness explain %.3g m",
+                         shell.off_round, explained));
+  tests.push_back(judged(kOnCircle, 1.0 - shell.on_circle, "its wall is off the circle over %.0f %% of what is seen",
+                         100.0 * (1.0 - shell.on_circle)));
+  tests.push_back(judged(kRadius, shell.sigma_radius / radius, "the arc knows its radius to %.1f %% only",
+                         100.0 * shell.sigma_radius / radius));
+  if (std::isfinite(shell.cone)) {
+    tests.push_back(judged(kCone, std::max(0.0, std::abs(shell.cone) - 3.0 * shell.sigma_cone),
+                           "its wall is a cone that opens by %.0f deg", std::abs(toDegrees(std::atan(shell.cone)))));
+  }
+  return tests;
+}
+
+std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, const Level& level, const Tilt& tilt,
+                                      const ShellEvidence& shell) {
+  std::vector<TankTest> tests;
+  const double arc = 360.0 * static_cast<double>(level.measured) / static_cast<double>(stations.size());
+  tests.push_back(judged(kArc, arc, "its foot is measured over %.0f deg only", arc));
+  if (!tilt.valid() || !shell.known()) return tests;
+  const double diameter = 2.0 * shell.circle.radius;
+  std::vector<double> sigmas;
+  for (const Station& s : stations) {
+    if (s.flag == StationFlag::Measured && std::isfinite(s.sigma_z)) sigmas.push_back(s.sigma_z);
+  }
+  const double sigma = sigmas.empty() ? shell.noise : median(sigmas);
+  const double unknown = 6.0 * sigma + 2.0 * shell.spacing;
+  const double range = level.range(), about_plane = rangeAboutPlane(stations);
+  tests.push_back(
+      judged(kLevel, std::max(0.0, range - unknown) / diameter, "its foot rises by %.3g m from side to side", range));
+  tests.push_back(judged(kWaves, std::max(0.0, about_plane - unknown) / diameter,
+                         "its foot is out of plane by %.3g m, which no tank survives", about_plane));
+  return tests;
+}
+
+std::size_t dropOffCircle(std::vector<Station>& stations, const Circle& circle, const ShellEvidence& shell) {
+  if (!shell.known() || !circle.valid()) return 0;
+  std::size_t dropped = 0;
+  for (Station& s : stations) {
+    if (s.flag != StationFlag::Measured || !std::isfinite(s.radius)) continue;
+    const double sigma = std::isfinite(s.sigma_radius) ? s.sigma_radius : 0.0;
+    const double most =
+        3.0 * std::hypot(std::max(kOutOfRoundness * circle.radius, shell.off_round), shell.noise, sigma);
+    if (std::abs(s.radius - circle.radius) <= most) continue;
+    s.flag = StationFlag::Missing;
+    ++dropped;
+  }
+  return dropped;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "tank_datum/shape/deformation.h"
+#include "tank_datum/stations/stations.h"
+#include "trust/shell_evidence.h"
+
+namespace tank_datum {
+
+/// Where each test's numbers come from stands in the table of tests_of_tank.cpp.
+std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell);
+
+/// The tests of what was measured at the foot.
+std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, const Level& level, const Tilt& tilt,
+                                      const ShellEvidence& shell);
+
+/// Takes out the stations that do not lie on their shell, whose elevation is another thing's.
+/// @return how many
+std::size_t dropOffCircle(std::vector<Station>& stations, const Circle& circle, const ShellEvidence& shell);
+
+}  // namespace tank_datum

@@ -1,0 +1,48 @@
+#include "io/json_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+class JsonFile : public testing::Test {
+ protected:
+  ~JsonFile() override { std::remove(path_.c_str()); }
+  void write(const std::string& text) const { std::ofstream(path_) << text; }
+  std::string refusal() const {
+    try {
+      readJson(path_, "epoch", "a datum.json");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), Error::Kind::File);
+      return error.what();
+    }
+    return "";
+  }
+  const std::string path_ = testing::TempDir() + "json_file_test.json";
+};
+
+TEST_F(JsonFile, OfTheSchemaWrittenIsRead) {
+  write("{\"schema\": 1, \"status\": \"ok\"}");
+  EXPECT_EQ(readJson(path_, "epoch", "a datum.json").at("status"), "ok");
+}
+
+TEST_F(JsonFile, OfANewerSchemaIsRefused) {
+  write("{\"schema\": 99}");
+  EXPECT_EQ(refusal(), "epoch: " + path_ + ", schema 99, expected schema 1 or older: a newer version wrote it");
+}
+
+TEST_F(JsonFile, ThatIsNoneOfOursIsRefused) {
+  EXPECT_NE(refusal().find("not read, expected a datum.json"), std::string::npos);
+  for (const char* text : {"", "{", "[1]", "{}", "{\"schema\": \"one\"}"}) {
+    write(text);
+    EXPECT_NE(refusal().find("expected a datum.json"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace tank_datum

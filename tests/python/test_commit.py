@@ -1,0 +1,303 @@
+"""At every call to the file system that a run makes it may fail, be killed or be stopped: the old
+result or the new one is there, whole, or the next program that looks puts it right and says so.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+from conftest import ROOT, executable
+from results import Run
+
+TABLE = ROOT / "tests" / "data" / "levelling" / "fourteen_stations.csv"
+EIO, ENOSPC = 5, 28
+Snapshot = dict[str, object]
+
+
+def snapshot(folder: Path) -> Snapshot:
+    """Everything in a folder but what is under way: bytes of files, targets of links."""
+    found: Snapshot = {}
+    for path in sorted(folder.rglob("*")):
+        name = str(path.relative_to(folder))
+        if name.startswith(".tank_datum-"):
+            continue
+        if path.is_symlink():
+            found[name] = ("link", os.readlink(path))
+        elif path.is_file():
+            found[name] = path.read_bytes()
+        else:
+            found[name] = "folder"
+    return found
+
+
+def under_way(folder: Path) -> list[str]:
+    return sorted(p.name for p in folder.glob(".tank_datum-*")) if folder.exists() else []
+
+
+@dataclass
+class Writer:
+    """A program run on a folder; {out} in its words is that folder."""
+
+    name: str
+    words: Sequence[object]
+    before: Path
+    counted: int = 0
+    after: Snapshot = field(default_factory=dict)
+
+    def run(self, out: Path, **fault: int) -> Run:
+        environment = os.environ | {
+            "LD_PRELOAD": str(executable("fail_at_call.so")),
+            "TANK_DATUM_CALLS_BELOW": str(out),
+            "TANK_DATUM_COUNT_FILE": str(out.parent / "count"),
+            "ASAN_OPTIONS": "verify_asan_link_order=0:detect_leaks=0",
+        }
+        environment |= {f"TANK_DATUM_{k.upper()}": str(v) for k, v in fault.items()}
+        words = [str(w).format(out=out) for w in self.words]
+        words[0] = sys.executable if words[0] == "python" else str(executable(words[0]))
+        return subprocess.run(
+            words, env=environment, cwd=out.parent, capture_output=True, text=True, timeout=60
+        )
+
+    def fresh(self, out: Path) -> None:
+        if out.exists():
+            shutil.rmtree(out)
+        if self.before.exists():
+            shutil.copytree(self.before, out, symlinks=True)
+
+
+def probe(folder: Path, program: str = "tank_datum") -> Run:
+    """What every program does to a folder that it is about to read."""
+    words = [str(executable("results_probe")), program, str(folder)]
+    return subprocess.run(words, capture_output=True, text=True, timeout=60)
+
+
+def foreign(folder: Path) -> None:
+    """Things of somebody else beside a result."""
+    (folder / "tank_7.pcd").write_text("a scan")
+    (folder / "tank_notes.txt").write_text("notes")
+    (folder / ".hidden").write_text("hidden")
+    (folder / "tank_archive").symlink_to("..")
+
+
+def levelling(root: Path) -> Writer:
+    words = ["tank_datum", "--stations-csv", TABLE, "--diameter", 42, "--quiet", "--no-report"]
+    before = root / "levelling"
+    base = Writer("", [*words, "-o", "{out}"], root / "none")
+    assert base.run(before).returncode == 0
+    foreign(before)
+    return Writer("levelling", [*words, "-o", "{out}", "--height", 18], before)
+
+
+def first(root: Path) -> Writer:
+    words = ["tank_datum", "--stations-csv", TABLE, "--diameter", 42, "--quiet", "--no-report"]
+    return Writer("first", [*words, "-o", "{out}"], root / "none")
+
+
+def compare(root: Path) -> Writer:
+    table = "tank_datum --diameter 42 --quiet --no-report --stations-csv".split()
+    for name, rise in (("a", 0.0), ("b", 0.01), ("c", 0.03)):
+        rows = "".join(f"{10 * i},{(i % 5) * rise},0.001\n" for i in range(36))
+        (root / f"{name}.csv").write_text("azimuth_deg,elevation,sigma\n" + rows)
+        run = Writer("", [*table, root / f"{name}.csv", "-o", "{out}"], root / "none")
+        assert run.run(root / f"epoch_{name}").returncode == 0
+    words = ["tank_datum_compare", root / "epoch_a", root / "epoch_b", "-o", "{out}"]
+    before = root / "compare"
+    assert Writer("", words, root / "none").run(before).returncode == 0
+    foreign(before)
+    (before / "report.html").write_text("edited by hand")
+    return Writer("compare", [words[0], root / "epoch_a", root / "epoch_c", "-o", "{out}"], before)
+
+
+def tanks(root: Path) -> Writer:
+    """Three tanks' folders become two, one of them a link meanwhile; a file is edited."""
+    before, names = root / "tanks", ("datum.json", "stations.csv")
+    old = [f"tank_{i}/{n}=old {i}" for i in (1, 2, 3) for n in names]
+    words = ["results_probe", "tank_datum", "{out}"]
+    assert Writer("", [*words, *old], root / "none").run(before).returncode == 0
+    foreign(before)
+    (before / "tank_3" / "mine.txt").write_text("stays")
+    (before / "tank_1" / "datum.json").write_text("edited by hand")
+    shutil.move(before / "tank_2", before / "elsewhere")
+    (before / "tank_2").symlink_to("elsewhere")
+    new = [f"tank_{i}/{n}=new {i}" for i in (1, 2) for n in names]
+    return Writer("tanks", [*words, *new], before)
+
+
+def scan(root: Path) -> Writer:
+    words = "tank_datum_synth --radius 2 --scanners 1 --step-deg 4 --quiet".split()
+    before = root / "scan"
+    before.mkdir()
+    place = ["-o", "{out}/s.pcd"]
+    assert Writer("", [*words, *place], root / "none").run(before).returncode == 0
+    foreign(before)
+    return Writer("scan", [*words, *place, "--seed", 2], before)
+
+
+def pictures(root: Path) -> Writer:
+    """What plot.py does with its pictures, without drawing any."""
+    before = root / "pictures"
+    words = ["python", "-S", "-E", ROOT / "tests" / "python" / "put_files.py", "{out}"]
+    old = [*words, "cloud.png=1", "cloud.svg=1", "elevation.png=1"]
+    assert Writer("", old, root / "none").run(before).returncode == 0
+    foreign(before)
+    (before / "cloud.svg").write_text("edited by hand")
+    return Writer("pictures", [*words, "cloud.png=2", "cloud.svg=2"], before)
+
+
+WRITERS = (levelling, first, compare, tanks, scan, pictures)
+
+
+@pytest.fixture(scope="module", params=WRITERS, ids=lambda make: make.__name__)
+def writer(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Writer:
+    """A program and its folder, before and after a run that nothing disturbs."""
+    made: Writer = request.param(tmp_path_factory.mktemp("before"))
+    out = tmp_path_factory.mktemp("after") / "out"
+    made.fresh(out)
+    done = made.run(out)
+    assert done.returncode == 0, done.stderr
+    made.counted = int((out.parent / "count").read_text())
+    made.after = snapshot(out)
+    assert made.after != snapshot(made.before)
+    assert under_way(out) == []
+    assert made.counted > 20
+    return made
+
+
+def old_or_new(writer: Writer, out: Path) -> bool:
+    return snapshot(out) in (snapshot(writer.before), writer.after)
+
+
+@pytest.mark.parametrize("error", [EIO, ENOSPC], ids=["EIO", "ENOSPC"])
+def test_a_call_that_fails(writer: Writer, tmp_path: Path, error: int) -> None:
+    """Status 3, one line, and everything as it was; or 0 and all of the new."""
+    out = tmp_path / "out"
+    failed = 0
+    for call in range(1, writer.counted + 1, 1 if error == EIO else 7):
+        writer.fresh(out)
+        done = writer.run(out, fail_at=call, fail_with=error)
+        if done.returncode == 3:
+            failed += 1
+            assert snapshot(out) in (snapshot(writer.before), {}), f"call {call}: {done.stderr}"
+            assert done.stderr.count("\n") == 1 and ", expected " in done.stderr, done.stderr
+        else:
+            assert done.returncode == 0, f"call {call}: {done.stderr}"
+            assert snapshot(out) == writer.after, f"call {call}"
+        if under_way(out):
+            assert writer.run(out).returncode == 0
+            assert (under_way(out), snapshot(out)) == ([], writer.after), f"call {call}"
+    assert failed > writer.counted / (3 if error == EIO else 21)
+
+
+def test_killed_before_a_call(writer: Writer, tmp_path: Path) -> None:
+    """Without help the old or the new result, or a journal by which a reader brings the old one."""
+    out = tmp_path / "out"
+    put_right = 0
+    for call in range(1, writer.counted + 1):
+        writer.fresh(out)
+        assert writer.run(out, kill_at=call).returncode == -9
+        if (out / ".tank_datum-commit" / "journal.json").exists():
+            put_right += 1
+            read = probe(out)
+            assert read.returncode == 0
+            assert "those of the run before are back" in read.stderr, read.stderr
+            assert snapshot(out) in (snapshot(writer.before), {}), f"call {call}"
+        assert old_or_new(writer, out) or snapshot(out) == {}, f"call {call}"
+        if call % 3 == 0:
+            assert writer.run(out).returncode == 0
+            assert (under_way(out), snapshot(out)) == ([], writer.after), f"call {call}"
+    assert put_right >= 3
+
+
+def test_stopped_by_a_signal(writer: Writer, tmp_path: Path) -> None:
+    """SIGTERM leaves the old result, or the new one where it was in place already, and no rest."""
+    out = tmp_path / "out"
+    stopped = 0
+    for call in range(1, writer.counted + 1, 5):
+        writer.fresh(out)
+        done = writer.run(out, stop_at=call)
+        if done.returncode in (-15, 128 + 15):
+            stopped += 1
+            assert "stopped by Terminated" in done.stderr or writer.name == "pictures"
+        else:
+            assert done.returncode == 0, done.stderr
+        assert under_way(out) == []
+        assert old_or_new(writer, out) or snapshot(out) == {}, f"call {call}"
+    assert stopped > 0
+
+
+def test_killed_again_while_it_is_put_right(tmp_path: Path) -> None:
+    """The journal leads back from wherever putting right was killed."""
+    writer = tanks(tmp_path)
+    out = tmp_path / "out"
+    reader = Writer("reader", ["results_probe", "tank_datum", "{out}"], writer.before)
+    writer.fresh(out)
+    journal = out / ".tank_datum-commit" / "journal.json"
+    seen = 0
+    for call in range(1, 200):
+        if writer.run(out, kill_at=call).returncode == 0:
+            break
+        seen += journal.exists()
+        if journal.exists() and seen in (8, 16):
+            interrupted = tmp_path / "interrupted"
+            shutil.copytree(out, interrupted, symlinks=True)
+            for again in range(1, 100):
+                shutil.rmtree(out)
+                shutil.copytree(interrupted, out, symlinks=True)
+                killed = reader.run(out, kill_at=again).returncode
+                if journal.exists():
+                    assert probe(out).returncode == 0
+                assert snapshot(out) == snapshot(writer.before), f"calls {call}, {again}"
+                if killed == 0:
+                    break
+            assert again > 10
+            shutil.rmtree(interrupted)
+        writer.fresh(out)
+    assert seen > 16
+
+
+def test_runs_at_the_same_time(tmp_path: Path) -> None:
+    """Each commits a whole result, the last one stays; no folder of a living run is removed."""
+    program, out = str(executable("results_probe")), tmp_path / "out"
+    names = ("datum.json", "stations.csv", "tank_1/datum.json")
+    runs = [
+        subprocess.Popen([program, "tank_datum", out, *(f"{n}={i}" for n in names)])
+        for i in range(12)
+    ]
+    assert [run.wait(timeout=60) for run in runs] == [0] * len(runs)
+    assert len({(out / n).read_text() for n in names}) == 1
+    assert sorted(p.name for p in out.iterdir()) == [
+        "datum.json", "manifest.json", "stations.csv", "tank_1",
+    ]  # fmt: skip
+
+
+def test_what_cannot_be_put_right_is_said(tmp_path: Path) -> None:
+    """A reader that may not write refuses a result that is not whole."""
+    writer = tanks(tmp_path)
+    out = tmp_path / "out"
+    reader = Writer("reader", ["results_probe", "tank_datum", "{out}"], writer.before)
+    interrupted = tmp_path / "interrupted"
+    for call in range(1, 200):
+        writer.fresh(out)
+        writer.run(out, kill_at=call)
+        if not (out / "tank_3/datum.json").exists():
+            break
+    shutil.copytree(out, interrupted, symlinks=True)
+    refused = []
+    for number in range(1, 15):
+        shutil.rmtree(out)
+        shutil.copytree(interrupted, out, symlinks=True)
+        run = reader.run(out, fail_at=number, fail_with=EIO)
+        if run.returncode == 3:
+            refused.append(run.stderr)
+        assert probe(out).returncode == 0
+        assert snapshot(out) == snapshot(writer.before)
+    assert all(", expected " in line and line.count("\n") == 1 for line in refused)
+    assert sum("results incomplete since a run was stopped" in line for line in refused) >= 5
