@@ -24,7 +24,7 @@ std::string written(const pcd_files::Folder& folder, const std::string& name, co
   std::vector<PcdField> fields = {{"x", 'F', 4}, {"y", 'F', 4}};
   if (!label.empty()) fields.push_back({label, type, type == 'F' ? 4 : 2});
   fields.push_back({"z", 'F', 4});
-  PcdWriter writer(folder.path(name), fields, format, viewpoint);
+  PcdWriter writer(folder.path(name), fields, format, {"", viewpoint});
   std::vector<double> rows;
   for (std::size_t i = 0; i < kRows; ++i) {
     rows.push_back(i % 1000 == 999 ? std::nan("") : static_cast<double>(i));

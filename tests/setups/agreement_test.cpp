@@ -39,7 +39,7 @@ class SetupAgreementTest : public testing::Test {
       paths.push_back((folder_ / ("scan_" + std::to_string(s + 1) + ".pcd")).string());
       const Eigen::Vector3d& at = stations[s].position;
       PcdWriter writer(paths.back(), {{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}}, PcdWriter::Format::Binary,
-                       {at.x(), at.y(), at.z() + dz[s]});
+                       {"", {at.x(), at.y(), at.z() + dz[s]}});
       writer.append(rows[s]);
       writer.commit();
     }
