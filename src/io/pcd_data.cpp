@@ -106,6 +106,7 @@ ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, con
   file.read(header.data_offset + begin * header.row_bytes, buffer.bytes.data(), buffer.bytes.size());
   const CoordinateColumns xyz = columnsOfRows(header, buffer.bytes.data(), choice);
   decodeRows(xyz, choice.of(rows), frame, buffer.points);
+  buffer.labels.clear();  // of the file that the buffer held before
   if (header.label) {
     const PcdColumn& column = header.columns[*header.label];
     const char* first = buffer.bytes.data() + choice.first * header.row_bytes + column.offset;

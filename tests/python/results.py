@@ -17,7 +17,7 @@ Run = subprocess.CompletedProcess[str]
 
 HEADER = (
     "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,"
-    "z_paper,z_tilt,u,u_fit,curvature"
+    "z_paper,z_tilt,u,u_fit,curvature,n_setups,sigma_setup"
 )
 RESULTS = (
     "datum.json",
@@ -25,6 +25,7 @@ RESULTS = (
     "shell.csv",
     "datum_points.pcd",
     "datum_curve.pcd",
+    "datum_nodes.csv",
     "report.html",
 )
 FOLDER = (*RESULTS, "manifest.json")
