@@ -33,14 +33,12 @@ double supportOf(const Scanned& scanned) {
   return points;
 }
 
-TEST(RefineOptions, BorrowUntilSigmaIsAsWanted) {
+TEST(RefineOptions, AStationGoodEnoughAloneLeansOnNoNeighbour) {
   RefineOptions options;
-  options.wanted_sigma = 0.00005;
-  const Scanned patient = run(tank20(), padPoints(), options);
-  EXPECT_GT(supportOf(patient), 2.0 * supportOf(padRun()));
-  EXPECT_LT(patient.rms, 0.7 * padRun().rms);
-  options.widest_window = 0.2;
-  EXPECT_LT(supportOf(run(tank20(), padPoints(), options)), 0.7 * supportOf(patient));
+  options.wanted_sigma = 0.01;
+  const Scanned alone = run(tank20(), padPoints(), options);
+  EXPECT_GT(supportOf(padRun()), 1.2 * supportOf(alone));
+  EXPECT_LT(padRun().rms, alone.rms);
 }
 
 TEST(RefineOptions, WideWindowsKnowTheirSigma) {
