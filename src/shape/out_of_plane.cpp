@@ -167,8 +167,9 @@ OutOfPlane fitOutOfPlane(std::vector<Station>& stations, double radius, const Ri
     result.max_u = std::abs(s.u);
     result.max_u_azimuth = s.azimuth;
   }
-  const int longest = std::max(kLeastOrder, shortestWave(radius));
-  const WaveData data = waveData(stations, std::min(longest, static_cast<int>(stations.size()) / 8));
+  const int told = static_cast<int>(stations.size()) / 8;  // waves that so many stations tell apart, on any radius
+  const int longest = std::clamp(shortestWave(radius), kLeastOrder, std::max(kLeastOrder, told));
+  const WaveData data = waveData(stations, std::min(longest, told));
   if (!std::isfinite(result.max_u)) return result;
   result.message = objection(data, radius);
   if (!result.message.empty()) return result;
