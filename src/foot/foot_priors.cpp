@@ -6,6 +6,7 @@
 #include "fit/adaptive_smooth.h"
 #include "foot/foot_check.h"
 #include "foot/foot_state.h"
+#include "foot/slanting_beams.h"
 #include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 
@@ -20,6 +21,7 @@ constexpr double kLipSlope = 0.05;     // of the lips of annular plates: bent by
 struct Slopes {
   std::size_t stride;
   std::vector<FootFit> fits;
+  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation
 };
 
 Slopes fitSlopes(const Foot& foot, const FootSections& sections, std::size_t windows, double half_window,
@@ -28,6 +30,7 @@ Slopes fitSlopes(const Foot& foot, const FootSections& sections, std::size_t win
   Slopes slopes;
   slopes.stride = std::max<std::size_t>(1, count / windows);
   slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
+  slopes.steepness.resize(slopes.fits.size());
   FootPrior prior;
   prior.sigma_slope = sigma_slope;
   prior.sigma_bend = sigma_bend;
@@ -37,6 +40,7 @@ Slopes fitSlopes(const Foot& foot, const FootSections& sections, std::size_t win
     const FootProfile& profile = sections.at(i);
     const auto points = foot.ring.around(foot.directions[i], half_window, foot.datum[i], foot.reach);
     slopes.fits[k] = fitFoot(points, profile, foot.datum[i] + profile.offset, profile.slope, prior);
+    slopes.steepness[k] = steepnessOf(points, profile, foot.datum[i] + profile.offset, foot.reach);
   });
   return slopes;
 }
@@ -82,9 +86,14 @@ struct Expected {
 /// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
 /// more than their errors explain (empirical Bayes).
 bool drawTogether(const std::vector<SeriesValue>& series, const Expected& expected, std::vector<SeriesValue>& smooth) {
-  std::vector<double> values, variances;
+  constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
+  std::vector<double> values, variances, sigmas;
   for (const SeriesValue& v : series) {
-    if (!std::isfinite(v.value)) continue;
+    if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
+  }
+  const double trusted = 2.0 * quantile(sigmas, kBest);
+  for (const SeriesValue& v : series) {
+    if (!std::isfinite(v.value) || v.sigma > trusted) continue;
     values.push_back(v.value);
     variances.push_back(v.sigma * v.sigma);
   }
@@ -121,7 +130,7 @@ void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& pri
   constexpr std::size_t kWidest = 4;
   const Slopes found = fitSlopes(foot, sections, 72, kHalfWindow, kLipSlope, priors.sigma_bend);
   std::vector<SeriesValue> series;
-  std::vector<double> feigned;
+  std::vector<double> feigned, lean;
   for (const FootFit& fit : found.fits) {
     series.push_back({kUnknown, kUnknown, 1.0});
     if (!fit.valid()) continue;
@@ -130,9 +139,14 @@ void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& pri
   }
   if (feigned.empty()) return;
   widen(series);
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
+    series[k].sigma = std::hypot(series[k].sigma, lean.back());
+  }
   const double doubt = median(feigned);
   std::vector<SeriesValue> smooth = smoothed(series, kWidest);
   const bool usual = drawTogether(series, {sections.whole.slope, kFeigned * doubt}, smooth);
+  for (std::size_t k = 0; k < smooth.size(); ++k) smooth[k].sigma += liftOf(series[k].value, smooth[k].value, lean[k]);
   const double least = std::hypot(kLeastSigma, (usual ? kDoubt : kOddDoubt) * doubt);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const std::size_t k = i / found.stride, next = (k + 1) % smooth.size();

@@ -1,0 +1,78 @@
+#include "foot/slanting_beams.h"
+
+#include <gtest/gtest.h>
+
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+FootProfile lip() {
+  FootProfile profile;
+  profile.band_from = 0.015;
+  profile.band_to = 0.055;
+  profile.noise = 0.001;
+  profile.blur = 0.004;
+  return profile;
+}
+
+/// A window of `on_lip` points on a lip 40 mm wide and `on_shell` points on 200 mm of shell; reach 0.5 m.
+std::vector<FootPoint> window(int on_lip, int on_shell) {
+  std::vector<FootPoint> points;
+  for (int i = 0; i < on_lip; ++i) {
+    FootPoint p{};
+    p.d = 0.016 + 0.038 * i / on_lip, p.z = 2.0;
+    points.push_back(p);
+  }
+  for (int i = 0; i < on_shell; ++i) {
+    FootPoint p{};
+    p.d = 0.0, p.z = 2.051 + 0.198 * i / on_shell;
+    points.push_back(p);
+  }
+  return points;
+}
+
+TEST(SteepnessOf, IsTheRatioOfTheDensitiesOnFoundationAndShell) {
+  // at 45 degrees both are met alike: 40 points on 40 mm, 200 on 200 mm
+  EXPECT_NEAR(steepnessOf(window(40, 200), lip(), 2.0, 0.5), 1.0, 1e-12);
+  EXPECT_NEAR(steepnessOf(window(10, 500), lip(), 2.0, 0.5), 0.1, 1e-12);
+}
+
+TEST(SteepnessOf, PointsOffBothSurfacesDoNotCount) {
+  std::vector<FootPoint> points = window(40, 200);
+  for (const auto& [d, z] : {std::pair{0.03, 2.1}, {0.1, 2.0}, {0.01, 2.0}, {0.0, 2.3}, {0.0, 2.02}, {0.01, 2.1}}) {
+    FootPoint p{};
+    p.d = d, p.z = z;
+    points.push_back(p);
+  }
+  EXPECT_NEAR(steepnessOf(points, lip(), 2.0, 0.5), 1.0, 1e-12);
+}
+
+TEST(SteepnessOf, OfAShellThatIsHardlySeenIsNotKnown) {
+  EXPECT_EQ(steepnessOf(window(40, 19), lip(), 2.0, 0.5), 0.0);
+  EXPECT_GT(steepnessOf(window(40, 20), lip(), 2.0, 0.5), 0.0);
+}
+
+TEST(BeamLean, IsThatOfLevelLipsSeenByWideBeams) {
+  // slopes fitted to level lips in a simulated scan with mixed pixels, by the rays' steepness, lip to 54 mm
+  EXPECT_NEAR(beamLean(0.051, 0.054), 0.10, 0.035);
+  EXPECT_NEAR(beamLean(0.074, 0.054), 0.06, 0.055);
+  EXPECT_NEAR(beamLean(0.120, 0.054), 0.036, 0.035);
+  EXPECT_EQ(beamLean(0.20, 0.054), 0.0);
+  EXPECT_GT(beamLean(0.15, 0.054), 0.0);
+  EXPECT_EQ(beamLean(0.051, 0.3), 0.0);  // a ringwall is wider than any footprint
+}
+
+TEST(LiftOf, IsThatOfTheMiddleWhereTheLiftFallsOffWithTheSquareOfTheDistance) {
+  // h (1 - d / b)^2 with h = 3 mm, b = 54 mm, seen from 15 to 54 mm
+  constexpr double h = 0.003, b = 0.054, middle = 0.035;
+  const auto lift = [&](double d) { return h * (1.0 - d / b) * (1.0 - d / b); };
+  const double seen = (lift(0.054) - lift(0.015)) / 0.039;
+  EXPECT_NEAR(liftOf(seen, 0.0, 0.05) * middle, lift(middle), 0.15 * lift(middle));
+  EXPECT_EQ(liftOf(seen, 0.0, 0.0), 0.0);
+  EXPECT_EQ(liftOf(kUnknown, 0.0, 0.05), 0.0);
+  EXPECT_EQ(liftOf(0.02, kUnknown, 0.05), 0.0);
+}
+
+}  // namespace
+}  // namespace tank_datum
