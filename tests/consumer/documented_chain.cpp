@@ -1,9 +1,9 @@
-// The chain that README shows, compiled from README's text and run: readme_chain SCAN RADIUS
+// The chain that src/doc/pcl.md shows, compiled from its text and run: documented_chain SCAN RADIUS
 #include <cmath>
 #include <iostream>
 #include <string>
 
-#include "readme_block.inc"
+#include "documented_block.inc"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
