@@ -103,7 +103,7 @@ void dropStrays(Ring& ring, const Tank& tank, int threads) {
   const double finest = 1e-4 * tank.circle.radius;
   const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
   if (!holdsStrays(sample)) return;
-  const std::vector<bool> is_stray = findStrays(ring.points, closingEdge(sample));
+  const std::vector<char> is_stray = findStrays(ring.points, closingEdge(sample));
   std::size_t kept = 0;
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     if (is_stray[i]) continue;

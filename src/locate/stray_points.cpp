@@ -8,6 +8,7 @@
 
 #include "core/point_hash.h"
 #include "io/point_extent.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -29,13 +30,25 @@ Cell cellOf(const Eigen::Vector3d& p, double edge) {
 
 using CellCounts = std::unordered_map<Cell, std::uint32_t, CellHash>;
 
-std::uint32_t countAround(const CellCounts& counts, const Cell& cell, std::uint32_t enough) {
+/// The 27 cells about one, nearest first: of a point on a surface the first few tell that it has company.
+std::array<Cell, 27> offsetsNearestFirst() {
+  std::array<Cell, 27> offsets;
+  for (std::int64_t i = 0; i < 27; ++i) offsets[static_cast<std::size_t>(i)] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+  const auto squared = [](const Cell& c) { return c[0] * c[0] + c[1] * c[1] + c[2] * c[2]; };
+  std::stable_sort(offsets.begin(), offsets.end(),
+                   [&](const Cell& a, const Cell& b) { return squared(a) < squared(b); });
+  return offsets;
+}
+
+bool hasCompany(const CellCounts& counts, const Cell& cell, std::uint32_t enough) {
+  static const std::array<Cell, 27> offsets = offsetsNearestFirst();
   std::uint32_t sum = 0;
-  for (std::int64_t i = 0; i < 27 && sum < enough; ++i) {
-    const auto found = counts.find({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
+  for (const Cell& offset : offsets) {
+    const auto found = counts.find({cell[0] + offset[0], cell[1] + offset[1], cell[2] + offset[2]});
     if (found != counts.end()) sum += found->second;
+    if (sum >= enough) return true;
   }
-  return sum;
+  return false;
 }
 
 }  // namespace
@@ -63,20 +76,21 @@ double closingEdge(const VoxelSample& sample) {
   return sample.edgeWithAlone(kAlone);
 }
 
-std::vector<bool> findStrays(const Points& points, double edge) {
+std::vector<char> findStrays(const Points& points, double edge) {
   constexpr std::uint32_t kCompany = 5;  // points in 27 cells, itself included; where surfaces close there are 18
   const double cell = 2.0 * edge;
   CellCounts counts;
   counts.reserve(points.size());
   for (const auto& p : points) ++counts[cellOf(p, cell)];
-  std::vector<bool> is_stray;
-  is_stray.reserve(points.size());
-  for (const auto& p : points) is_stray.push_back(countAround(counts, cellOf(p, cell), kCompany) < kCompany);
+  std::vector<char> is_stray(points.size());
+  forEachRun(points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) is_stray[i] = !hasCompany(counts, cellOf(points[i], cell), kCompany);
+  });
   return is_stray;
 }
 
 Points withoutStrays(const Points& points, double edge) {
-  const std::vector<bool> is_stray = findStrays(points, edge);
+  const std::vector<char> is_stray = findStrays(points, edge);
   Points kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!is_stray[i]) kept.push_back(points[i]);
