@@ -101,6 +101,13 @@ SetupVerdict verdictOf(const Setup& setup, bool bad, bool overlaps) {
   return SetupVerdict::Agrees;
 }
 
+void markDuplicates(SetupAgreement& agreement, const RepeatedPoints& repeated) {
+  constexpr double kAllOfIt = 0.9;
+  for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
+    if (repeated.of_setups[s] >= kAllOfIt) agreement.setups[s].verdict = SetupVerdict::Duplicate;
+  }
+}
+
 void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
   for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
     Setup& setup = agreement.setups[s];
@@ -176,7 +183,10 @@ SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const
   agreement.repeated_points = repeated.removed;
   agreement.setups = setupsOf(ring, scan, options);
   requireKnown(scan, agreement.setups, options);
-  if (agreement.setups.size() < 2) {
+  const auto has_points = [](const Setup& setup) { return setup.points > 0; };
+  if (std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points) < 2) {
+    markDuplicates(agreement, repeated);
+    ring.point_setups.clear();
     agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
     return agreement;
   }
@@ -186,10 +196,7 @@ SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const
   const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
   agreement.given = {options.error, options.tilt, options.error};
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
-  for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
-    constexpr double kAllOfIt = 0.9;
-    if (repeated.of_setups[s] >= kAllOfIt) agreement.setups[s].verdict = SetupVerdict::Duplicate;
-  }
+  markDuplicates(agreement, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);
   return agreement;

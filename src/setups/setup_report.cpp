@@ -89,7 +89,10 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
 }
 
 std::string setupSummary(const SetupAgreement& agreement, const std::vector<Station>& stations) {
-  std::string text = std::to_string(std::max<std::size_t>(1, agreement.setups.size()));
+  const auto has_points = [](const Setup& setup) { return setup.points > 0; };
+  const auto seen = std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points);
+  std::string text = std::to_string(agreement.adjusted() ? static_cast<std::ptrdiff_t>(agreement.setups.size())
+                                                         : std::max<std::ptrdiff_t>(1, seen));
   if (!agreement.adjusted()) return text;
   if (std::isfinite(agreement.rms_before)) {
     text += ", disagreeing by " + millimetres(agreement.rms_before) + ", adjusted";
