@@ -41,10 +41,14 @@ std::string errorsNote(const RingModel& model) {
   const RingNoise& noise = model.noise();
   const double over = noise.repeatability;
   if (!model.data().sigmas_known || !model.dense() || (over <= kMismatch && over >= 1.0 / kMismatch)) return {};
-  char text[240];
+  char text[280];
   std::snprintf(text, sizeof text,
-                "The stations scatter by %.1f times their standard errors (sigma_z): the larger is used, %s.", over,
-                over > 1.0 ? "what they show" : "what is given");
+                over > 1.0 ? "The stations depart from the fitted waves by %.1f times their standard errors (sigma_z): "
+                             "a shape shorter than the waves, such as a dip, or errors that neighbours share. The "
+                             "intervals allow for it."
+                           : "The stations scatter by %.1f times their standard errors (sigma_z) only: what is given "
+                             "is used.",
+                over);
   return text;
 }
 
