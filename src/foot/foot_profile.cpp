@@ -207,7 +207,6 @@ FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, co
   profile.noise = std::max(median(spreads), 1e-7);
   profile.blur = 4.0 * scales.shell_noise;
   profile.edge = static_cast<double>(last + 1) * profile.bin;
-  constexpr double kPlainLean = 0.01;                                      // [m/m]
   const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
   profile.surface = last + 1 < bins ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;
   const bool plate = profile.surface == Surface::AnnularPlate;

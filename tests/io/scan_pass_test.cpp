@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t kRows = 1'200'000;  // more than one round of blocks
 
-/// x counts the rows; every 1000th is not finite.
+/// x counts the rows; every 1000th is not finite. The first lies above the frame's zero: it is the origin.
 std::string writtenScan(const pcd_files::Folder& folder, std::size_t rows, PcdWriter::Format format) {
   const std::string path = folder.path("rows.pcd");
   PcdWriter writer(path, {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}, format);
   std::vector<double> values;
   for (std::size_t i = 0; i < rows; ++i) {
     const double x = i % 1000 == 999 ? NAN : static_cast<double>(i);
-    values.insert(values.end(), {x, static_cast<double>(i % 7), 0.0});
+    values.insert(values.end(), {x, static_cast<double>(i % 7), 1.0});
   }
   writer.append(values);
   writer.commit();
@@ -70,7 +70,7 @@ TEST(ScanForEachChosen, OfSeveralFilesOfAsciiAndOfPointsInMemoryToo) {
   const std::string ascii = writtenScan(other, 20'000, PcdWriter::Format::Ascii);
   expectEveryThird(Scan::open({ascii, binary, ascii}), 2);
   Points points;
-  for (int i = 0; i < 40'000; ++i) points.emplace_back(i % 100 == 9 ? NAN : static_cast<double>(i), 0, 0);
+  for (int i = 0; i < 40'000; ++i) points.emplace_back(i % 100 == 9 ? NAN : static_cast<double>(i), 0, 1);
   expectEveryThird(Scan::fromPoints(points), 2);
 }
 
@@ -103,14 +103,14 @@ TEST(ScanForEachChosen, OfEveryNthRowIsThatOfAllOfThem) {
   const Scan file = Scan::open({writtenScan(folder, 50'000, PcdWriter::Format::Binary)});
   const auto row = [](std::uint64_t i) {
     const double x = i % 1000 == 999 ? NAN : static_cast<double>(i);
-    return Eigen::Vector3d(x, static_cast<double>(i % 7), 0.0);
+    return Eigen::Vector3d(x, static_cast<double>(i % 7), 1.0);
   };
   const auto all = [](std::uint64_t, const Points& points, Points& chosen) { chosen = points; };
   for (const std::uint64_t n : {1U, 3U, 101U, 20'001U}) {
     Points expected;
     for (std::uint64_t i = 0; i < 50'000; ++i) {
       const std::uint64_t block = i / 16384, place = i % 16384;
-      if (place % n == block % n && i % 1000 != 999) expected.push_back(row(i));
+      if (place % n == block % n && i % 1000 != 999) expected.push_back(row(i) - row(0));
     }
     for (const Scan& scan : {file, Scan::fromRows(50'000, row)}) {
       Points chosen;

@@ -24,7 +24,8 @@ Json parsed(const Datum& datum) { return Json::parse(datumJson(datum, provenance
 TEST(DatumJson, HasTheContractsKeys) {
   const Json json = parsed(octagon());
   EXPECT_EQ(keysOf(json), (std::vector<std::string>{"schema", "version", "input", "options", "status", "message",
-                                                    "tank", "datum", "tilt", "antipodal", "stations"}));
+                                                    "service", "tank", "tests", "lean", "datum", "tilt", "antipodal",
+                                                    "setups", "agreement", "covariance", "stations"}));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["status"], "partial");
   EXPECT_EQ(json["message"], octagon().message);
@@ -112,7 +113,8 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
   EXPECT_EQ(json["options"]["stations"]["clockwise"], true);
   EXPECT_EQ(keysOf(json["options"]),
             (std::vector<std::string>{"method", "locate", "crop", "normals", "growing", "centre_filter", "spline",
-                                      "refine", "stations", "analysis", "shell", "pick", "tank", "movement"}));
+                                      "setups", "refine", "stations", "analysis", "shell", "pick", "accept", "level",
+                                      "tank", "movement"}));
 }
 
 }  // namespace

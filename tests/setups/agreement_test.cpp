@@ -16,6 +16,13 @@ namespace {
 
 using namespace scanned_tanks;
 
+/// Rows so close that two setups see the same parts of the foundation where both see it: 3 cm apart on it.
+SceneOptions closeRows() {
+  SceneOptions scene = tank20();
+  scene.scanner.row_step = radians(0.02);
+  return scene;
+}
+
 /// Four setups of a small tank, one file each, each with an error of its own.
 class SetupAgreementTest : public testing::Test {
  protected:
@@ -53,7 +60,7 @@ std::filesystem::path SetupAgreementTest::folder_;
 
 TEST_F(SetupAgreementTest, HeightsThatDisagreeAreFoundAndTakenOut) {
   const std::vector<double> dz = {0.003, -0.001, 0.002, -0.004};
-  const SceneOptions scene = tank20();
+  const SceneOptions scene = closeRows();
   const Scan scan = Scan::open(filesOf(scene, dz));
   const Tank tank = roughTank(scene, scan.origin());
   Ring ring = cropRing(scan, tank, {});
@@ -79,7 +86,7 @@ TEST_F(SetupAgreementTest, HeightsThatDisagreeAreFoundAndTakenOut) {
 }
 
 TEST_F(SetupAgreementTest, AgreeingSetupsStayAndBarelyWidenSigma) {
-  const SceneOptions scene = tank20();
+  const SceneOptions scene = closeRows();
   const Scan scan = Scan::open(filesOf(scene, {0, 0, 0, 0}));
   const Tank tank = roughTank(scene, scan.origin());
   Ring ring = cropRing(scan, tank, {});
@@ -93,7 +100,7 @@ TEST_F(SetupAgreementTest, AgreeingSetupsStayAndBarelyWidenSigma) {
 }
 
 TEST_F(SetupAgreementTest, AFileGivenTwiceIsUsedOnceAndSaid) {
-  const SceneOptions scene = tank20();
+  const SceneOptions scene = closeRows();
   std::vector<std::string> paths = filesOf(scene, {0, 0, 0, 0});
   const Scan once = Scan::open(paths);
   const Tank tank = roughTank(scene, once.origin());
@@ -110,7 +117,7 @@ TEST_F(SetupAgreementTest, AFileGivenTwiceIsUsedOnceAndSaid) {
 }
 
 TEST_F(SetupAgreementTest, TheBadOneCanBeDroppedWhereOthersSeeTheFoot) {
-  const SceneOptions scene = tank20();
+  const SceneOptions scene = closeRows();
   const Scan scan = Scan::open(filesOf(scene, {0, 0.015, 0, 0}));
   const Tank tank = roughTank(scene, scan.origin());
   Ring ring = cropRing(scan, tank, {}), freed = ring;
@@ -125,7 +132,7 @@ TEST_F(SetupAgreementTest, TheBadOneCanBeDroppedWhereOthersSeeTheFoot) {
 }
 
 TEST_F(SetupAgreementTest, OriginsOfNoSetupAreRefused) {
-  const SceneOptions scene = tank20();
+  const SceneOptions scene = closeRows();
   const Scan scan = Scan::open(filesOf(scene, {0, 0, 0, 0}));
   const Tank tank = roughTank(scene, scan.origin());
   SetupOptions options;
@@ -137,7 +144,7 @@ TEST_F(SetupAgreementTest, OriginsOfNoSetupAreRefused) {
 }
 
 TEST_F(SetupAgreementTest, ARingOfOneSetupIsLeftAsItIs) {
-  const SceneOptions scene = tank20();
+  const SceneOptions scene = closeRows();
   const Scan scan = Scan::open({filesOf(scene, {0, 0, 0, 0})[0]});
   const Tank tank = roughTank(scene, scan.origin());
   Ring ring = cropRing(scan, tank, {});

@@ -71,8 +71,8 @@ class Scan {
   /// @throws Error (File) when the data are shorter or other than the header says
   ScanCounts forEachBlock(const Visitor& visit) const;
 
-  /// Local origin in the scan's own frame [m]; add it to go back. It is the first finite point, so that the same tank
-  /// has the same local coordinates, and so the same datum, wherever its frame has its zero.
+  /// Local origin in the scan's own frame [m]; add it to go back. It is the first finite point, no stray and not at
+  /// zero, so that the same tank has the same local coordinates, and so the same datum, wherever its frame lies.
   const Eigen::Vector3d& origin() const { return origin_; }
 
   /// Appends to `chosen` what it wants of the points of a block, the block-th of the scan.

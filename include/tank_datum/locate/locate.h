@@ -38,8 +38,8 @@ struct Tank {
   bool strays = false;          ///< a good part of the scan's points float in the air, and are not to be fitted
   double near_foot = 0.0;       ///< share of the scan's rows within kNear of the foot, in radius and height
 
-  double behind_share = 0.0;    ///< of what is seen of the shell, where walls of others stand behind it
-  double behind = 0.0;          ///< how far behind it these stand, in the middle [m]
+  double behind_share = 0.0;  ///< of what is seen of the shell, where walls of others stand behind it
+  double behind = 0.0;        ///< how far behind it these stand, in the middle [m]
 
   static constexpr double kNear = 0.5;  ///< [m]
 
