@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "synth/output.h"
 #include "support/synth_scenes.h"
+#include "synth/output.h"
 
 /// Scanners whose points are brought into the common frame with an error.
 namespace tank_datum::synth {
