@@ -25,10 +25,9 @@ FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, 
   std::array<std::size_t, kParts + 1> starts{};
   for (std::size_t part = 0; part < kParts; ++part) starts[part + 1] = starts[part] + parts[part].size();
   entries_.resize(starts.back());
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t part = 0; part < kParts; ++part) {
+  forEachIndex(kParts, 0, [&](std::size_t part) {
     std::copy(parts[part].begin(), parts[part].end(), entries_.begin() + static_cast<std::ptrdiff_t>(starts[part]));
-  }
+  });
 }
 
 std::vector<FootPoint> FootRing::around(double azimuth, double half_width, double z, double height) const {

@@ -4,6 +4,7 @@
 #include "core/statistics.h"
 #include "foot/foot_check.h"
 #include "foot/foot_state.h"
+#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -33,8 +34,7 @@ Support supportOf(const Foot& foot, std::size_t station, const FootProfile& prof
 std::vector<bool> findSupport(const Foot& foot, const FootSections& sections) {
   constexpr double kPlenty = 20.0;
   std::vector<Support> supports(foot.directions.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < supports.size(); ++i) supports[i] = supportOf(foot, i, sections.at(i));
+  forEachIndex(supports.size(), 0, [&](std::size_t i) { supports[i] = supportOf(foot, i, sections.at(i)); });
   std::vector<double> counts;
   for (const Support& s : supports) {
     if (s.own > 0) counts.push_back(static_cast<double>(s.own));
@@ -51,13 +51,12 @@ std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& 
                                 const FootPriors& priors) {
   const std::vector<bool> supported = findSupport(foot, sections);
   std::vector<FootFit> kept = foot.fits;
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+  forEachIndex(kept.size(), 0, [&](std::size_t i) {
     if (!shell[i].seen() || !kept[i].valid() || !supported[i] ||
         !isSameSurface(foot.points[i], kept[i], priors.slope[i], sections.at(i))) {
       kept[i] = {};
     }
-  }
+  });
   std::vector<bool> strange = findSteps(kept, 2.0 * foot.half_step * foot.radius);
   for (std::size_t i = 0; i < kept.size(); ++i) strange[i] = strange[i] || !kept[i].valid();
   return strange;

@@ -49,15 +49,14 @@ void fillBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& s
   const double layer = std::max(2.0 * profile.bin, 6.0 * scales.shell_noise);
   auto heights = heightsByBin(stations, datum, scales.reach, profile.bin);
   for (auto* column : {&profile.height, &profile.spread, &profile.error}) column->assign(heights.size(), kUnknown);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < heights.size(); ++i) {
+  forEachIndex(heights.size(), 0, [&](std::size_t i) {
     std::vector<double>& values = heights[i];
     if (!values.empty()) keepLowestLayer(values, layer);
-    if (values.size() < kFewest) continue;
+    if (values.size() < kFewest) return;
     profile.height[i] = median(values);
     profile.spread[i] = robustSigma(values, profile.height[i]);
     profile.error[i] = 1.2533 * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
-  }
+  });
 }
 
 /// Median of the slopes between bins far apart (Theil and Sen), and of the offsets: half of the bins but for the

@@ -5,6 +5,7 @@
 
 #include "core/bucket_sort.h"
 #include "core/units.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -18,13 +19,12 @@ double azimuthOf(const Eigen::Vector2d& arm) {
 }  // namespace
 
 PolarRing::PolarRing(const Points& points, const Eigen::Vector2d& center) : points_(points.size()) {
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const Eigen::Vector2d arm = points[at].head<2>() - center;
-    points_[at] = {azimuthOf(arm), arm.norm(), points[at].z()};
-  }
+  forEachRun(points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector2d arm = points[i].head<2>() - center;
+      points_[i] = {azimuthOf(arm), arm.norm(), points[i].z()};
+    }
+  });
   constexpr std::size_t kSectors = 4096;
   sortByBuckets(
       points_, kSectors, [](const PolarPoint& p) { return static_cast<std::size_t>(p.azimuth / kTwoPi * kSectors); },

@@ -93,11 +93,10 @@ std::vector<StationProfile> sectionsOf(const Foot& foot, const std::vector<Shell
   std::vector<StationProfile> sections;
   if (foot.options.profile_points == 0) return sections;
   sections.resize(foot.fits.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < sections.size(); ++i) {
+  forEachIndex(sections.size(), 0, [&](std::size_t i) {
     const ProfileWindow window{foot.directions[i], foot.half_step, foot.datum[i], foot.reach, band_to, side};
     sections[i] = profileOf(foot.ring, window, foot.fits[i], shell[i], foot.options.profile_points);
-  }
+  });
   return sections;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 double ShellFits::noise() const {
@@ -24,14 +25,13 @@ ShellFits fitShell(const std::vector<Station>& stations, const PolarRing& ring, 
   shell.lines.resize(stations.size());
   const double step = kTwoPi / static_cast<double>(stations.size());
   auto& lines = shell.lines;
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t i = 0; i < stations.size(); ++i) {
+  forEachIndex(stations.size(), 0, [&](std::size_t i) {
     const double azimuth = stations[i].direction;
     for (double half = step; lines[i].points < kPlenty && half < kWidestShell; half *= 1.5) {
       lines[i] = fitShellLine(ring, outline, azimuth, half, tank.foot(azimuth), shell.from, reach);
     }
     if (!lines[i].standsWithin(step * tank.circle.radius)) lines[i] = {};
-  }
+  });
   return shell;
 }
 

@@ -8,6 +8,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/surface_rows.h"
+#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -36,15 +37,15 @@ template <typename Keep>
 ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep) {
   const PolarPoints& points = ring.points();
   std::vector<char> kept(points.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < points.size(); ++i) kept[i] = keep(points[i]);
+  forEachRun(points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) kept[i] = keep(points[i]);
+  });
   const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
   const std::size_t cells = std::clamp<std::size_t>(count / kPointsPerCell, 36, 1440);
   ShellOutline result;
   result.radius.resize(cells);
   std::vector<double> spreads(cells);
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::size_t cell = 0; cell < cells; ++cell) {
+  forEachIndex(cells, 0, [&](std::size_t cell) {
     const double width = kTwoPi / static_cast<double>(cells), from = static_cast<double>(cell) * width;
     std::vector<double> radii;
     const std::size_t end = cell + 1 == cells ? points.size() : ring.firstFrom(from + width);
@@ -55,7 +56,7 @@ ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep
     const bool enough = radii.size() >= 5;
     result.radius[cell] = enough ? halfSampleMode(radii) : kUnknown;
     spreads[cell] = enough ? robustSigma(radii, result.radius[cell]) : kUnknown;
-  }
+  });
   spreads.erase(std::remove_if(spreads.begin(), spreads.end(), [](double s) { return std::isnan(s); }), spreads.end());
   result.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
   dropStrays(result.radius, result.noise, kTwoPi * tank_radius / static_cast<double>(cells));

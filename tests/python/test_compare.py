@@ -59,14 +59,20 @@ def test_three_surveys_give_a_table_a_trend_and_files(tmp_path: Path) -> None:
 def test_options_change_the_outcome(tmp_path: Path) -> None:
     surveys = [epoch(tmp_path / f"{i}.json", 0.002 * i) for i in range(2)]
 
-    def significant(*options: str) -> int:
+    def movement(*options: str) -> dict:
         done = compare(*surveys, "-o", tmp_path / "m", *options)
         assert done.returncode == 0, done.stderr
-        return json.loads((tmp_path / "m/movement.json").read_text())["movements"][0]["significant"]
+        return json.loads((tmp_path / "m/movement.json").read_text())["movements"][0]
+
+    def significant(*options: str) -> int:
+        return movement(*options)["significant"]
 
     assert significant() > 0
     assert significant("--registration-error", "0.005") == 0
-    assert significant("--azimuth-offset-deg", "45") > 100
+    # surveys that do not fit each other anywhere: their differences are errors, far over the given
+    turned = movement("--azimuth-offset-deg", "45")
+    assert turned["rms"] > 0.005 > 2.0 * movement()["rms"]
+    assert turned["errors"]["over_given"] > 10.0 > movement()["errors"]["over_given"]
     epoch(surveys[1], 0.0008)
     assert significant("--correlation-deg", "1") > significant("--correlation-deg", "60")
     compare(*surveys, "-o", tmp_path / "m", "--remove", "mean")

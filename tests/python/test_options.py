@@ -179,21 +179,28 @@ def test_georeferenced_by_the_scanner(run: Runner, synth: Synth, tmp_path: Path)
 
 
 def test_several_scans_are_one(run: Runner, synth: Synth, tmp_path: Path) -> None:
-    """A file per scanner station gives what one file of all of them gives."""
+    """A file per scanner station: of setups said to be registered without error it gives what one
+    file of all of them gives; else their errors are estimated, and sigma_z holds the difference.
+    """
     split = synth("--stations-split")
     parts = sorted(split.parent.glob(f"{split.stem}_?.pcd"))
     assert len(parts) == 4
     merged = write(tmp_path / "merged.pcd", np.vstack([read_points(p) for p in parts]))
-    assert run(*parts, "-o", tmp_path / "parts").returncode == 0
+    exact = ("--setup-error", 1e-9, "--setup-tilt-arcsec", 1e-6, "--bad-setups", "keep")
+    assert run(*parts, "-o", tmp_path / "parts", *exact).returncode == 0
+    assert run(*parts, "-o", tmp_path / "adjusted").returncode == 0
     assert run(merged, "-o", tmp_path / "merged").returncode == 0
-    for name in set(RESULTS) - {"datum.json", "report.html"}:
-        assert (tmp_path / "parts" / name).read_bytes() == (tmp_path / "merged" / name).read_bytes()
+    whole, held, free = (read_stations(tmp_path / name) for name in ("merged", "parts", "adjusted"))
+    assert held.flag == whole.flag
+    for name in ("x", "y", "z", "sigma_z", "radius", "sigma_radius", "z_paper"):
+        np.testing.assert_allclose(held[name], whole[name], rtol=0, atol=1e-8, err_msg=name)
+    assert (np.abs(free["z"] - whole["z"]) < 4.0 * free["sigma_z"]).all()
+    assert np.median(free["sigma_setup"]) > 10.0 * np.median(held["sigma_setup"])
     a, b = read_datum(tmp_path / "parts"), read_datum(tmp_path / "merged")
     assert [f["path"] for f in a["input"]["files"]] == [str(p) for p in parts]
     assert sum(f["points"] for f in a["input"]["files"]) == b["input"]["files"][0]["points"]
-    assert {k: v for k, v in a.items() if k != "input"} == {
-        k: v for k, v in b.items() if k != "input"
-    }
+    assert [setup["name"] for setup in a["setups"]] == [p.stem for p in parts]
+    assert len(b["setups"]) == 1
 
 
 def test_default_folder(run: Runner, synth: Synth, tmp_path: Path) -> None:

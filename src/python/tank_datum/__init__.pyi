@@ -18,7 +18,13 @@ class Datum:
     def status(
         self,
     ) -> Literal[
-        "ok", "partial", "no_tank", "no_crease", "too_few_points", "fit_failed", "doubtful"
+        "ok",
+        "partial",
+        "no_tank",
+        "no_crease",
+        "too_few_points",
+        "fit_failed",
+        "doubtful",
     ]: ...
     @property
     def message(self) -> str: ...
