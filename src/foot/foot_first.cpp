@@ -67,7 +67,32 @@ std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
   return close;
 }
 
+/// Of a scan so noisy that surfaces at different heights cannot be told apart: the elevation of each station's points
+/// nearest to the shell.
+std::vector<double> nearestToShell(Foot& foot, double near) {
+  constexpr std::size_t kFew = 5;
+  std::vector<double> guesses(foot.directions.size(), kUnknown);
+  forEachIndex(guesses.size(), 0, [&](std::size_t i) {
+    std::vector<double> heights;
+    for (double to = near + 0.1 * foot.reach; heights.size() < kFew && to < foot.reach; to += 0.1 * foot.reach) {
+      heights.clear();
+      for (const FootPoint& p : foot.points[i]) {
+        if (p.d >= near && p.d <= to) heights.push_back(p.z);
+      }
+    }
+    if (heights.size() >= kFew) guesses[i] = median(heights);
+  });
+  foot.datum = filledUp(runningMedian(guesses, 3));
+  foot.believed.assign(guesses.size(), true);
+  return foot.datum;
+}
+
 }  // namespace
+
+bool isResolved(const Foot& foot, const FootScales& scales) {
+  constexpr double kResolved = 0.01;  // noise over the reach of the section; a lip and its ringwall are 0.02 apart
+  return scales.shell_noise <= kResolved * foot.reach;
+}
 
 std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
   constexpr std::size_t kMostPlaces = 360;
@@ -78,6 +103,8 @@ std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& sc
     const double direction = foot.directions[i];
     foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach);
   });
+  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
+  if (!isResolved(foot, scales)) return nearestToShell(foot, near);
   std::vector<std::vector<FootCandidate>> candidates(places);
   forEachIndex(places, 0, [&](std::size_t k) {
     const double height = tank.foot(foot.directions[k * stride]), half = foot.half_step * static_cast<double>(stride);
@@ -85,7 +112,6 @@ std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& sc
   });
   const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
   const auto choice = chooseRoundRing(candidates, arc, foot.reach);
-  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
   std::vector<double> datum(count, kUnknown);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = std::min(places - 1, i / stride);

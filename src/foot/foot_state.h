@@ -22,6 +22,10 @@ struct Foot {
   std::vector<FootFit> fits;
 };
 
+/// Whether the scan is quiet enough to tell surfaces at different heights apart. Where it is not, as on tins on a table
+/// seen by a depth camera, each station goes by its own points.
+bool isResolved(const Foot& foot, const FootScales& scales);
+
 /// Each station's own points, and a first elevation from the stretch that the shell stands on: chosen for the whole
 /// ring together, so that a bank over two thirds of the foot does not pass for it. Sparse stations look a few degrees
 /// around.

@@ -184,7 +184,8 @@ Refined refineStations(std::vector<Station>& stations, const Ring& ring, const T
   for (std::size_t i = 0; i < strange.size(); ++i) {
     if (strange[i]) foot.fits[i] = {};
   }
-  const RingProcess process = levelStations(foot, sections, priors, misfitOf(sections));
+  RingProcess process;
+  if (isResolved(foot, scales)) process = levelStations(foot, sections, priors, misfitOf(sections));
   refined.sections = sectionsOf(foot, shell, refined.profile.band_to, side);
   fillStations(stations, foot, shell, tank.circle.center);
   const ShellCircle round = fitShellCircle(fits.lines, foot.directions, fits.from, fits.to, tank.circle, priorOf(tank));
