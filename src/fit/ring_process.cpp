@@ -111,7 +111,7 @@ void smooth(const Data& data, const Parameters& p, RingProcess& result) {
 
 Parameters likeliest(const Data& data, double scatter, double least_amplitude) {
   constexpr std::array kAmplitudes{1.0, 2.0, 4.0, 8.0, 16.0};  // of the least
-  constexpr std::array kLengths{3.0, 5.0, 8.0, 12.0, 18.0};  // [deg]; longer ones would not follow a short dip
+  constexpr std::array kLengths{3.0, 5.0, 8.0, 12.0, 18.0};    // [deg]; longer ones would not follow a short dip
   struct Scatter {
     double scale, nugget;
   };
