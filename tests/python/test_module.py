@@ -43,6 +43,8 @@ def test_array_gives_the_same(datum: Any, points: Array) -> None:
     wanted, got = datum.to_dict(), other.to_dict()
     assert got.pop("input")["files"] == []
     wanted.pop("input")
+    assert [setup.pop("name") for setup in got["setups"]] == ["scan"]
+    assert [setup.pop("name") for setup in wanted["setups"]] == ["sample"]
     assert got == wanted
 
 
@@ -68,10 +70,13 @@ def test_several_arrays_are_one_scan(datum: Any, points: Array) -> None:
 
 
 def test_several_paths_are_one_scan(points: Array, datum: Any, tmp_path: Path) -> None:
+    """Each a setup: as one scan when they are said to be registered without error."""
     for name, part in (("a.pcd", points[:9000]), ("b.pcd", points[9000:])):
         write_pcd(tmp_path / name, {n: part[:, i] for i, n in enumerate("xyz")})
-    both = tank_datum.extract_datum([tmp_path / "a.pcd", tmp_path / "b.pcd"])
-    same(both.stations["z"], datum.stations["z"])
+    exact = {"setup_error": 1e-9, "setup_tilt_arcsec": 1e-6, "bad_setups": "keep"}
+    both = tank_datum.extract_datum([tmp_path / "a.pcd", tmp_path / "b.pcd"], **exact)
+    np.testing.assert_allclose(both.stations["z"], datum.stations["z"], rtol=0, atol=1e-8)
+    assert [setup["name"] for setup in both.to_dict()["setups"]] == ["a", "b"]
 
 
 def test_points_that_are_not_finite_are_dropped(points: Array, datum: Any) -> None:

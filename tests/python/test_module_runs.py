@@ -33,7 +33,7 @@ SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
 def test_progress_names_the_stages() -> None:
     stages: list[str] = []
     tank_datum.extract_datum(SAMPLE, progress=stages.append)
-    assert stages[:3] == ["locate", "crop", "normals"] and stages[-1] == "checks"
+    assert stages[:4] == ["locate", "crop", "setups", "normals"] and stages[-1] == "checks"
 
 
 def test_what_progress_raises_ends_the_run(datum: Any) -> None:

@@ -269,7 +269,7 @@ def test_folder_on_another_file_system(inputs: Path, other_disk: Path) -> None:
     for _ in range(2):
         assert call("tank_datum", ["{in}/tank.pcd", "-o", str(out)], inputs, out).returncode == 0
     assert (out / "mine.txt").read_text() == "mine"
-    assert len(list(out.iterdir())) == 8
+    assert len(list(out.iterdir())) == 9
     shutil.rmtree(out)
 
 

@@ -90,7 +90,9 @@ def test_words_of_a_result_are_never_markup(
     check = {"code": "API 653", "clause": "<i>B</i>", "name": "<b>tilt</b>", "verdict": verdict}
     check |= {"value": 0.031, "limit": 0.02, "unit": "m", "source": "verified"}
     check |= {"note": "<u>n</u> --roof", "citation": "<s>c</s>"}
-    changes = {"checks": [check], "notes": ["no <i>evaluation</i>"]}
+    headline = {"word": verdict.upper(), "governing": "<b>tilt</b>", "utilisation": 1.55}
+    headline |= {"sentence": "<u>s</u>"}
+    changes = {"checks": [check], "verdict": headline, "notes": ["no <i>evaluation</i>"]}
     path = with_data(sample_report / "report.html", tmp_path / "page.html", changes)
     with opened(browser, path) as page:
         assert page.slips() == []
