@@ -113,6 +113,7 @@ def test_search(run: Runner, synth: Synth, tmp_path: Path, scene: Path) -> None:
         "scanner/row_step_deg=0.2",
         "--set",
         "scanner/step_deg=0.2",
+        "--double",
         base=[("--scene", scene)],
     )
     found = {}
