@@ -86,6 +86,10 @@ std::vector<char> findStrays(const Points& points, double edge) {
   forEachRun(points.size(), 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) is_stray[i] = !hasCompany(counts, cellOf(points[i], cell), kCompany);
   });
+  // half are strays at most: where most are alone at this edge, it parts points that lie in pairs and fours
+  constexpr double kMost = 0.6;
+  const auto strays = std::count(is_stray.begin(), is_stray.end(), 1);
+  if (static_cast<double>(strays) > kMost * static_cast<double>(points.size())) is_stray.assign(points.size(), 0);
   return is_stray;
 }
 

@@ -21,7 +21,7 @@ double closingEdge(const VoxelSample& sample);
 /// @param edge  closingEdge of a sample of the points [m]
 Points withoutStrays(const Points& points, double edge);
 
-/// Of each point 1 where withoutStrays leaves it out, else 0.
+/// Of each point 1 where withoutStrays leaves it out, else 0. Where that would be most of the points, none is.
 std::vector<char> findStrays(const Points& points, double edge);
 
 }  // namespace tank_datum

@@ -92,5 +92,16 @@ TEST(FootUnit, MetresBetweenADrumAndTheLargestTank) {
   EXPECT_LT(footUnit(0.1, 0.1 / 61.0), 1.0);
 }
 
+TEST(FindStrays, OfAFloorSeenFourTimesInClustersNoneIs) {
+  Points points;
+  for (int i = 0; i < 60; ++i) {
+    for (int j = 0; j < 60; ++j) {
+      for (int k = 0; k < 4; ++k) points.emplace_back(0.1 * i + 1e-4 * k, 0.1 * j + 5e-5 * k, 1e-5 * k);
+    }
+  }
+  const std::vector<char> is_stray = findStrays(points, 0.001);  // an edge at which the clusters close
+  EXPECT_EQ(std::count(is_stray.begin(), is_stray.end(), 1), 0);
+}
+
 }  // namespace
 }  // namespace tank_datum
