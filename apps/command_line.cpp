@@ -82,8 +82,7 @@ void addOptions(CLI::App& app, Command& command, Typed& typed) {
   app.add_flag("--accept", o.accept, "take a doubtful tank for one: message says which test it fails");
   app.add_option("--up", command.up, "the axis of the scan that is up; results are in the frame turned so")
       ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-  app.add_flag("--level", o.level, "turn the scan so that the shell stands upright; results are in that frame")
-      ->excludes(all);
+  app.add_flag("--level", o.level, "turn the scan so that the shell stands upright; results are in that frame");
   app.add_option("--units", command.units, "units of the input")->check(CLI::IsMember(kUnits));
   app.add_option("--baseline", command.baseline, "datum.json of an earlier survey: movement since then");
   addMovementOptions(app, command.movement, typed.movement);
@@ -194,6 +193,9 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
     return false;
   }
   DatumOptions& o = command.options;
+  if (o.level && command.all) {
+    throw Error(Error::Kind::Option, "command line", "--level", "with --all", "one tank: they need not lean alike");
+  }
   o.growing.angle = typed.angle_deg * kDegree;
   o.stations.zero_azimuth = typed.zero_azimuth_deg * kDegree;
   o.method = kMethods.at(typed.method);

@@ -308,8 +308,10 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
   }
   datum = described(std::move(datum), options);
   if (!datum.usable()) return datum;
-  const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
-  datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());
+  if (options.method == Method::Refined) {  // the paper's curve swings where nothing is seen
+    const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
+    datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());
+  }
   datum = judged(std::move(datum), options);
   if (!datum.hasStations()) return datum;
   begin("shell");

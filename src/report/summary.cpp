@@ -124,7 +124,8 @@ std::string summary(const Datum& datum, bool blocks) {
   text += tankLine(datum);
   text += line("stations", "%zu measured, %zu interpolated, %zu missing", level.measured, level.interpolated,
                level.missing);
-  if (!datum.levelled) text += line("setups", "%s", setupSummary(datum.agreement, datum.stations).c_str());
+  const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
+  if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %.4f m, range %.1f mm: lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg",
                level.mean + z, 1e3 * level.range(), level.min + z, toDegrees(level.min_azimuth), level.max + z,
                toDegrees(level.max_azimuth));
