@@ -1,6 +1,8 @@
 #pragma once
 
-namespace tank_datum {
+#include "tank_datum/core/export.h"
+
+namespace TANK_DATUM_API tank_datum {
 
 constexpr double kNormal95 = 1.959963984540054;  ///< two-sided 95 % point of the normal distribution
 
