@@ -7,9 +7,6 @@ namespace tank_datum {
 /// @throws Error (Option) naming the first refused option
 void requireValid(const DatumOptions& options);
 
-/// Tilt and antipodal inclination of a datum whose level is known, and the status and message that go with them.
-Datum meant(Datum datum, const DatumOptions& options);
-
 /// The scan turned about the tank's foot so that the shell, whose lean is known, stands upright.
 Scan levelled(const Scan& scan, const Datum& datum);
 

@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "datum_stages.h"
+#include "datum_status.h"
 #include "io/csv.h"
 #include "tank_datum/core/error.h"
 
@@ -128,7 +129,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
     datum.stations.clear();
     return datum;
   }
-  datum = meant(std::move(datum), options);
+  datum = finishDatum(std::move(datum), options);
   datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis, {}, datum.covariance);
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/clauses.h"
 #include "core/statistics.h"
 #include "tank_datum/core/normal95.h"
 #include "tank_datum/core/unknown.h"
@@ -26,10 +27,6 @@ std::vector<Table> tablesOf(const std::vector<Limit>& limits) {
   return tables;
 }
 
-void add(std::string& note, const std::string& more) {
-  if (!more.empty()) note += (note.empty() ? "" : "; ") + more;
-}
-
 /// The row for this tank, or why there is none.
 const Limit* rowFor(const Table& table, const TankFacts& facts, double diameter, std::string& reason) {
   bool roof_needed = false, foundation_needed = false;
@@ -41,8 +38,8 @@ const Limit* rowFor(const Table& table, const TankFacts& facts, double diameter,
     roof_needed = roof_needed || (!roof && facts.roof.empty());
     foundation_needed = foundation_needed || (!foundation && facts.foundation.empty());
   }
-  if (roof_needed) add(reason, "the type of roof is not given (--roof open or fixed)");
-  if (foundation_needed) add(reason, "the kind of foundation is not given (--foundation ringwall or earth)");
+  if (roof_needed) addClause(reason, "the type of roof is not given (--roof open or fixed)");
+  if (foundation_needed) addClause(reason, "the kind of foundation is not given (--foundation ringwall or earth)");
   if (reason.empty()) reason = kNoLimit;
   return nullptr;
 }
@@ -114,10 +111,10 @@ Check standing(Check check, const Limit& limit, const TankFacts& facts) {
   check.role = "judged";
   if (!limit.judged) {
     check.role = "shown";
-    add(check.note, "shown beside the limits that are judged by");
+    addClause(check.note, "shown beside the limits that are judged by");
   } else if (!limit.service.empty() && limit.service != nameOf(facts.service)) {
     check.role = "for comparison";
-    add(check.note, "for comparison: a rule for " + limit.service + " tanks");
+    addClause(check.note, "for comparison: a rule for " + limit.service + " tanks");
   }
   if (check.role != "judged") check.verdict = Verdict::NotApplicable;
   return check;
@@ -169,15 +166,15 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
     check.interval = {check.limit * shares.low, check.limit * shares.high};
     check.sigma = sigmaOf(check);
   }
-  add(check.note, whatIsNotGiven(*limit, facts));
+  addClause(check.note, whatIsNotGiven(*limit, facts));
   check.verdict = std::isfinite(check.limit) ? verdictOf(check, measure.whole_ring) : Verdict::NotEvaluated;
   check = standing(check, *limit, facts);
-  add(check.note, shareBeyond(measure, check.limit));
+  addClause(check.note, shareBeyond(measure, check.limit));
   if (check.verdict == Verdict::Undecided) {
     const bool hidden = !measure.whole_ring && !(check.interval.high > check.limit);
-    add(check.note, hidden ? "what was not seen could be worse" : "the limit lies within the 95 % interval");
+    addClause(check.note, hidden ? "what was not seen could be worse" : "the limit lies within the 95 % interval");
   }
-  add(check.note, measure.note);
+  addClause(check.note, measure.note);
   return check;
 }
 

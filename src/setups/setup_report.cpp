@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/clauses.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -15,8 +16,6 @@ std::string millimetres(double metres) {
   std::snprintf(text, sizeof text, "%.1f mm", 1e3 * metres);
   return text;
 }
-
-void append(std::string& text, const std::string& part) { text += (text.empty() ? "" : "; ") + part; }
 
 /// How many stations are seen by setups with one of the verdicts alone.
 std::size_t seenByBadAlone(const SetupAgreement& agreement, const std::vector<Station>& stations) {
@@ -70,20 +69,20 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
   std::string text;
   for (const Setup& setup : agreement.setups) {
     if (setup.verdict == SetupVerdict::Bad)
-      append(text, "setup " + setup.name + " does not agree with the others: " + faultOf(setup));
+      addClause(text, "setup " + setup.name + " does not agree with the others: " + faultOf(setup));
     if (setup.verdict == SetupVerdict::Duplicate)
-      append(text, "setup " + setup.name + " holds the points of another one: used once");
+      addClause(text, "setup " + setup.name + " holds the points of another one: used once");
   }
   const std::size_t alone = seenByBadAlone(agreement, stations);
-  if (alone > 0) append(text, std::to_string(alone) + " stations are seen by it alone");
+  if (alone > 0) addClause(text, std::to_string(alone) + " stations are seen by it alone");
   const bool named = std::any_of(agreement.setups.begin(), agreement.setups.end(),
                                  [](const Setup& s) { return s.verdict == SetupVerdict::Duplicate; });
   if (agreement.repeated_points > 0 && !named)
-    append(text,
-           std::to_string(agreement.repeated_points) + " points near the foot are there more than once: used once");
+    addClause(text,
+              std::to_string(agreement.repeated_points) + " points near the foot are there more than once: used once");
   if (agreement.unlabelled_discrepancy > kPlain * ownError(stations)) {
-    append(text, "scans of several setups disagree by about " + millimetres(agreement.unlabelled_discrepancy) +
-                     " here: give them as separate files");
+    addClause(text, "scans of several setups disagree by about " + millimetres(agreement.unlabelled_discrepancy) +
+                        " here: give them as separate files");
   }
   return text;
 }

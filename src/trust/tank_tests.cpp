@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/clauses.h"
+
 namespace tank_datum {
 
 const char* nameOf(TestOutcome outcome) {
@@ -27,7 +29,7 @@ std::string findingsOf(const std::vector<TankTest>& tests) {
   std::string findings;
   for (const TankTest& test : tests) {
     if (worst == TestOutcome::Pass || test.outcome != worst) continue;
-    findings += (findings.empty() ? "" : "; ") + test.finding;
+    addClause(findings, test.finding);
   }
   return findings;
 }

@@ -1,0 +1,142 @@
+#include "datum_status.h"
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/clauses.h"
+#include "refusals.h"
+#include "setups/setup_report.h"
+
+namespace tank_datum {
+namespace {
+
+/// A word on coordinates too coarse for a datum of a fraction of a millimetre.
+void warnOfSteps(Datum& datum) {
+  constexpr double kCoarse = 0.001;  // [m]
+  if (datum.coordinate_step < kCoarse) return;
+  char text[96];
+  std::snprintf(text, sizeof text, "its 4-byte coordinates have steps of %g mm here: store 8-byte ones",
+                1000.0 * datum.coordinate_step);
+  addClause(datum.message, text);
+}
+
+/// A missing station keeps its place on the fitted circle, and nothing else.
+void blankMissing(Datum& datum) {
+  for (Station& s : datum.stations) {
+    if (s.flag != StationFlag::Missing) continue;
+    Station blank;
+    blank.azimuth = s.azimuth;
+    blank.direction = s.direction;
+    blank.x = datum.circle.center.x() + datum.circle.radius * std::cos(s.direction);
+    blank.y = datum.circle.center.y() + datum.circle.radius * std::sin(s.direction);
+    s = blank;
+  }
+}
+
+/// Whether a circle has left the tank's by more than the ring in which the points were looked for.
+bool isElsewhere(const Circle& circle, const Tank& tank, double reach) {
+  return (circle.center - tank.circle.center).norm() + std::abs(circle.radius - tank.circle.radius) >
+         reach + 2.0 * tank.resolution;
+}
+
+}  // namespace
+
+Datum startDatum(const Scan& scan) {
+  Datum datum;
+  datum.origin = scan.origin();
+  datum.coordinate_step = scan.coordinateStep();
+  return datum;
+}
+
+Datum endDatum(Datum datum, Status status, const std::string& message) {
+  datum.status = status;
+  datum.message = message;
+  warnOfSteps(datum);
+  datum.stations.clear();
+  return datum;
+}
+
+Datum withoutTank(const Scan& scan, const DatumOptions& options) {
+  Datum datum = startDatum(scan);
+  datum.counts =
+      scan.forEachChosen([](std::uint64_t, const Points&, Points&) {}, options.threads, [](const Points&) {});
+  const std::uint64_t finite = datum.counts.points - datum.counts.invalid;
+  if (finite < static_cast<std::uint64_t>(options.normals.k)) {
+    return endDatum(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
+  }
+  return endDatum(datum, Status::NoTank, whyNoTank(scan, options));
+}
+
+Datum describeStations(Datum datum, const DatumOptions& options) {
+  const bool refined = options.method == Method::Refined;
+  const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin) + ": ";
+  if (!refined && !datum.curve.valid()) {
+    return endDatum(datum, Status::FitFailed, "too few edge points for a closed curve");
+  }
+  if (!refined && isElsewhere(datum.circle, datum.tank, options.crop.reach)) {
+    return endDatum(datum, Status::NoCrease, candidate + "the edge points do not lie along the foot of the shell");
+  }
+  if (refined && !datum.refined.valid()) {
+    return endDatum(datum, Status::NoCrease,
+                    candidate + "no foundation surface meets the shell along enough of its foot");
+  }
+  datum.level = levelOf(datum.stations);
+  if (datum.level.measured < 8) {
+    return endDatum(datum, Status::NoCrease,
+                    candidate + "the shell meets one and the same surface at fewer than 8 stations");
+  }
+  blankMissing(datum);
+  return finishDatum(std::move(datum), options);
+}
+
+Datum judgeTests(Datum datum, const DatumOptions& options) {
+  const TestOutcome worst = worstOf(datum.tests);
+  if (worst == TestOutcome::Pass) return datum;
+  const std::string findings = findingsOf(datum.tests);
+  const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin);
+  if (worst == TestOutcome::Fail) return endDatum(datum, Status::NoTank, candidate + ", rejected: " + findings);
+  const std::string before = std::move(datum.message);
+  datum.message = (options.accept ? "accepted, though " : candidate + ", doubtful (--accept takes it): ") + findings;
+  addClause(datum.message, before);
+  if (!options.accept) datum.status = Status::Doubtful;
+  return datum;
+}
+
+Datum finishDatum(Datum datum, const DatumOptions& options) {
+  datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations, datum.covariance);
+  datum.antipodal = antipodalOf(datum.stations);
+  datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
+  if (datum.level.missing > 0) {
+    datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
+                    " stations are missing: the datum is not seen there";
+  }
+  addClause(datum.message, doubtfulUnits(datum.circle.radius));
+  addClause(datum.message, setupMessage(datum.agreement, datum.stations));
+  warnOfSteps(datum);
+  return datum;
+}
+
+const char* nameOf(Status status) {
+  switch (status) {
+    case Status::NotRun:
+      return "not_run";
+    case Status::Ok:
+      return "ok";
+    case Status::Partial:
+      return "partial";
+    case Status::NoTank:
+      return "no_tank";
+    case Status::NoCrease:
+      return "no_crease";
+    case Status::TooFewPoints:
+      return "too_few_points";
+    case Status::FitFailed:
+      return "fit_failed";
+    case Status::Doubtful:
+      return "doubtful";
+  }
+  return "";
+}
+
+}  // namespace tank_datum
