@@ -164,8 +164,7 @@ TEST(SynthSceneFile, ComesBackAsWritten) {
 
 TEST(SynthSceneFile, EverySceneOfTheTestsIsUsable) {
   int scenes = 0;
-  for (const auto& file :
-       std::filesystem::directory_iterator(std::filesystem::path(__FILE__).parent_path() / "scenes")) {
+  for (const auto& file : std::filesystem::directory_iterator(TANK_DATUM_TEST_SCENES)) {
     EXPECT_EQ(firstError(readScene(file.path().string())), "") << file.path();
     ++scenes;
   }
@@ -181,7 +180,7 @@ bool parse(std::vector<std::string> words, Command& command, int& status) {
 }
 
 TEST(SynthCommandLine, OptionsGoOverTheSceneFile) {
-  const auto scene = std::filesystem::path(__FILE__).parent_path() / "scenes" / "plate60.json";
+  const auto scene = std::filesystem::path(TANK_DATUM_TEST_SCENES) / "plate60.json";
   Command command;
   int status = 0;
   ASSERT_TRUE(parse({"-o", "a/b.pcd", "--scene", scene.string(), "--radius", "12.5", "--harmonics",
