@@ -65,6 +65,23 @@ std::string tiltLine(const Datum& datum) {
               toDegrees(datum.tilt.direction), bending);
 }
 
+/// Settlements and rises of single places, the largest first.
+std::string localLine(std::vector<LocalSettlement> all) {
+  constexpr std::size_t kShown = 3;
+  if (all.empty()) return {};
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return std::abs(a.height) > std::abs(b.height); });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, all.size()); ++i) {
+    char part[100];
+    std::snprintf(part, sizeof part, "%s%+.1f +- %.1f mm (2 sigma) at %.0f deg, %.0f deg wide", i > 0 ? "; " : "",
+                  1e3 * all[i].height, 2e3 * all[i].sigma, toDegrees(all[i].azimuth), toDegrees(all[i].width));
+    text += part;
+  }
+  if (all.size() > kShown) text += "; " + std::to_string(all.size() - kShown) + " more";
+  return line("local", "%s", text.c_str());
+}
+
 std::string antipodalLine(const Antipodal& across) {
   if (!std::isfinite(across.max_h)) return {};
   return line("antipodal", "h %.1f mm over D %.3f m: %.5f deg, %.1f arc-seconds, azimuth %.0f deg", 1e3 * across.max_h,
@@ -134,8 +151,9 @@ std::string summary(const Datum& datum, bool blocks) {
   }
   const std::string lean = leanText(datum, {});
   if (!lean.empty()) text += line("lean", "%s", lean.c_str());
-  return text + methodLines(datum) + tiltLine(datum) + antipodalLine(datum.antipodal) + shellSummary(datum.shell) +
-         checkLines(datum.analysis.checks) + verdictLine(datum.analysis);
+  return text + methodLines(datum) + tiltLine(datum) + localLine(datum.analysis.local_settlements) +
+         antipodalLine(datum.antipodal) + shellSummary(datum.shell) + checkLines(datum.analysis.checks) +
+         verdictLine(datum.analysis);
 }
 
 }  // namespace tank_datum
