@@ -1,0 +1,146 @@
+"""The unit tests of the copy: which constants each case asks for, and whether a mutant is noticed."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import subprocess
+import time
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOMS = (
+    "core fit io search edge stations limits locate setups foot shell shape trust . pcl movement report"
+).split()
+QUICK = 0.3  # [s]: cases up to here are run before the others
+
+
+@dataclass(frozen=True)
+class Case:
+    """One test case, what it took and which constants it asked for."""
+
+    program: str
+    folder: str
+    name: str
+    source: str
+    seconds: float = 0.0
+    touched: frozenset[str] = frozenset()
+    passed: bool = True
+
+
+def room_of(path: str) -> int:
+    """Rank of the room that a source or a test lies in."""
+    parts = Path(path).parts
+    room = "." if len(parts) < 3 else parts[2] if parts[0] == "include" else parts[1]
+    return ROOMS.index(room) if room in ROOMS else len(ROOMS)
+
+
+def listed_cases(build: Path, sources: Path) -> list[Case]:
+    """The cases that ctest knows of the unit tests that are built."""
+    text = subprocess.run(
+        ["ctest", "--test-dir", str(build), "-L", "unit", "--show-only=json-v1"],
+        capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    stands = {p.stem: p for p in sorted((sources / "tests").rglob("*_test.cpp"))}
+    found = []
+    for test in json.loads(text)["tests"]:
+        command = test.get("command", [])
+        if len(command) < 2 or not command[1].startswith("--gtest_filter="):
+            continue
+        folder = {p["name"]: p["value"] for p in test["properties"]}["WORKING_DIRECTORY"]
+        source = stands[Path(command[0]).name].relative_to(sources)
+        found.append(Case(command[0], folder, command[1].split("=", 1)[1], str(source)))
+    return found
+
+
+def run_cases(cases: list[Case], limit: float, **environment: str) -> bool:
+    """Whether the cases, all of one program, pass in the time."""
+    names = ":".join(case.name for case in cases)
+    options = ["--gtest_filter=" + names, "--gtest_fail_fast", "--gtest_brief=1"]
+    try:
+        done = subprocess.run(
+            ["nice", "-n", "10", cases[0].program, *options], cwd=cases[0].folder, timeout=limit, check=False,
+            env={**os.environ, "OMP_NUM_THREADS": "1", **environment},
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return False
+    return done.returncode == 0
+
+
+def with_coverage(case: Case, scratch: Path) -> Case:
+    """The case after one run without a mutant."""
+    name = hashlib.sha1((case.program + case.name).encode()).hexdigest()
+    keys = scratch / f"{name}.keys"
+    begun = time.monotonic()
+    passed = run_cases([case], 300.0, TANK_DATUM_TOUCHED=str(keys))
+    seconds = time.monotonic() - begun
+    touched = frozenset(keys.read_text().split("\n")[:-1]) if keys.exists() else frozenset()
+    keys.unlink(missing_ok=True)
+    return Case(case.program, case.folder, case.name, case.source, seconds, touched, passed)
+
+
+class Coverage:
+    """Cases with what they ask for, kept in a file; a case runs again when its program changed."""
+
+    def __init__(self, file: Path) -> None:
+        self.file = file
+        self.kept = json.loads(file.read_text()) if file.exists() else {}
+
+    def of(self, cases: Iterable[Case], jobs: int) -> list[Case]:
+        digests: dict[str, str] = {}
+        for case in cases:
+            if case.program not in digests:
+                digests[case.program] = hashlib.sha1(Path(case.program).read_bytes()).hexdigest()
+
+        def one(case: Case) -> Case:
+            kept = self.kept.get(f"{case.program} {case.name}")
+            if kept is None or kept["digest"] != digests[case.program]:
+                return with_coverage(case, self.file.parent)
+            return Case(case.program, case.folder, case.name, case.source,
+                        kept["seconds"], frozenset(kept["touched"]), kept["passed"])  # fmt: skip
+
+        with ThreadPoolExecutor(jobs) as pool:
+            done = list(pool.map(one, cases))
+        for case in done:
+            self.kept[f"{case.program} {case.name}"] = {
+                "digest": digests[case.program], "seconds": case.seconds,
+                "touched": sorted(case.touched), "passed": case.passed,
+            }  # fmt: skip
+        self.file.write_text(json.dumps(self.kept))
+        return done
+
+
+def in_order(cases: list[Case], key: str, budget: float) -> list[list[Case]]:
+    """The cases that ask for the constant, in runs of one program: quick ones first, those of its own room first."""
+    room = room_of(key)
+
+    def rank(case: Case) -> tuple[bool, int, str]:
+        return case.seconds > QUICK, abs(room_of(case.source) - room), case.program
+
+    asking = [case for case in cases if case.passed and key in case.touched]
+    asking.sort(key=lambda case: (*rank(case), case.seconds))
+    runs: list[list[Case]] = []
+    total = 0.0
+    for case in asking:
+        total += case.seconds
+        if total > budget and runs:
+            break
+        if runs and rank(runs[-1][0]) == rank(case):
+            runs[-1].append(case)
+        else:
+            runs.append([case])
+    return runs
+
+
+def noticed_by(cases: list[Case], key: str, factor: float, budget: float) -> str | None:
+    """The program that fails with the constant scaled; None where all pass. ValueError where none asks for it."""
+    runs = in_order(cases, key, budget)
+    for run in runs:
+        limit = 10.0 + 10.0 * sum(case.seconds for case in run)
+        if not run_cases(run, limit, TANK_DATUM_MUTANT=f"{key} {factor}"):
+            return run[0].source
+    return None
