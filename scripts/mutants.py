@@ -1,6 +1,6 @@
 """Which constants no test holds: halves and doubles each named number of the library and runs the unit tests.
 
-    scripts/mutants [--only foot/] [--list] [--seconds 30] [--jobs 2] [--build build-mutants]
+    scripts/mutants [--only foot/] [--tests foot/] [--list] [--seconds 30] [--jobs 2] [--build build-mutants]
 
 It works in a copy of the sources (see mutant_sources.py), built once; the checkout is not touched. For each mutant
 those test cases run that ask for the constant, the quick ones and those of its own room first, until one fails or
@@ -80,17 +80,18 @@ class Results:
         self.file.write_text(json.dumps(dict(self.kept), indent=0))
 
 
-def built(copy: Path, compile_time: frozenset[str]) -> list[Case]:
-    """Builds the unit tests of the rooms; the cases that pass without a mutant, with what they ask for."""
+def built(copy: Path, compile_time: frozenset[str], wanted: list[str]) -> list[Case]:
+    """Builds the unit tests whose paths hold one of the texts; their cases."""
     build = copy / "build"
     write_copy(ROOT, copy, compile_time)
-    tests = sorted(p.stem for p in (copy / "tests").rglob("*_test.cpp") if p.parent.name != "apps")
+    paths = [p for p in (copy / "tests").rglob("*_test.cpp") if p.parent.name != "apps"]
+    tests = sorted(p.stem for p in paths if any(text in str(p.relative_to(copy)) for text in wanted))
     configure = ["cmake", "-S", copy, "-B", build, "-G", "Ninja", "-DTANK_DATUM_VIEWER=OFF"]
     for command in (configure, ["cmake", "--build", build, "--target", *tests]):
         done = subprocess.run([str(w) for w in command], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise SystemExit(f"mutants: {command[1]} failed:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
-    return listed_cases(build, copy)
+    return [case for case in listed_cases(build, copy) if Path(case.program).name in tests]
 
 
 def by_room(mutants: list[Mutant], survivors: list[Mutant]) -> str:
@@ -106,6 +107,7 @@ def by_room(mutants: list[Mutant], survivors: list[Mutant]) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", default="", help="constants whose path and name hold this text")
+    parser.add_argument("--tests", default="tests/", help="tests whose path holds one of these, a,b")
     parser.add_argument("--list", action="store_true", help="name the mutants and stop")
     parser.add_argument("--seconds", type=float, default=30.0, help="of test cases a mutant [s]")
     parser.add_argument("--jobs", type=int, default=2)
@@ -124,7 +126,7 @@ def main() -> int:
         print("\n".join(map(str, mutants)))
         print(f"{len(mutants)} mutants of {len({m.constant for m in mutants})} constants")
         return 0
-    cases = built(options.build, frozenset(reasons["compile_time"]))
+    cases = built(options.build, frozenset(reasons["compile_time"]), options.tests.split(","))
     cases = Coverage(options.build / "coverage.json").of(cases, options.jobs)
     for case in cases:
         if not case.passed:
