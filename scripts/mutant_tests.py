@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 import time
-from collections.abc import Iterable
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -83,6 +83,14 @@ def with_coverage(case: Case, scratch: Path) -> Case:
     return Case(case.program, case.folder, case.name, case.source, seconds, touched, passed)
 
 
+def merge_into(file: Path, entries: dict[str, dict]) -> None:
+    """Adds the entries to those of a JSON file, which another run may have written meanwhile."""
+    kept = json.loads(file.read_text()) if file.exists() else {}
+    part = file.with_suffix(f".{os.getpid()}")
+    part.write_text(json.dumps({**kept, **entries}, indent=0))
+    part.replace(file)
+
+
 class Coverage:
     """Cases with what they ask for, kept in a file; a case runs again when its program changed."""
 
@@ -90,7 +98,7 @@ class Coverage:
         self.file = file
         self.kept = json.loads(file.read_text()) if file.exists() else {}
 
-    def of(self, cases: Iterable[Case], jobs: int) -> list[Case]:
+    def of(self, cases: Sequence[Case], jobs: int) -> list[Case]:
         digests: dict[str, str] = {}
         for case in cases:
             if case.program not in digests:
@@ -105,12 +113,14 @@ class Coverage:
 
         with ThreadPoolExecutor(jobs) as pool:
             done = list(pool.map(one, cases))
-        for case in done:
-            self.kept[f"{case.program} {case.name}"] = {
+        entries = {
+            f"{case.program} {case.name}": {
                 "digest": digests[case.program], "seconds": case.seconds,
                 "touched": sorted(case.touched), "passed": case.passed,
-            }  # fmt: skip
-        self.file.write_text(json.dumps(self.kept))
+            }
+            for case in done
+        }  # fmt: skip
+        merge_into(self.file, entries)
         return done
 
 

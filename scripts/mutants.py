@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mutant_sources import Constant, all_constants, write_copy
-from mutant_tests import Case, Coverage, listed_cases, noticed_by
+from mutant_tests import Case, Coverage, listed_cases, merge_into, noticed_by
 
 ROOT = Path(__file__).resolve().parents[1]
 MOST = 0.05  # of the mutants may survive
@@ -59,6 +59,7 @@ class Results:
     def __init__(self, file: Path, cases: list[Case]) -> None:
         self.file, self.cases = file, cases
         self.kept = json.loads(file.read_text()) if file.exists() else {}
+        self.new: dict[str, dict] = {}
 
     def state(self, mutant: Mutant, killer: str | None) -> str:
         """Digest of the mutant's file and of the test that noticed it, or of all that might."""
@@ -74,10 +75,11 @@ class Results:
                 return kept["noticed"]
         noticed = noticed_by(self.cases, mutant.constant.key, mutant.factor, budget)
         self.kept[key] = {"noticed": noticed, "seconds": budget, "state": self.state(mutant, noticed)}
+        self.new[key] = self.kept[key]
         return noticed
 
     def save(self) -> None:
-        self.file.write_text(json.dumps(dict(self.kept), indent=0))
+        merge_into(self.file, self.new)
 
 
 def built(copy: Path, compile_time: frozenset[str], wanted: list[str]) -> list[Case]:
@@ -113,6 +115,7 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--build", type=Path, default=ROOT / "build-mutants")
     options = parser.parse_args()
+    options.build = options.build.resolve()
     reasons, constants = left_alone(ROOT), all_constants(ROOT)
     if stale(reasons, constants):
         raise SystemExit(f"mutants: no longer in the sources: {', '.join(stale(reasons, constants))}")
