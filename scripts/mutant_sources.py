@@ -111,9 +111,9 @@ def without_comments(text: str) -> str:
     return re.sub(r"//[^\n]*", "", text)
 
 
-def is_limit(value: str) -> bool:
-    """Whether the value stands for something else than a number: not known, none, infinity."""
-    return "numeric_limits" in value or "sizeof" in value
+def is_choice(value: str) -> bool:
+    """Whether a number stands in the value: not where it follows from other constants, or is infinity or none."""
+    return NUMBER.search(value) is not None and "numeric_limits" not in value
 
 
 class Rewriter:
@@ -157,7 +157,7 @@ class Rewriter:
 
     def _number(self, match: re.Match[str], name: str, value: str) -> str:
         as_it_was = f"{match['indent']}{match['storage']}constexpr {match['type']} {name} = {value};"
-        if is_limit(value):
+        if not is_choice(value):
             return as_it_was
         constant = self._constant(match, name, value)
         if constant.key in self.compile_time:
@@ -173,21 +173,18 @@ class Rewriter:
 
     def _structures(self, match: re.Match[str]) -> str:
         """Structures of numbers; each number is a constant of its own, kX.1, kX.2."""
-        rest = without_comments(match["rest"])
         self.is_changed = True
         done = []
-        for part in parts(rest):
-            name = part.split("{")[0].strip()
-            count = 0
-
-            def asked(number: re.Match[str], name: str = name) -> str:
-                nonlocal count
-                count += 1
-                constant = self._constant(match, f"{name}.{count}", number[0])
-                return f'::mutants::value<double>("{constant.key}", {number[0]})'
-
-            done.append(NUMBER.sub(asked, part))
-        return f"{match['indent']}static const {match['type']} {','.join(done)};"
+        for part in parts(without_comments(match["rest"])):
+            name, fields = part.strip().rstrip("}").split("{", 1)
+            asked = []
+            for field in map(str.strip, parts(fields)):
+                if NUMBER.search(field) and not field.startswith('"'):
+                    constant = self._constant(match, f"{name}.{len(asked) + 1}", field)
+                    field = f'::mutants::value<double>("{constant.key}", {field})'
+                asked.append(field)
+            done.append(f"{name}{{{', '.join(asked)}}}")
+        return f"{match['indent']}static const {match['type']} {', '.join(done)};"
 
 
 def library_files(root: Path) -> list[Path]:

@@ -15,7 +15,7 @@ from pathlib import Path
 ROOMS = (
     "core fit io search edge stations limits locate setups foot shell shape trust . pcl movement report"
 ).split()
-QUICK = 0.3  # [s]: cases up to here are run before the others
+QUICK = 0.5  # [s]: cases up to here are run before the others of their room
 
 
 @dataclass(frozen=True)
@@ -125,14 +125,19 @@ class Coverage:
 
 
 def in_order(cases: list[Case], key: str, budget: float) -> list[list[Case]]:
-    """The cases that ask for the constant, in runs of one program: quick ones first, those of its own room first."""
-    room = room_of(key)
-
-    def rank(case: Case) -> tuple[bool, int, str]:
-        return case.seconds > QUICK, abs(room_of(case.source) - room), case.program
-
+    """The cases that ask for the constant, in runs of one program: those of its own room first, and of these the
+    programs whose cases ask for the fewest constants, which are closest to it."""
+    room, stem = room_of(key), Path(key.split(":")[0]).stem
     asking = [case for case in cases if case.passed and key in case.touched]
-    asking.sort(key=lambda case: (*rank(case), case.seconds))
+    nearest: dict[str, int] = {}
+    for case in asking:
+        asked = 0 if stem in Path(case.source).stem else len(case.touched)
+        nearest[case.program] = min(asked, nearest.get(case.program, asked))
+
+    def rank(case: Case) -> tuple[bool, bool, int, str]:
+        return room_of(case.source) != room, case.seconds > QUICK, nearest[case.program], case.program
+
+    asking.sort(key=lambda case: (rank(case), case.seconds))
     runs: list[list[Case]] = []
     total = 0.0
     for case in asking:
