@@ -111,11 +111,6 @@ def without_comments(text: str) -> str:
     return re.sub(r"//[^\n]*", "", text)
 
 
-def is_choice(value: str) -> bool:
-    """Whether a number stands in the value: not where it follows from other constants, or is infinity or none."""
-    return NUMBER.search(value) is not None and "numeric_limits" not in value
-
-
 class Rewriter:
     """Finds the constants of one source file and writes the file anew."""
 
@@ -156,20 +151,23 @@ class Rewriter:
         return "\n".join(lines)
 
     def _number(self, match: re.Match[str], name: str, value: str) -> str:
-        as_it_was = f"{match['indent']}{match['storage']}constexpr {match['type']} {name} = {value};"
-        if not is_choice(value):
+        """The declaration of one constant; what follows from others is no longer constexpr, as they are not."""
+        indent, storage, kind = match["indent"], match["storage"], match["type"]
+        as_it_was = f"{indent}{storage}constexpr {kind} {name} = {value};"
+        if "numeric_limits" in value or "sizeof" in value or "0x" in value:
             return as_it_was
-        constant = self._constant(match, name, value)
-        if constant.key in self.compile_time:
-            return as_it_was
+        asked = value
+        if NUMBER.search(value):
+            constant = self._constant(match, name, value)
+            if constant.key in self.compile_time:
+                return as_it_was
+            asked = f'::mutants::value<{kind}>("{constant.key}", {value})'
         self.is_changed = True
-        kind = match["type"]
-        asked = f'::mutants::value<{kind}>("{constant.key}", {value})'
-        if not match["indent"]:  # of a namespace: a function, so that a test that does not use it does not ask for it
+        if not indent:  # of a namespace: a function, so that a test that does not use it does not ask for it
             body = f"{{ static const {kind} value = {asked}; return value; }}"
             return f"inline {kind} {name}_mutated() {body}\n#define {name} {name}_mutated()"
-        inline = "inline " if match["storage"] else ""  # of a class
-        return f"{match['indent']}static {inline}const {kind} {name} = {asked};"
+        inline = "inline " if storage else ""  # of a class
+        return f"{indent}static {inline}const {kind} {name} = {asked};"
 
     def _structures(self, match: re.Match[str]) -> str:
         """Structures of numbers; each number is a constant of its own, kX.1, kX.2."""
