@@ -1,7 +1,7 @@
-"""The named numbers of the library, and a copy of its sources in which each is read when the program starts.
+"""The named numbers of the library, and a copy of its sources that reads them when it starts.
 
-In the copy `constexpr double kX = 0.5;` becomes a constant whose initialiser asks mutated.h for its value, so that
-one build serves every mutant: TANK_DATUM_MUTANT="<key> <factor>" scales one constant in a process.
+In the copy `constexpr double kX = 0.5;` becomes a constant whose initialiser asks mutated.h for its
+value, so that one build serves every mutant: TANK_DATUM_MUTANT="<key> <factor>" scales one constant in a process.
 TANK_DATUM_TOUCHED names a file that gets the keys of the constants whose initialisers ran.
 """
 
@@ -13,7 +13,8 @@ from pathlib import Path
 
 TYPES = r"double|float|int|std::size_t|std::ptrdiff_t|std::u?int\d+_t|Eigen::Index"
 DECLARATION = re.compile(
-    rf"^(?P<indent>[ \t]*)(?P<storage>(?:static |inline )*)constexpr (?P<type>{TYPES})\s+(?P<rest>k\w+\s*=[^;]*);",
+    r"^(?P<indent>[ \t]*)(?P<storage>(?:static |inline )*)constexpr "
+    rf"(?P<type>{TYPES})\s+(?P<rest>k\w+\s*=[^;]*);",
     re.MULTILINE,
 )
 STRUCTURES = re.compile(
@@ -120,7 +121,8 @@ class Rewriter:
         self.is_changed = False
         self._seen: dict[str, int] = {}
         found = sorted(
-            [*DECLARATION.finditer(text), *STRUCTURES.finditer(text)], key=lambda match: match.start()
+            [*DECLARATION.finditer(text), *STRUCTURES.finditer(text)],
+            key=lambda match: match.start(),
         )
         pieces, done = [], 0
         for match in found:
@@ -151,7 +153,7 @@ class Rewriter:
         return "\n".join(lines)
 
     def _number(self, match: re.Match[str], name: str, value: str) -> str:
-        """The declaration of one constant; what follows from others is no longer constexpr, as they are not."""
+        """The declaration of one constant; what follows from others is no longer constexpr."""
         indent, storage, kind = match["indent"], match["storage"], match["type"]
         as_it_was = f"{indent}{storage}constexpr {kind} {name} = {value};"
         if "numeric_limits" in value or "sizeof" in value or "0x" in value:
@@ -163,7 +165,7 @@ class Rewriter:
                 return as_it_was
             asked = f'::mutants::value<{kind}>("{constant.key}", {value})'
         self.is_changed = True
-        if not indent:  # of a namespace: a function, so that a test that does not use it does not ask for it
+        if not indent:  # of a namespace: a function, asked for by those who use it only
             body = f"{{ static const {kind} value = {asked}; return value; }}"
             return f"inline {kind} {name}_mutated() {body}\n#define {name} {name}_mutated()"
         inline = "inline " if storage else ""  # of a class
@@ -205,7 +207,7 @@ def all_constants(root: Path) -> list[Constant]:
 
 
 def write_copy(root: Path, copy: Path, compile_time: frozenset[str]) -> None:
-    """The checkout at `copy`, its constants read at start; files that stay as they are are not touched."""
+    """The checkout at `copy`, its constants read at start; only files that change are written."""
     library = set(library_files(root))
     written = set()
     for folder in ("src", "include", "apps", "tests", "scripts"):

@@ -1,4 +1,4 @@
-"""The unit tests of the copy: which constants each case asks for, and whether a mutant is noticed."""
+"""The unit tests of the copy: what constants each asks for, and whether a mutant is noticed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOMS = (
-    "core fit io search edge stations limits locate setups foot shell shape trust . pcl movement report"
+    "core fit io search edge stations limits locate setups foot shell shape trust . "
+    "pcl movement report"
 ).split()
 QUICK = 0.5  # [s]: cases up to here are run before the others of their room
 
@@ -62,7 +63,8 @@ def run_cases(cases: list[Case], limit: float, **environment: str) -> bool:
     options = ["--gtest_filter=" + names, "--gtest_fail_fast", "--gtest_brief=1"]
     try:
         done = subprocess.run(
-            ["nice", "-n", "10", cases[0].program, *options], cwd=cases[0].folder, timeout=limit, check=False,
+            ["nice", "-n", "10", cases[0].program, *options],
+            cwd=cases[0].folder, timeout=limit, check=False,
             env={**os.environ, "OMP_NUM_THREADS": "1", **environment},
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         )  # fmt: skip
@@ -125,8 +127,11 @@ class Coverage:
 
 
 def in_order(cases: list[Case], key: str, budget: float) -> list[list[Case]]:
-    """The cases that ask for the constant, in runs of one program: those of its own room first, and of these the
-    programs whose cases ask for the fewest constants, which are closest to it."""
+    """The cases that ask for the constant, in runs of one program.
+
+    Those of its own room come first, and of these the programs whose cases ask for the fewest
+    constants, which are closest to it.
+    """
     room, stem = room_of(key), Path(key.split(":")[0]).stem
     asking = [case for case in cases if case.passed and key in case.touched]
     nearest: dict[str, int] = {}
@@ -135,7 +140,12 @@ def in_order(cases: list[Case], key: str, budget: float) -> list[list[Case]]:
         nearest[case.program] = min(asked, nearest.get(case.program, asked))
 
     def rank(case: Case) -> tuple[bool, bool, int, str]:
-        return room_of(case.source) != room, case.seconds > QUICK, nearest[case.program], case.program
+        return (
+            room_of(case.source) != room,
+            case.seconds > QUICK,
+            nearest[case.program],
+            case.program,
+        )
 
     asking.sort(key=lambda case: (rank(case), case.seconds))
     runs: list[list[Case]] = []
@@ -152,9 +162,8 @@ def in_order(cases: list[Case], key: str, budget: float) -> list[list[Case]]:
 
 
 def noticed_by(cases: list[Case], key: str, factor: float, budget: float) -> str | None:
-    """The program that fails with the constant scaled; None where all pass. ValueError where none asks for it."""
-    runs = in_order(cases, key, budget)
-    for run in runs:
+    """The test that fails with the constant scaled; None where all pass or none asks for it."""
+    for run in in_order(cases, key, budget):
         limit = 10.0 + 10.0 * sum(case.seconds for case in run)
         if not run_cases(run, limit, TANK_DATUM_MUTANT=f"{key} {factor}"):
             return run[0].source

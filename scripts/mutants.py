@@ -1,12 +1,13 @@
-"""Which constants no test holds: halves and doubles each named number of the library and runs the unit tests.
+"""Which constants no test holds: halves and doubles each named number, runs the unit tests.
 
-    scripts/mutants [--only foot/] [--tests foot/] [--list] [--seconds 30] [--jobs 2] [--build build-mutants]
+    scripts/mutants [--only foot/] [--tests foot/] [--list] [--seconds 30] [--jobs 2]
 
-It works in a copy of the sources (see mutant_sources.py), built once; the checkout is not touched. For each mutant
-those test cases run that ask for the constant, the quick ones and those of its own room first, until one fails or
---seconds of them have passed. A mutant that none notices survives: its constant changes no result that is looked at,
-or lacks a test. Results are kept in the build folder; again run are mutants whose file, or whose tests, changed.
-mutants.toml names the constants that are left alone, and why. Exit status 1 when more than 5 % survive.
+It works in a copy of the sources (see mutant_sources.py), built once; the checkout is not touched.
+For each mutant those test cases run that ask for the constant, those of its own room and the quick
+ones first, until one fails or --seconds of them have passed. A mutant that none notices survives:
+its constant changes no result that is looked at, or lacks a test. Results are kept in the build
+folder; again run are mutants whose file, or whose tests, changed. mutants.toml names the constants
+that are left alone, and why. Exit status 1 when more than 5 % survive.
 """
 
 from __future__ import annotations
@@ -65,7 +66,9 @@ class Results:
         """Digest of the mutant's file and of the test that noticed it, or of all that might."""
         tests = {c.source for c in self.cases if mutant.constant.key in c.touched}
         paths = [killer] if killer else sorted(tests)
-        return digest(ROOT / mutant.constant.path, *(ROOT / p for p in paths if (ROOT / p).exists()))
+        return digest(
+            ROOT / mutant.constant.path, *(ROOT / p for p in paths if (ROOT / p).exists())
+        )
 
     def of(self, mutant: Mutant, budget: float) -> str | None:
         key = f"{mutant.constant.key} {mutant.factor}"
@@ -74,7 +77,11 @@ class Results:
             if kept["noticed"] or kept["seconds"] >= budget:
                 return kept["noticed"]
         noticed = noticed_by(self.cases, mutant.constant.key, mutant.factor, budget)
-        self.kept[key] = {"noticed": noticed, "seconds": budget, "state": self.state(mutant, noticed)}
+        self.kept[key] = {
+            "noticed": noticed,
+            "seconds": budget,
+            "state": self.state(mutant, noticed),
+        }
         self.new[key] = self.kept[key]
         return noticed
 
@@ -87,12 +94,18 @@ def built(copy: Path, compile_time: frozenset[str], wanted: list[str]) -> list[C
     build = copy / "build"
     write_copy(ROOT, copy, compile_time)
     paths = [p for p in (copy / "tests").rglob("*_test.cpp") if p.parent.name != "apps"]
-    tests = sorted(p.stem for p in paths if any(text in str(p.relative_to(copy)) for text in wanted))
+    tests = sorted(
+        p.stem for p in paths if any(text in str(p.relative_to(copy)) for text in wanted)
+    )
     configure = ["cmake", "-S", copy, "-B", build, "-G", "Ninja", "-DTANK_DATUM_VIEWER=OFF"]
     for command in (configure, ["cmake", "--build", build, "--target", *tests]):
-        done = subprocess.run([str(w) for w in command], capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [str(w) for w in command], capture_output=True, text=True, check=False
+        )
         if done.returncode != 0:
-            raise SystemExit(f"mutants: {command[1]} failed:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+            raise SystemExit(
+                f"mutants: {command[1]} failed:\n{done.stdout[-3000:]}{done.stderr[-3000:]}"
+            )
     return [case for case in listed_cases(build, copy) if Path(case.program).name in tests]
 
 
@@ -100,16 +113,23 @@ def by_room(mutants: list[Mutant], survivors: list[Mutant]) -> str:
     def room(mutant: Mutant) -> str:
         return str(Path(mutant.constant.path).parent)
 
-    constants = Counter(str(Path(path).parent) for path, _ in {(m.constant.path, m.constant.name) for m in mutants})
+    constants = Counter(str(Path(c.path).parent) for c in {m.constant for m in mutants})
     tried, left = Counter(map(room, mutants)), Counter(map(room, survivors))
-    lines = [f"{name:32s} {constants[name]:9d} {tried[name]:7d} {left[name]:9d}" for name in sorted(tried)]
-    return "\n".join([f"{'folder':32s} {'constants':>9s} {'mutants':>7s} {'survivors':>9s}", *lines])
+    lines = [
+        f"{name:32s} {constants[name]:9d} {tried[name]:7d} {left[name]:9d}"
+        for name in sorted(tried)
+    ]
+    return "\n".join(
+        [f"{'folder':32s} {'constants':>9s} {'mutants':>7s} {'survivors':>9s}", *lines]
+    )
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", default="", help="constants whose path and name hold this text")
-    parser.add_argument("--tests", default="tests/", help="tests whose path holds one of these, a,b")
+    parser.add_argument(
+        "--tests", default="tests/", help="tests whose path holds one of these, a,b"
+    )
     parser.add_argument("--list", action="store_true", help="name the mutants and stop")
     parser.add_argument("--seconds", type=float, default=30.0, help="of test cases a mutant [s]")
     parser.add_argument("--jobs", type=int, default=2)
@@ -118,7 +138,9 @@ def main() -> int:
     options.build = options.build.resolve()
     reasons, constants = left_alone(ROOT), all_constants(ROOT)
     if stale(reasons, constants):
-        raise SystemExit(f"mutants: no longer in the sources: {', '.join(stale(reasons, constants))}")
+        raise SystemExit(
+            f"mutants: no longer in the sources: {', '.join(stale(reasons, constants))}"
+        )
     alone = {key: reason for section in reasons.values() for key, reason in section.items()}
     wanted = [c for c in constants if options.only in c.key]
     for constant in wanted:
@@ -149,7 +171,8 @@ def tried(mutants: list[Mutant], results: Results, options: argparse.Namespace) 
         for number, future in enumerate(as_completed(waiting), start=1):
             mutant, noticed = waiting[future], future.result()
             asked = any(mutant.constant.key in case.touched for case in results.cases)
-            word = f"noticed by {noticed}" if noticed else "SURVIVES" if asked else "SURVIVES, used by no test"
+            survives = "SURVIVES" if asked else "SURVIVES, used by no test"
+            word = f"noticed by {noticed}" if noticed else survives
             print(f"{number}/{len(mutants)} {mutant}: {word}", flush=True)
             survivors += [] if noticed else [mutant]
             if number % 10 == 0:
