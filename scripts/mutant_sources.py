@@ -1,8 +1,8 @@
 """The named numbers of the library, and a copy of its sources that reads them when it starts.
 
 In the copy `constexpr double kX = 0.5;` becomes a constant whose initialiser asks mutated.h for its
-value, so that one build serves every mutant: TANK_DATUM_MUTANT="<key> <factor>" scales one constant in a process.
-TANK_DATUM_TOUCHED names a file that gets the keys of the constants whose initialisers ran.
+value, so that one build serves every mutant: TANK_DATUM_MUTANT="<key> <factor>" scales one constant
+in a process. TANK_DATUM_TOUCHED names a file that gets the keys of the constants asked for.
 """
 
 from __future__ import annotations
