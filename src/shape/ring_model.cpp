@@ -14,6 +14,7 @@ namespace {
 
 constexpr Eigen::Index kMostSparse = 64;  ///< stations: up to so many, each stands for its own arc
 constexpr int kHighestWave = 45;
+constexpr double kRidge = 1e-8;  ///< a gap leaves some sums of waves without any station: their errors are nil
 
 int orderFor(Eigen::Index stations) {
   return static_cast<int>(stations > kMostSparse ? std::min<Eigen::Index>(kHighestWave, stations / 4)
@@ -100,7 +101,7 @@ double RingModel::differencesScale() const {
 /// Variance of the stations' own errors over sigmas^2: what the waves, all free, leave of many stations, or third
 /// differences where those say much less; what a plane leaves of few without sigmas.
 double RingModel::ownScale2() {
-  constexpr double kRidge = 1e-8, kLeast = 1e-6, kSharp = 2.0;
+  constexpr double kLeast = 1e-6, kSharp = 2.0;
   const bool many = dense();
   if (!many && data_.sigmas_known) return 1.0;
   const Eigen::Index used = many ? normal_.rows() : 3;
@@ -139,7 +140,7 @@ void RingModel::estimatePriors() {
 }
 
 void RingModel::solve() {
-  constexpr double kLeastVariance = 1e-18, kBelief = 2.0;
+  constexpr double kBelief = 2.0;
   constexpr int kRounds = 6;
   const Eigen::Index waves = 2 * order_ + 1;
   const double scale2 = noise_.scale * noise_.scale;
@@ -172,7 +173,7 @@ Eigen::MatrixXd RingModel::covariance() const {
   const Eigen::MatrixXd inverse = posterior_.solve(Eigen::MatrixXd::Identity(all, all));
   Eigen::VectorXd shares = Eigen::VectorXd::Ones(waves), own = errors_;
   for (Eigen::Index j = 3; j < waves; ++j) {
-    shares[j] = waves_[j] / (waves_[j] + errors_[j] + 1e-18);
+    shares[j] = waves_[j] / (waves_[j] + errors_[j] + kLeastVariance);
     own[j] = shares[j] * errors_[j];
   }
   Eigen::MatrixXd covariance = shares.asDiagonal() * inverse.topLeftCorner(waves, waves) * shares.asDiagonal();
@@ -203,7 +204,7 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
   result.truth = spread.topRows(waves);
   Eigen::VectorXd shares = Eigen::VectorXd::Ones(waves), own = errors_.cwiseSqrt();
   for (Eigen::Index j = 3; j < waves; ++j) {
-    shares[j] = waves_[j] / (waves_[j] + errors_[j] + 1e-18);
+    shares[j] = waves_[j] / (waves_[j] + errors_[j] + kLeastVariance);
     own[j] = std::sqrt(shares[j] * errors_[j]);
   }
   result.truth = shares.asDiagonal() * result.truth + own.asDiagonal() * drawn(waves);
@@ -217,7 +218,6 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
   const double scale2 = noise_.scale * noise_.scale;
   Eigen::MatrixXd sums = product(normal_, seen) / scale2;  // of the survey, as the solution takes them
   if (dense()) {
-    constexpr double kRidge = 1e-8;  // a gap leaves some sums of waves without any station: their errors are nil
     Eigen::MatrixXd sums_covariance = normal_;
     sums_covariance.diagonal() *= 1.0 + kRidge;
     const Eigen::MatrixXd root = sums_covariance.llt().matrixL();
