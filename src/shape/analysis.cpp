@@ -5,13 +5,12 @@
 #include <cstdio>
 
 #include "core/units.h"
+#include "limits/survey_spacing.h"
 #include "shape/figures.h"
 #include "shape/ring_fits.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kWidestGap = 6.096;  // 20 ft [m]
 
 void addTilt(const Tilt& tilt, double radius, std::vector<Measure>& measures) {
   const double slope = tilt.valid() ? tilt.slope() : kUnknown;
@@ -77,7 +76,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
         100.0 * tilt.r2);
     notes.push_back(text);
   }
-  if (analysis.longest_gap > kWidestGap && stations.size() > 64) {
+  if (analysis.longest_gap > kSurveySpacing && stations.size() > 64) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
@@ -122,7 +121,7 @@ Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius
   figures.addLevels(result);
   result.measures = figures.all();
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
-  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kWidestGap, 2.01 * step);
+  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kSurveySpacing, 2.01 * step);
   addTilt(tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), shell.begin(), shell.end());
   addAntipodal(stations, result.measures);

@@ -10,8 +10,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kLeastVariance = 1e-18;  ///< of a coefficient [m^2]: a nanometre
-using Numbers = std::array<double, 4>;    ///< ln amplitude, power, ln neighbours, ln length
+using Numbers = std::array<double, 4>;  ///< ln amplitude, power, ln neighbours, ln length
 
 RingPriors priorsOf(const Numbers& x, bool neighbours) {
   return {std::exp(x[0]), x[1], neighbours ? std::exp(x[2]) : 0.0, std::exp(x[3])};

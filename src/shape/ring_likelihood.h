@@ -6,6 +6,8 @@
 
 namespace tank_datum {
 
+constexpr double kLeastVariance = 1e-18;  ///< of a coefficient [m^2]: a nanometre
+
 /// What the restricted likelihood of a ring's priors needs: sums over its stations, in units of their sigmas.
 struct RingSums {
   const Eigen::MatrixXd& normal;

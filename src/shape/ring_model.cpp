@@ -13,7 +13,6 @@ namespace {
 
 constexpr Eigen::Index kMostSparse = 64;  ///< stations: up to so many, each stands for its own arc
 constexpr int kHighestWave = 45;
-constexpr double kLeastVariance = 1e-18;  ///< of a coefficient [m^2]: a nanometre
 
 int orderFor(Eigen::Index stations) {
   return static_cast<int>(stations > kMostSparse ? std::min<Eigen::Index>(kHighestWave, stations / 4)
@@ -111,7 +110,7 @@ double RingModel::differencesScale() const {
 /// Variance of the stations' own errors over sigmas^2: what the waves, all free, leave of many stations, or third
 /// differences where those say much less; what a plane leaves of few without sigmas.
 double RingModel::ownScale2() {
-  constexpr double kRidge = 1e-8, kLeast = 1e-6, kSharp = 2.0;
+  constexpr double kLeast = 1e-6, kSharp = 2.0;
   const bool many = dense();
   if (!many && data_.sigmas_known) return 1.0;
   const Eigen::Index used = many ? normal_.rows() : 3;

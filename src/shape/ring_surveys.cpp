@@ -6,8 +6,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kLeastVariance = 1e-18;  ///< of a coefficient [m^2]: a nanometre
-
 Eigen::MatrixXd drawn(Deviates& normal, Eigen::Index rows, int draws) {
   Eigen::MatrixXd m(rows, draws);
   for (Eigen::Index j = 0; j < m.cols(); ++j) {
@@ -132,7 +130,6 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
   Eigen::MatrixXd sums = product(normal_, seen) / scale2;  // of the survey, as the solution takes them
   Simulated result;
   if (dense()) {
-    constexpr double kRidge = 1e-8;  // a gap leaves some sums of waves without any station: their errors are nil
     Eigen::MatrixXd sums_covariance = normal_;
     sums_covariance.diagonal() *= 1.0 + kRidge;
     const Eigen::MatrixXd root = sums_covariance.llt().matrixL();

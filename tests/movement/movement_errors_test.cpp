@@ -81,6 +81,31 @@ TEST(ShownErrors, AWaveIsNoErrorWhenItsPowerIsFiftyTimesThatOfShorterOnes) {
   EXPECT_NEAR(shown(7.5), without, 0.1 * without);  // power 56
 }
 
+TEST(ShownErrors, SixteenStationsTellTheirScatterSixtyFiveTheArcThatNeighboursShare) {
+  EXPECT_EQ(shownErrors(differences(14, 1, 1, 0.005)).scale, 1.0);
+  EXPECT_GT(shownErrors(differences(18, 1, 1, 0.005)).scale, 2.0);
+  EXPECT_EQ(shownErrors(differences(60, 10, 1)).shared, 0.0);
+  EXPECT_GT(shownErrors(differences(72, 10, 1)).shared, 10.0 * kDegree);
+}
+
+TEST(ShownErrors, AnArcIsGivenAQuarterMore) {
+  auto stations = differences(360, 1, 1, 0.0);
+  for (MatchedStation& m : stations) m.dz = 0.010 * std::sin(6.0 * m.direction);
+  // correlations of stations k degrees apart are cos(6 k), above 0.35 up to k = 11: their sum is 8.42
+  EXPECT_NEAR(shownErrors(stations).shared / kDegree, 1.25 * (1.0 + 2.0 * 8.42), 1.0);
+}
+
+TEST(ShownErrors, ACorrelationOfAQuarterIsNone) {
+  int shared = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    auto stations = differences(360, 1, seed, 0.001 * std::sqrt(0.75));
+    const auto wide = differences(360, 30, 100 + seed, 0.001 * std::sqrt(0.25));
+    for (std::size_t i = 0; i < stations.size(); ++i) stations[i].dz += wide[i].dz;
+    shared += shownErrors(stations).shared > 0.0 ? 1 : 0;
+  }
+  EXPECT_LE(shared, 5);
+}
+
 TEST(WidenErrors, TakesTheLargerAndTheDeclaredArc) {
   auto stations = differences(8, 1, 1);
   widenErrors(stations, {2.0, 2.0, 10.0 * kDegree}, 0.0);
