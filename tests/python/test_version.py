@@ -45,6 +45,12 @@ def test_documentation(version: str) -> None:
     assert runpy.run_path(str(ROOT / "src/doc/conf.py"))["release"] == version
 
 
+def test_changes_begin_with_it(version: str) -> None:
+    page = (ROOT / "src/doc/changes.md").read_text()
+    headings = re.findall(r"^## (\S+)", page, re.MULTILINE)
+    assert headings[0].rstrip(",") == version
+
+
 def test_it_stands_nowhere_else(version: str) -> None:
     """In no source, script or page."""
     pages = [*(ROOT / "src").rglob("*"), *(ROOT / "apps").rglob("*"), *(ROOT / "scripts").glob("*")]
