@@ -51,6 +51,11 @@ def test_changes_begin_with_it(version: str) -> None:
     assert headings[0].rstrip(",") == version
 
 
+def test_the_example_asks_for_it(version: str) -> None:
+    page = (ROOT / "src/doc/pcl.md").read_text()
+    assert re.findall(r"find_package\(tank_datum (\S+) ", page) == [version.rpartition(".")[0]]
+
+
 def test_it_stands_nowhere_else(version: str) -> None:
     """In no source, script or page."""
     pages = [*(ROOT / "src").rglob("*"), *(ROOT / "apps").rglob("*"), *(ROOT / "scripts").glob("*")]
