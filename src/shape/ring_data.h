@@ -8,7 +8,6 @@
 
 namespace tank_datum {
 
-constexpr double kLeastVariance = 1e-18;  ///< of a coefficient [m^2]: a nanometre
 constexpr double kRidge = 1e-8;           ///< a gap leaves some sums of waves without any station: their errors are nil
 
 /// The measured stations as a model of the ring takes them.
