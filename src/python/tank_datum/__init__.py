@@ -173,7 +173,7 @@ def extract_datum(
         path of a PCD file; or a list of arrays or of paths, which are stations of one tank.
         Points that are not finite are dropped. Nothing is copied.
     progress: called with the name of each stage as it begins; what it raises ends the run.
-    options: those of the command line with underscores, see defaults(); degrees and metres.
+    options: those of the command line with underscores, listed below; defaults() has their values.
 
     Raises OptionError (a ValueError) for a refused option, FileError (an OSError) for a file that
     cannot be read, TypeError for points or options of the wrong type. What the scan lacks is no
@@ -189,3 +189,6 @@ def extract_datum(
     if not sources:
         raise TypeError("points = [], expected an array or a path")
     return Datum(_core.extract(paths, arrays, options, progress))
+
+
+extract_datum.__doc__ = f"{extract_datum.__doc__}\n    Options:\n{_core.keyword_help()}"
