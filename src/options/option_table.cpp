@@ -89,7 +89,10 @@ void addStations(Table& t, DatumOptions& o) {
         "where station 0 is, counter-clockwise from +x")
       .in(Unit::Degrees);
   t.add("clockwise", "stations.clockwise", &o.stations.clockwise, "stations run clockwise seen from above").withNo();
-  t.library("stations.longest_bridge_deg", &o.stations.longest_bridge).in(Unit::Degrees).within({0, 360, false, true});
+  t.add("longest_bridge_deg", "stations.longest_bridge_deg", &o.stations.longest_bridge,
+        "arc not seen that is bridged by the curve where it is seen on both sides; 0: none is")
+      .in(Unit::Degrees)
+      .within({0, 360, false, true});
   t.add("heights", "shell.heights", &o.shell.heights,
         "H,H,... above the datum at which the shell is surveyed; none: 0.3 and every step above")
       .in(Unit::Metres)

@@ -211,7 +211,7 @@ TEST(StationOptions, AreRefusedByName) {
   EXPECT_EQ(said(firstError(options)), "zero_azimuth_deg, inf, expected finite");
   options = {};
   options.longest_bridge = -0.5;
-  EXPECT_EQ(said(firstError(options)), "stations.longest_bridge_deg, -28.6479, expected >= 0 and < 360 deg");
+  EXPECT_EQ(said(firstError(options)), "longest_bridge_deg, -28.6479, expected >= 0 and < 360 deg");
   options.longest_bridge = NAN;
   EXPECT_NE(said(firstError(options)), "");
 }

@@ -78,6 +78,9 @@ def extract_datum(
     zero_azimuth_deg: float = 0.0,
     # stations run clockwise seen from above
     clockwise: bool = False,
+    # arc not seen that is bridged by the curve where it is seen on both sides; 0:
+    # none is (>= 0 and < 360 deg)
+    longest_bridge_deg: float = 10.0,
     # H,H,... above the datum at which the shell is surveyed [m]; none: 0.3 and
     # every step above (> 0 m and above the one before)
     heights: Sequence[float] = ...,
