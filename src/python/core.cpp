@@ -66,6 +66,7 @@ PYBIND11_MODULE(_core, module) {
   });
   module.def("extract", &extract);
   module.def("defaults", &defaults);
+  module.def("keyword_help", &keywordHelp);
 }
 
 }  // namespace tank_datum::python

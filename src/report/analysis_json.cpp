@@ -130,15 +130,4 @@ void addAnalysis(Json& json, const Analysis& analysis, const std::vector<Station
   json["notes"] = analysis.notes;
 }
 
-Json analysisOptionsJson(const AnalysisOptions& o) {
-  return {{"height", number(o.facts.height)},
-          {"yield_mpa", number(o.facts.yield)},
-          {"modulus_mpa", number(o.facts.modulus)},
-          {"roof", textOrNull(o.facts.roof)},
-          {"foundation", textOrNull(o.facts.foundation)},
-          {"service", nameOf(o.facts.service)},
-          {"classic_points", o.classic_points},
-          {"limits", textOrNull(o.limits_file)}};
-}
-
 }  // namespace tank_datum

@@ -93,15 +93,6 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
 
 }  // namespace
 
-std::string firstError(const AnalysisOptions& options) {
-  const std::string error = firstError(options.facts);
-  if (!error.empty()) return error;
-  if (options.classic_points < 0) {
-    return "analysis.classic_points = " + std::to_string(options.classic_points) + " (must be >= 0)";
-  }
-  return {};
-}
-
 Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius, const AnalysisOptions& options,
                  const std::vector<Measure>& shell, const StationCovariance& covariance) {
   Analysis result;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/refused.h"
 #include "support/scanned_tanks.h"
 #include "tank_datum/locate/locate.h"
 
@@ -47,18 +48,18 @@ TEST(Tank, KnowsAzimuthsAboutItsCentre) {
 }
 
 TEST(LocateOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(LocateOptions()), "");
+  EXPECT_EQ(said(firstError(LocateOptions())), "");
   LocateOptions options;
   options.min_radius = -1.0;
-  EXPECT_EQ(firstError(options), "locate.min_radius = -1 m (must be > 0)");
+  EXPECT_EQ(said(firstError(options)), "min_radius, -1, expected > 0 m");
   for (const double arc : {0.0, 6.3, static_cast<double>(NAN)}) {
     options = {};
     options.min_arc = arc;
-    EXPECT_EQ(firstError(options).rfind("locate.min_arc = ", 0), 0U) << arc;
+    EXPECT_EQ(said(firstError(options)).rfind("locate.min_arc_deg, ", 0), 0U) << arc;
   }
   options = {};
   options.sample_points = 9'999;
-  EXPECT_EQ(firstError(options), "locate.sample_points = 9999 (must be >= 10000)");
+  EXPECT_EQ(said(firstError(options)), "locate.sample_points, 9999, expected >= 10000");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "support/made_epochs.h"
+#include "support/refused.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
@@ -127,9 +129,9 @@ TEST(MovementOptions, AreRefusedByName) {
   const auto refused = [](double MovementOptions::*field, double value) {
     MovementOptions options;
     options.*field = value;
-    return firstError(options);
+    return said(firstError(options));
   };
-  EXPECT_EQ(firstError(MovementOptions{}), "");
+  EXPECT_EQ(said(firstError(MovementOptions{})), "");
   EXPECT_NE(refused(&MovementOptions::registration_error, -1).find("registration_error"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::registration_tilt, -1).find("registration_tilt"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::correlation, NAN).find("correlation"), std::string::npos);
@@ -138,7 +140,7 @@ TEST(MovementOptions, AreRefusedByName) {
   EXPECT_NE(refused(&MovementOptions::azimuth_offset, INFINITY).find("azimuth_offset"), std::string::npos);
   MovementOptions both;
   both.estimate_offset = true, both.azimuth_offset = 1.0;
-  EXPECT_NE(firstError(both).find("azimuth_offset"), std::string::npos);
+  EXPECT_NE(said(firstError(both)).find("azimuth_offset"), std::string::npos);
   EXPECT_NE(refusal(Survey().epoch(), Survey().epoch(), both), "");
 }
 

@@ -84,6 +84,7 @@ INPUTS_AS_OUTPUTS: list[tuple[str, list[str], str]] = [
     ("tank_datum", ["hard.pcd", "-o", "."], "scan"),
     ("tank_datum", ["tank.pcd", "-o", "tank.pcd"], "scan"),
     ("tank_datum", ["tank.pcd", "-o", ".", "--limits", "shell.csv"], "limits"),
+    ("tank_datum", ["tank.pcd", "-o", ".", "--setup-origins", "shell.csv"], "origins"),
     ("tank_datum", ["tank.pcd", "-o", "out", "--timings", "tank.pcd"], "scan"),
     ("tank_datum", ["tank.pcd", "-o", "out", "--timings", "times.json"], "scan"),
     ("tank_datum", ["tank.pcd", "-o", "base", "--baseline", "base/datum.json"], "baseline"),

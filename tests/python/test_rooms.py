@@ -20,6 +20,9 @@ LONG = {
     "tests/python/test_options.py",
 }
 PROGRAMS = {"bench", "rates", "synth", "view"}
+# a text, or a comment, which may hold quotes too
+TEXT = re.compile(r""""(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|`[^`]*`|//.*""")
+FLAG = re.compile(r"(?<![\w-])--[a-z]")
 
 
 def rooms_in_order() -> list[str]:
@@ -155,6 +158,45 @@ def test_files_are_short() -> None:
     lines = {str(path.relative_to(ROOT)): path.read_bytes().count(b"\n") for path in files}
     long = [f"{name}: {count} lines" for name, count in lines.items() if count > MOST_LINES]
     assert not [line for line in long if line.split(":")[0] not in LONG], "\n".join(long)
+
+
+def flags_in(text: str, path: Path) -> list[str]:
+    """The lines whose text for people names a flag; comments may."""
+    found = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        texts = [text for text in TEXT.findall(line) if not text.startswith("//")]
+        if any(FLAG.search(text) for text in texts):
+            found.append(
+                f"{path}:{number}: a flag in a text of the library; write 'option some_name'"
+            )
+    return found
+
+
+def test_texts_of_the_library_name_no_flags() -> None:
+    """They are read by Python's users too. A program writes --some-name for "option some_name"."""
+    found = []
+    for path in [*sources("src", "include"), *scripts_of_the_page()]:
+        if path.parts[1] not in {"python", "doc"}:
+            found += flags_in((ROOT / path).read_text(), path)
+    assert not found, "\n".join(found)
+
+
+def scripts_of_the_page() -> list[Path]:
+    return [path.relative_to(ROOT) for path in sorted((ROOT / "src/report/page").rglob("*.js"))]
+
+
+@pytest.mark.parametrize(
+    ("line", "named"),
+    [
+        ('lacks(facts.height, "shell height (--height)");', True),
+        ("say('needs --yield-mpa');", True),
+        ('lacks(facts.height, "shell height (option height)");  // --height', False),
+        ('"a-->b", "--", "x --y"[0]', True),
+        ('"ends --" + name', False),
+    ],
+)
+def test_a_flag_in_a_text_is_named_with_its_line(line: str, named: bool) -> None:
+    assert bool(flags_in(line, Path("src/limits/checks.cpp"))) == named
 
 
 def test_the_maintainers_page_is_short_and_names_what_is_there() -> None:

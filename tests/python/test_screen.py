@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
@@ -14,47 +15,6 @@ from results import FOLDER, RESULTS, Run, read_datum, read_stations
 Runner = Callable[..., Run]
 Synth = Callable[..., Path]
 
-# Where datum.json holds an option; threads, all, quiet, no-report do not bear on a result.
-PLACES = {
-    "method": "method",
-    "k": "normals/k",
-    "angle-deg": "growing/angle_deg",
-    "centre-tolerance": "centre_filter/tolerance",
-    "control-points": "spline/control_points",
-    "search": "normals/search",
-    "stations": "stations/count",
-    "zero-azimuth-deg": "stations/zero_azimuth_deg",
-    "clockwise": "stations/clockwise",
-    "heights": "shell/heights",
-    "height-step": "shell/step",
-    "tank": "tank",
-    "pick": "pick",
-    "accept": "accept",
-    "level": "level",
-    "service": "analysis/service",
-    "setup-error": "setups/error",
-    "setup-tilt-arcsec": "setups/tilt_arcsec",
-    "bad-setups": "setups/bad",
-    "search-points": "crop/search_points",
-    "fit-points": "crop/fit_points",
-    "min-radius": "locate/min_radius",
-    "height": "analysis/height",
-    "yield-mpa": "analysis/yield_mpa",
-    "modulus-mpa": "analysis/modulus_mpa",
-    "roof": "analysis/roof",
-    "foundation": "analysis/foundation",
-    "classic-points": "analysis/classic_points",
-    "limits": "analysis/limits",
-    "baseline": "movement/baseline",
-    "remove": "movement/remove",
-    "registration-error": "movement/registration_error",
-    "registration-tilt-arcsec": "movement/registration_tilt_arcsec",
-    "azimuth-offset-deg": "movement/azimuth_offset_deg",
-    "estimate-azimuth-offset": "movement/estimate_azimuth_offset",
-    "correlation-deg": "movement/correlation_deg",
-    "radius-difference": "movement/radius_difference",
-    "centre-distance": "movement/centre_distance",
-}
 CHOSEN = {
     "method": "paper",
     "k": 25,
@@ -87,9 +47,15 @@ CHOSEN = {
 }
 
 
+def listed(run: Runner) -> list[dict[str, Any]]:
+    """What the command says of its options, with the name they have on its line."""
+    options: list[dict[str, Any]] = json.loads(run("--print-options").stdout)
+    return [option | {"name": option["name"].replace("_", "-")} for option in options]
+
+
 def at(options: dict[str, Any], place: str) -> Any:
     value: Any = options
-    for key in place.split("/"):
+    for key in place.split("."):
         value = value[key]
     return value
 
@@ -124,17 +90,9 @@ def test_version_and_help(run: Runner, tmp_path: Path) -> None:
     assert result.stdout.startswith("tank_datum ")
     help_text = run("--help", cwd=tmp_path)
     assert help_text.returncode == 0
-    for name in [
-        *PLACES,
-        "output",
-        "units",
-        "all",
-        "threads",
-        "quiet",
-        "no-report",
-        "timings",
-        "config",
-    ]:
+    names = [option["name"] for option in listed(run)]
+    assert {"k", "output", "config", "quiet"} <= set(names)
+    for name in names:
         assert f"--{name}" in help_text.stdout
     assert list(tmp_path.iterdir()) == []
 
@@ -152,19 +110,22 @@ def test_printed_options_are_those_used(
     """Every line of --print-config equals what datum.json says was used."""
     scan, out = synth(), tmp_path / "out"
     printed = tomllib.loads(run(scan, *words(chosen), "--print-config").stdout)
-    beside = {"units", "up", "setup-origins", "all", "threads", "quiet", "no-report", "no-checksum"}
-    assert set(printed) == {*PLACES, *beside}
+    options = [option for option in listed(run) if option["configurable"]]
+    assert set(printed) == {option["name"] for option in options}
     assert {k: printed[k] for k in chosen} == chosen
     assert run(scan, "-o", out, *words(chosen)).returncode == 0
     datum = read_datum(out)
     assert datum["input"]["units"] == printed["units"]
-    for name, place in PLACES.items():
-        used = at(datum["options"], place)
+    for option in options:
+        if not option["place"] or option["kind"] == "places":
+            continue
+        used = at(datum["options"], option["place"])
         if used is None:
             used = ""
         if isinstance(used, list):
             used = ",".join(f"{v:g}" for v in used)
-        assert printed[name] == (used if isinstance(used, str) else pytest.approx(used)), name
+        wanted = used if isinstance(used, str) else pytest.approx(used)
+        assert printed[option["name"]] == wanted, option["name"]
 
 
 def test_config_round_trip(run: Runner, synth: Synth, tmp_path: Path) -> None:

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/limits/checks.h"
@@ -22,8 +24,8 @@ struct AnalysisOptions {
   std::string limits_file;                       ///< where they were read from; empty: they come with the library
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const AnalysisOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const AnalysisOptions& options);
 
 /// A settlement or a rise of one part of the ring that its waves and its errors do not explain.
 struct LocalSettlement {

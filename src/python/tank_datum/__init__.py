@@ -183,7 +183,7 @@ def extract_datum(
     progress:
         called with the name of each stage as it begins; what it raises ends the run.
     options:
-        those of the command line with underscores, see defaults(); degrees and metres.
+        those of the command line with underscores, listed below; defaults() has their values.
 
     Raises OptionError (a ValueError) for a refused option, FileError (an OSError) for a file that
     cannot be read, TypeError for points or options of the wrong type. What the scan lacks is no
@@ -199,3 +199,6 @@ def extract_datum(
     if not sources:
         raise TypeError("points = [], expected an array or a path")
     return Datum(_core.extract(paths, arrays, options, progress))
+
+
+extract_datum.__doc__ = f"{extract_datum.__doc__}\n    Options:\n{_core.keyword_help()}"
