@@ -195,7 +195,7 @@ TEST(ExtractDatum, OfAFloorOrARoomFindsNoTank) {
 }
 
 TEST(ExtractDatum, OfFewerPointsThanNeighboursHasTooFew) {
-  for (const std::size_t count : {0, 1, 3, 19}) {
+  for (const unsigned count : {0U, 1U, 3U, 19U}) {
     const Datum datum = extractDatum(Scan::fromPoints(floorPoints(static_cast<int>(count), 8.0)), {});
     EXPECT_EQ(datum.status, Status::TooFewPoints) << count;
     EXPECT_FALSE(datum.message.empty());

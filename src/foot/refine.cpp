@@ -14,14 +14,13 @@
 #include "foot/shell_fits.h"
 #include "foot/shell_line.h"
 #include "foot/station_section.h"
+#include "stations/highest_wave.h"
 #include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/harmonics.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
 
 /// Windows grow by borrowing from the neighbours until the standard error is what was asked for: that of the level,
 /// since the neighbours' points say no more about the slope than the prior does.

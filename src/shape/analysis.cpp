@@ -5,13 +5,12 @@
 #include <cstdio>
 
 #include "core/units.h"
+#include "limits/survey_spacing.h"
 #include "shape/figures.h"
 #include "shape/ring_fits.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kWidestGap = 6.096;  // 20 ft [m]
 
 void addTilt(const Tilt& tilt, double radius, std::vector<Measure>& measures) {
   const double slope = tilt.valid() ? tilt.slope() : kUnknown;
@@ -44,12 +43,21 @@ std::string errorsNote(const RingModel& model) {
   char text[280];
   std::snprintf(text, sizeof text,
                 over > 1.0 ? "The stations depart from the fitted waves by %.1f times their standard errors (sigma_z): "
-                             "a shape shorter than the waves, such as a dip, or errors that neighbours share. The "
-                             "intervals allow for it."
+                             "errors that neighbours share. The intervals allow for it."
                            : "The stations scatter by %.1f times their standard errors (sigma_z) only: what is given "
                              "is used.",
                 over);
   return text;
+}
+
+std::vector<LocalSettlement> localSettlementsOf(const RingModel& model) {
+  std::vector<LocalSettlement> all;
+  for (const RingModel::Local& local : model.locals()) {
+    const double azimuth = local.shape.centre - kTwoPi * std::floor(local.shape.centre / kTwoPi);
+    all.push_back({azimuth, 2.0 * local.shape.half_width, local.height, local.sigma});
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.azimuth < b.azimuth; });
+  return all;
 }
 
 std::vector<std::string> notesOf(const std::vector<Station>& stations, const Tilt& tilt, const Analysis& analysis) {
@@ -68,7 +76,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
         100.0 * tilt.r2);
     notes.push_back(text);
   }
-  if (analysis.longest_gap > kWidestGap && stations.size() > 64) {
+  if (analysis.longest_gap > kSurveySpacing && stations.size() > 64) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
@@ -91,6 +99,7 @@ Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius
   const SimulatedSurveys surveys(stations, radius, covariance);
   result.harmonics = harmonicsOf(stations, radius, surveys.model());
   result.out_of_plane = fitOutOfPlane(stations, radius, surveys.model());
+  result.local_settlements = localSettlementsOf(surveys.model());
   result.second_differences = secondDifferencesOf(stations, radius, options.classic_points);
   result.arcs = settlementArcs(stations, radius);
   result.longest_gap = longestGap(stations, radius);
@@ -103,7 +112,7 @@ Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius
   figures.addLevels(result);
   result.measures = figures.all();
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
-  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kWidestGap, 2.01 * step);
+  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kSurveySpacing, 2.01 * step);
   addTilt(tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), shell.begin(), shell.end());
   addAntipodal(stations, result.measures);

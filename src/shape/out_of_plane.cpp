@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "limits/survey_spacing.h"
 #include "shape/datum_waves.h"
 #include "shape/partial_ring_tilt.h"
 #include "shape/ring_fits.h"
@@ -13,9 +14,8 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kShortestHalfWave = 6.096;  // 20 ft [m]
-constexpr double kSmallestDiameter = 18.6;   // 61 ft [m]
-constexpr std::size_t kFewest = 65;          // stations: "more than 64"
+constexpr double kSmallestDiameter = 18.6;  // 61 ft [m]
+constexpr std::size_t kFewest = 65;         // stations: "more than 64"
 constexpr int kLeastOrder = 4;
 
 /// 1 - (what an order leaves) / (what the plane leaves), each over its degrees of freedom, of orders 0 to `highest`.
@@ -129,7 +129,7 @@ double rmsLeft(const std::vector<Station>& stations) {
 
 }  // namespace
 
-int shortestWave(double radius) { return static_cast<int>(std::floor(kPi * radius / kShortestHalfWave)); }
+int shortestWave(double radius) { return static_cast<int>(std::floor(kPi * radius / kSurveySpacing)); }
 
 std::vector<Harmonic> harmonicsOf(const std::vector<Station>& stations, double radius) {
   const RingData data = ringData(stations, radius, {});

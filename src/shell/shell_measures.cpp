@@ -3,11 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "limits/survey_spacing.h"
+
 namespace tank_datum {
 namespace {
 
-constexpr double kWidestGap = 6.096;  // 20 ft [m]
-constexpr double kNearlyAll = 0.9;    // of the shell's height
+constexpr double kNearlyAll = 0.9;  // of the shell's height
 
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
@@ -20,7 +21,7 @@ Measure radiusMeasure(const char* quantity, const Roundness& r) {
   Measure measure;
   measure.quantity = quantity;
   measure.worst = {r.largest(), r.sigma, r.azimuth};
-  measure.whole_ring = r.widest_gap <= kWidestGap;
+  measure.whole_ring = r.widest_gap <= kSurveySpacing;
   measure.note = formatted("%.2f m above the datum", r.height);
   return measure;
 }

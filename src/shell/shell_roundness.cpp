@@ -4,6 +4,8 @@
 
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
+#include "limits/survey_spacing.h"
+#include "tank_datum/core/normal95.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/harmonics.h"
 #include "tank_datum/limits/limits.h"
@@ -15,7 +17,6 @@ constexpr double kWidestGap = 120.0 * kPi / 180.0;  // of a circle that the rest
 constexpr int kOrder = 8;               // harmonics that fill gaps; half as many tell how well they can be filled
 constexpr std::size_t kFewest = 8;      // stations
 constexpr double kWidestSmooth = 15.0;  // half the arc that extremes are smoothed over [deg]
-constexpr double kUnseen = 6.096;       // a gap of 20 ft may hide what would fail [m]
 
 /// The most steps from a seen station to the next.
 std::size_t widestGap(const std::vector<ShellCell>& row) {
@@ -55,9 +56,9 @@ Circle circleThrough(const std::vector<ShellCell>& row, const std::vector<Statio
 
 /// Undecided where the tolerance lies within the 95 % interval, or where what passes was not all seen.
 Verdict verdictOf(const Roundness& r) {
-  constexpr double k95 = 1.96;
-  if (r.largest() - k95 * r.sigma > r.tolerance) return Verdict::Fail;
-  return r.largest() + k95 * r.sigma <= r.tolerance && r.widest_gap <= kUnseen ? Verdict::Pass : Verdict::Undecided;
+  if (r.largest() - kNormal95 * r.sigma > r.tolerance) return Verdict::Fail;
+  return r.largest() + kNormal95 * r.sigma <= r.tolerance && r.widest_gap <= kSurveySpacing ? Verdict::Pass
+                                                                                            : Verdict::Undecided;
 }
 
 /// Returns the station of the larger one.

@@ -9,6 +9,15 @@ ROOT = Path(__file__).parents[2]
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')
 PARALLEL = Path("src/core/parallel.cpp")
 RAW_OPENMP = re.compile(r'#\s*pragma\s+omp\b|#\s*include\s+[<"]omp\.h[>"]')
+MOST_LINES = 250
+SOURCES = {".h", ".hpp", ".cpp", ".c", ".py", ".js", ".css", ".cmake", ".txt", ".sh", ""}
+# Above it, until each is taken apart by subject.
+LONG = {
+    "src/io/pcd_header.cpp",
+    "src/locate/locate.cpp",
+    "src/setups/setup_adjustment.cpp",
+    "tests/python/test_options.py",
+}
 PROGRAMS = {"bench", "rates", "synth", "view"}
 # a text, or a comment, which may hold quotes too
 TEXT = re.compile(r""""(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|`[^`]*`|//.*""")
@@ -111,10 +120,9 @@ def test_includes_go_down_only() -> None:
             "the program view includes a header of its sibling",
         ),
     ],
+    ids=["upward", "report", "chain", "private", "program", "sibling"],
 )
-def test_a_forbidden_include_is_named_with_file_line_and_rule(
-    path: str, include: str, rule: str
-) -> None:
+def test_a_forbidden_include_is_named(path: str, include: str, rule: str) -> None:
     (found,) = violations(f'#pragma once\n#include "{include}"\n', Path(path))
     assert found.startswith(f"{path}:2: ")
     assert rule in found
@@ -173,6 +181,21 @@ def scripts_of_the_page() -> list[Path]:
 )
 def test_a_flag_in_a_text_is_named_with_its_line(line: str, named: bool) -> None:
     assert bool(flags_in(line, Path("src/limits/checks.cpp"))) == named
+
+
+def test_files_are_short() -> None:
+    """Every source, script and build file; data aside."""
+    files = [
+        path
+        for folder in ("src", "include", "apps", "tests", "scripts")
+        for path in sorted((ROOT / folder).rglob("*"))
+        if path.is_file() and path.suffix in SOURCES and "__pycache__" not in path.parts
+    ]
+    files = [path for path in files if not path.is_relative_to(ROOT / "tests/data")]
+    assert len(files) > 400
+    lines = {str(path.relative_to(ROOT)): path.read_bytes().count(b"\n") for path in files}
+    long = [f"{name}: {count} lines" for name, count in lines.items() if count > MOST_LINES]
+    assert not [line for line in long if line.split(":")[0] not in LONG], "\n".join(long)
 
 
 def test_the_maintainers_page_is_short_and_names_what_is_there() -> None:

@@ -5,6 +5,8 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+__version__: str
+
 class OptionError(ValueError): ...
 class FileError(OSError): ...
 
