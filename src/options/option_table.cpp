@@ -1,62 +1,18 @@
 #include "options/option_table.h"
 
-#include <utility>
-
 #include "core/length_units.h"
+#include "options/option_rows.h"
 
 namespace tank_datum {
 namespace {
 
-/// One of an enum's values, by the names that nameOf gives them.
-template <typename Enum>
-Choice choiceOf(Enum& value, const std::vector<Enum>& all) {
-  Choice choice;
-  for (const Enum one : all) choice.words.emplace_back(nameOf(one));
-  choice.get = [&value] { return std::string(nameOf(value)); };
-  choice.set = [&value, all](const std::string& word) {
-    for (const Enum one : all) {
-      if (word == nameOf(one)) value = one;
-    }
-  };
-  return choice;
-}
-
-Choice choiceOf(std::string& value, std::vector<std::string> words) {
-  Choice choice;
-  choice.words = std::move(words);
-  choice.get = [&value] { return value; };
-  choice.set = [&value](const std::string& word) { value = word; };
-  return choice;
-}
-
-/// The same, or none of them.
-Choice anyOf(std::string& value, std::vector<std::string> words) {
-  Choice choice = choiceOf(value, std::move(words));
-  choice.needed = false;
-  return choice;
-}
+using namespace option_rows;
 
 std::vector<std::string> unitNames() {
   std::vector<std::string> names;
   for (const auto& [name, metres] : kUnits) names.push_back(name);
   return names;
 }
-
-struct Table {
-  std::vector<Option> rows;
-  std::string topic;
-
-  Option& add(const std::string& name, const std::string& place, OptionValue value, const std::string& help) {
-    rows.push_back({name, place, std::move(value), help, topic, Unit::None, {}, Giver::All, 0, false, true});
-    return rows.back();
-  }
-  /// A field that only C++ can set; it is refused by its place.
-  Option& library(const std::string& place, OptionValue value) {
-    Option& row = add(place, place, std::move(value), "");
-    row.giver = Giver::Library;
-    return row;
-  }
-};
 
 void addDatum(Table& t, DatumOptions& o) {
   t.topic = "The datum";

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "support/made_clouds.h"
-#include "support/refused.h"
 #include "support/scanned_tanks.h"
 
 namespace tank_datum {

@@ -102,7 +102,7 @@ TEST_F(BaselineFile, IsRefusedForAnotherMethodOrTank) {
   EXPECT_NE(refusal(given).find("radius of option tank"), std::string::npos);
   MovementOptions bad;
   bad.correlation = -1.0;
-  EXPECT_NE(refusal({}, bad).find("movement.correlation"), std::string::npos);
+  EXPECT_NE(refusal({}, bad).find("correlation_deg"), std::string::npos);
 }
 
 TEST_F(BaselineFile, MustBeAmongTheTanksOfTheScan) {

@@ -6,7 +6,6 @@
 
 #include "support/made_epochs.h"
 #include "support/refused.h"
-#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {

@@ -128,7 +128,7 @@ def test_printed_limits_are_those_used(run: Runner, synth: Synth, tmp_path: Path
         (("--modulus-mpa", 206), "--modulus-mpa, 206, expected > 50000"),
         (("--roof", "dome"), "--roof"),
         (("--foundation", "sand"), "--foundation"),
-        (("--classic-points", -4), "analysis.classic_points, -4"),
+        (("--classic-points", -4), "--classic-points, -4, expected >= 0"),
     ],
 )
 def test_refused_options(

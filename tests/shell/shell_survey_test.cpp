@@ -148,9 +148,9 @@ TEST(ShellOptions, AreRefusedByName) {
   };
   EXPECT_EQ(refused([](auto& o) { o.heights = {0.5, 0.4}; }), "heights, 0.4, expected > 0 m and above the one before");
   EXPECT_EQ(refused([](auto& o) { o.heights = {0.0}; }), "heights, 0, expected > 0 m and above the one before");
-  EXPECT_EQ(refused([](auto& o) { o.heights = {1.0, INFINITY}; }).rfind("shell.heights = inf", 0), 0U);
+  EXPECT_EQ(refused([](auto& o) { o.heights = {1.0, INFINITY}; }).rfind("heights, inf, ", 0), 0U);
   EXPECT_EQ(refused([](auto& o) { o.step = 0.05; }), "height_step, 0.05, expected >= 0.1 m");
-  EXPECT_EQ(refused([](auto& o) { o.step = NAN; }).rfind("shell.step = ", 0), 0U);
+  EXPECT_EQ(refused([](auto& o) { o.step = NAN; }).rfind("height_step, nan, ", 0), 0U);
   EXPECT_EQ(refused([](auto& o) { o.half_band = 0.0; }), "shell.half_band, 0, expected > 0 m");
   EXPECT_EQ(refused([](auto& o) { o.reach = -1.0; }), "shell.reach, -1, expected > 0 m");
   EXPECT_EQ(refused([](auto& o) { o.cell_points = 49; }), "shell.cell_points, 49, expected >= 50");
