@@ -21,7 +21,7 @@ STRUCTURES = re.compile(
     r"^(?P<indent>[ \t]*)constexpr (?P<type>[A-Z]\w*) (?P<rest>k\w+\{[^;]*\});", re.MULTILINE
 )
 ONE = re.compile(r"\s*(?P<name>k\w+)\s*=\s*(?P<value>.*)", re.DOTALL)
-NUMBER = re.compile(r"(?<![\w\"'.])\d[\d']*(?:\.\d*)?(?:[eE][+-]?\d+)?(?![\w\"'.])")
+NUMBER = re.compile(r"(?<![\w\"'.])\d[\d']*(?:\.\d*)?(?:[eE][+-]?\d+)?[fFuUlL]*(?![\w\"'.])")
 INTEGER = re.compile(r"-?\d[\d']*[uUlL]*")
 
 HEADER = """#pragma once

@@ -19,8 +19,11 @@ template <typename... Values>
 std::string line(const char* title, const char* format, Values... values) {
   char titled[20], text[240];
   std::snprintf(titled, sizeof titled, "%-14s ", title);
-  if constexpr (sizeof...(values) == 0) return std::string(titled) + format + "\n";
-  std::snprintf(text, sizeof text, format, values...);
+  if constexpr (sizeof...(values) == 0) {
+    std::snprintf(text, sizeof text, "%s", format);
+  } else {
+    std::snprintf(text, sizeof text, format, values...);
+  }
   return std::string(titled) + text + "\n";
 }
 

@@ -12,7 +12,9 @@ import pytest
 
 from programs import ROOT, executable
 
-PROGRAMS = ("tank_datum", "tank_datum_compare", "tank_datum_curves", "tank_datum_bench")
+PROGRAMS = [
+    f"tank_datum{name}" for name in ("", "_bench", "_compare", "_curves", "_rates", "_synth")
+]
 
 
 @pytest.fixture(scope="module")

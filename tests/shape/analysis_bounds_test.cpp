@@ -116,5 +116,15 @@ TEST(SecondDifferenceRows, PointsTypedInMayBeThirtyTwoFeetApart) {
   EXPECT_LT(rows(9.9), rows(5.0));
 }
 
+TEST(LevelRows, StationsAMillionthFurtherApartThanTheArcAreWithinIt) {
+  const auto rows = [](double beyond) {
+    auto stations = survey(level(36), 10.0);
+    const RingSeries z(stations, &Station::z, &Station::sigma_z);
+    return levelRows(z, 10.0, kTurn * 10.0 / 36.0 / (1.0 + beyond)).size();
+  };
+  EXPECT_EQ(rows(0.8e-6), rows(0.0));
+  EXPECT_LT(rows(1.3e-6), rows(0.0));
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -104,7 +104,7 @@ TEST(TellsApart, NoWaveMayBeFiveTimesAsUncertainAsAllRound) {
   for (const auto& [missing, least, most] : {std::tuple(83, 12.5, 25.0), {91, 25.0, 50.0}}) {
     const WaveData data = waveData(survey(withGap(360, static_cast<std::size_t>(missing)), 30.0, 0.001), 1);
     const auto count = static_cast<Eigen::Index>(data.count());
-    const Eigen::MatrixXd rows = RingModel::rowsAt(Eigen::Map<const Eigen::VectorXd>(data.azimuths.data(), count), 4);
+    const Eigen::MatrixXd rows = harmonicRows(Eigen::Map<const Eigen::VectorXd>(data.azimuths.data(), count), 4);
     const double worst = (rows.transpose() * rows).inverse().diagonal().maxCoeff() * static_cast<double>(count) / 2.0;
     EXPECT_GT(worst, least) << missing;
     EXPECT_LT(worst, most) << missing;
