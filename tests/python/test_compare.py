@@ -156,12 +156,12 @@ def test_a_failure_leaves_the_earlier_result(tmp_path: Path) -> None:
     [
         (["--remove", "all"], 2, "--remove"),
         (["--azimuth-offset-deg", "north"], 2, "--azimuth-offset-deg"),
-        (["--azimuth-offset-deg", "9", "--estimate-azimuth-offset"], 2, "azimuth_offset"),
-        (["--registration-tilt-arcsec", "-1"], 2, "registration_tilt"),
-        (["--registration-error", "-1"], 2, "registration_error"),
-        (["--correlation-deg", "-1"], 2, "correlation"),
-        (["--radius-difference", "0"], 2, "radius_difference"),
-        (["--centre-distance", "0"], 2, "centre_distance"),
+        (["--azimuth-offset-deg", "9", "--estimate-azimuth-offset"], 2, "--azimuth-offset-deg, 9"),
+        (["--registration-tilt-arcsec", "-1"], 2, "--registration-tilt-arcsec, -1"),
+        (["--registration-error", "-1"], 2, "--registration-error, -1"),
+        (["--correlation-deg", "-1"], 2, "--correlation-deg, -1"),
+        (["--radius-difference", "0"], 2, "--radius-difference, 0"),
+        (["--centre-distance", "0"], 2, "--centre-distance, 0"),
     ],
 )
 def test_bad_options_are_refused_by_name(

@@ -44,7 +44,8 @@ def no_datum(result: Run, folder: Path, *statuses: str) -> None:
     datum = read_datum(folder)
     assert datum["status"] in statuses
     assert datum["message"]
-    one_line(result, datum["status"], datum["message"])
+    # the record says "option up x", the command's own line "--up x"
+    one_line(result, datum["status"], datum["message"].replace("option up ", "--up "))
     assert sorted(p.name for p in folder.iterdir()) == [
         "datum.json",
         "manifest.json",

@@ -183,7 +183,7 @@ def extract_datum(
     progress:
         called with the name of each stage as it begins; what it raises ends the run.
     options:
-        those of the command line with underscores, listed below; defaults() has their values.
+        those of the command line with underscores; help() lists them, defaults() their values.
 
     Raises OptionError (a ValueError) for a refused option, FileError (an OSError) for a file that
     cannot be read, TypeError for points or options of the wrong type. What the scan lacks is no
@@ -201,4 +201,6 @@ def extract_datum(
     return Datum(_core.extract(paths, arrays, options, progress))
 
 
-extract_datum.__doc__ = f"{extract_datum.__doc__}\n    Options:\n{_core.keyword_help()}"
+_KEYWORDS = _core.keyword_help()
+if isinstance(_KEYWORDS, str):  # the documentation is made without the compiled part
+    extract_datum.__doc__ = f"{extract_datum.__doc__}\n    Options:\n{_KEYWORDS}"
