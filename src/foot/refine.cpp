@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/statistics.h"
 #include "core/units.h"
@@ -112,22 +111,6 @@ void recentre(std::vector<Station>& stations, const Eigen::Vector2d& from, const
 }
 
 }  // namespace
-
-std::string firstError(const RefineOptions& options) {
-  char text[96] = "";
-  const auto refuse = [&text](const char* name, double value) {
-    if (value > 0.0 || text[0] != '\0') return;
-    std::snprintf(text, sizeof text, "refine.%s = %g m (must be > 0)", name, value);
-  };
-  refuse("largest_weld", options.largest_weld);
-  refuse("widest_band", options.widest_band);
-  refuse("widest_window", options.widest_window);
-  refuse("wanted_sigma", options.wanted_sigma);
-  if (options.profile_points < 0 && text[0] == '\0') {
-    std::snprintf(text, sizeof text, "refine.profile_points = %d (must be >= 0)", options.profile_points);
-  }
-  return text;
-}
 
 Refined refineStations(std::vector<Station>& stations, const Ring& ring, const Tank& tank, const RefineOptions& options,
                        const StationOptions& station_options) {

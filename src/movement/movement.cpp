@@ -91,25 +91,6 @@ const char* nameOf(Removal removal) {
   return removal == Removal::Nothing ? "none" : removal == Removal::Mean ? "mean" : "tilt";
 }
 
-std::string firstError(const MovementOptions& options) {
-  const std::pair<const char*, double> lengths[] = {{"movement.registration_error", options.registration_error},
-                                                    {"movement.registration_tilt", options.registration_tilt},
-                                                    {"movement.correlation", options.correlation}};
-  for (const auto& [name, value] : lengths) {
-    if (!(value >= 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be >= 0)";
-  }
-  const std::pair<const char*, double> tolerances[] = {{"movement.radius_difference", options.radius_difference},
-                                                       {"movement.centre_distance", options.centre_distance}};
-  for (const auto& [name, value] : tolerances) {
-    if (!(value > 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be > 0)";
-  }
-  if (!std::isfinite(options.azimuth_offset)) return "movement.azimuth_offset = not finite (must be an angle)";
-  if (options.estimate_offset && options.azimuth_offset != 0.0) {
-    return "movement.azimuth_offset = " + text(options.azimuth_offset) + " (must be 0 when it is estimated)";
-  }
-  return {};
-}
-
 void requireValid(const MovementOptions& options) { refuseFirst(firstError(options)); }
 
 void requireErrors(const Epoch& epoch) {

@@ -43,12 +43,21 @@ std::string errorsNote(const RingModel& model) {
   char text[280];
   std::snprintf(text, sizeof text,
                 over > 1.0 ? "The stations depart from the fitted waves by %.1f times their standard errors (sigma_z): "
-                             "a shape shorter than the waves, such as a dip, or errors that neighbours share. The "
-                             "intervals allow for it."
+                             "errors that neighbours share. The intervals allow for it."
                            : "The stations scatter by %.1f times their standard errors (sigma_z) only: what is given "
                              "is used.",
                 over);
   return text;
+}
+
+std::vector<LocalSettlement> localSettlementsOf(const RingModel& model) {
+  std::vector<LocalSettlement> all;
+  for (const RingModel::Local& local : model.locals()) {
+    const double azimuth = local.shape.centre - kTwoPi * std::floor(local.shape.centre / kTwoPi);
+    all.push_back({azimuth, 2.0 * local.shape.half_width, local.height, local.sigma});
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.azimuth < b.azimuth; });
+  return all;
 }
 
 std::vector<std::string> notesOf(const std::vector<Station>& stations, const Tilt& tilt, const Analysis& analysis) {
@@ -84,21 +93,13 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
 
 }  // namespace
 
-std::string firstError(const AnalysisOptions& options) {
-  const std::string error = firstError(options.facts);
-  if (!error.empty()) return error;
-  if (options.classic_points < 0) {
-    return "analysis.classic_points = " + std::to_string(options.classic_points) + " (must be >= 0)";
-  }
-  return {};
-}
-
 Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius, const AnalysisOptions& options,
                  const std::vector<Measure>& shell, const StationCovariance& covariance) {
   Analysis result;
   const SimulatedSurveys surveys(stations, radius, covariance);
   result.harmonics = harmonicsOf(stations, radius, surveys.model());
   result.out_of_plane = fitOutOfPlane(stations, radius, surveys.model());
+  result.local_settlements = localSettlementsOf(surveys.model());
   result.second_differences = secondDifferencesOf(stations, radius, options.classic_points);
   result.arcs = settlementArcs(stations, radius);
   result.longest_gap = longestGap(stations, radius);

@@ -93,7 +93,7 @@ Eigen::VectorXd errorVariances(const RingPriors& priors, int order) {
   return variances;
 }
 
-RingPriors likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
+std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
   const bool neighbours = beliefs.neighbours.has_value();
   const double sigma = beliefs.sigma, shared = std::max(0.02 * sigma, beliefs.neighbours.value_or(0.0));
   const Numbers least = {std::log(1e-3 * sigma), 0.5, std::log(shared), std::log(2.0 * kPi / 180.0)};
@@ -107,7 +107,8 @@ RingPriors likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
     const double here = value(x);
     if (here < before) before = here, start = x;
   }
-  return priorsOf(lowest(start, least, most, neighbours ? 4 : 2, value), neighbours);
+  const Numbers best = lowest(start, least, most, neighbours ? 4 : 2, value);
+  return {priorsOf(best, neighbours), value(best)};
 }
 
 }  // namespace tank_datum

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "support/made_surveys.h"
+#include "support/refused.h"
 
 namespace tank_datum {
 namespace {
@@ -144,9 +145,9 @@ TEST(Analyse, ShellFiguresGoToTheLimitsToo) {
 TEST(AnalysisOptions, AreRefusedByName) {
   AnalysisOptions options;
   options.classic_points = -1;
-  EXPECT_EQ(firstError(options), "analysis.classic_points = -1 (must be >= 0)");
+  EXPECT_EQ(said(firstError(options)), "classic_points, -1, expected >= 0");
   options.facts.height = 0;
-  EXPECT_EQ(firstError(options), "facts.height = 0 (must be in m, > 0 and at most 100)");
+  EXPECT_EQ(said(firstError(options)), "height, 0, expected > 0 and <= 100 m");
 }
 
 }  // namespace

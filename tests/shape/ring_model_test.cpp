@@ -43,7 +43,7 @@ TEST(RingModel, AFoundationUsuallyWavesByOneInFourThousandOfItsRadius) {
   EXPECT_NEAR(ringData(survey(level(8), 40.0, 0.001), 40.0, {}).usual_wave, 0.010, 1e-12);
 }
 
-TEST(RingModel, ElevationsWithoutSigmasAreKnownToATenthOfTheirScatterAndNoBetterThanToATenthOfAMicrometre) {
+TEST(RingModel, ElevationsWithoutSigmasAreKnownToATenthOfTheirScatterAndOfAMicrometre) {
   const auto sigma = [](double scatter) {
     return modelOf(wave(8, [=](double a) { return scatter * (std::cos(4.0 * a) > 0.0 ? 1.0 : -1.0); }), kUnknown)
         .data()
@@ -104,7 +104,7 @@ TEST(TellsApart, NoWaveMayBeFiveTimesAsUncertainAsAllRound) {
   for (const auto& [missing, least, most] : {std::tuple(83, 12.5, 25.0), {91, 25.0, 50.0}}) {
     const WaveData data = waveData(survey(withGap(360, static_cast<std::size_t>(missing)), 30.0, 0.001), 1);
     const auto count = static_cast<Eigen::Index>(data.count());
-    const Eigen::MatrixXd rows = RingModel::rowsAt(Eigen::Map<const Eigen::VectorXd>(data.azimuths.data(), count), 4);
+    const Eigen::MatrixXd rows = harmonicRows(Eigen::Map<const Eigen::VectorXd>(data.azimuths.data(), count), 4);
     const double worst = (rows.transpose() * rows).inverse().diagonal().maxCoeff() * static_cast<double>(count) / 2.0;
     EXPECT_GT(worst, least) << missing;
     EXPECT_LT(worst, most) << missing;

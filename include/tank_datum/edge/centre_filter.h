@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/fit/circle.h"
 #include "tank_datum/io/scan.h"
@@ -17,8 +18,8 @@ struct CentreFilterOptions {
   double tolerance = 0.0;
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const CentreFilterOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const CentreFilterOptions& options);
 
 /// Candidates near the circle of the datum, in order round it.
 struct EdgePoints {

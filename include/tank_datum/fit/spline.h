@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -14,8 +16,8 @@ struct SplineOptions {
   int check_every = 5;     ///< every n-th ordered point checks the curve and is not used in the fit
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const SplineOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const SplineOptions& options);
 
 /// The four uniform cubic B-spline basis functions at t in [0, 1] (the paper's G0..G3; its G1 is printed with -3t^3 and
 /// must have +3t^3: the four sum to 1).

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/foot/foot_profile.h"
@@ -21,8 +23,8 @@ struct RefineOptions {
   int profile_points = 0;        ///< points of each station's section kept for the report; moves no result
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const RefineOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const RefineOptions& options);
 
 /// What the refinement found for the tank as a whole.
 struct Refined {

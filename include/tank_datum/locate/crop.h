@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/io/scan.h"
 #include "tank_datum/locate/locate.h"
@@ -17,8 +19,8 @@ struct CropOptions {
   std::size_t fit_points = 4'000'000;     ///< of more points in the ring an even share is kept for the fits
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const CropOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const CropOptions& options);
 
 /// The points of a scan near the datum, about the tank's centre.
 struct Ring {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/fit/circle.h"
 #include "tank_datum/fit/harmonics.h"
@@ -22,8 +23,8 @@ struct LocateOptions {
   std::size_t sample_points = 500'000;  ///< bound of the thinned sample
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const LocateOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const LocateOptions& options);
 
 /// A vertical cylinder standing in the scan, to the accuracy of the thinned sample.
 struct Tank {

@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tank_datum/core/default_init_allocator.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/io/scan.h"
 
@@ -24,8 +26,8 @@ struct NormalOptions {
   SearchEngine search = SearchEngine::Flann;  ///< who finds them and fits the normals; both find the same neighbours
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const NormalOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const NormalOptions& options);
 
 /// Rows of k point indices, nearest first, the point itself included.
 using Neighbours = std::vector<std::int32_t, DefaultInitAllocator<std::int32_t>>;
