@@ -14,7 +14,7 @@ from pathlib import Path
 
 ROOMS = (
     "core fit io search edge stations limits locate setups foot shell shape trust . "
-    "pcl movement report"
+    "pcl movement options report"
 ).split()
 QUICK = 0.5  # [s]: cases up to here are run before the others of their room
 

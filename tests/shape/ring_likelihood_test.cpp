@@ -17,7 +17,7 @@ RingPriors priorsFrom(const std::vector<double>& squares, const RingBeliefs& bel
   for (std::size_t k = 0; k < squares.size(); ++k) waves[3 + 2 * static_cast<Eigen::Index>(k)] = std::sqrt(squares[k]);
   const Eigen::MatrixXd normal = weight * Eigen::MatrixXd::Identity(size, size);
   const Eigen::VectorXd rhs = weight * waves;
-  return likeliestPriors({normal, rhs, 0.0, 360, order, 1.0}, beliefs);
+  return likeliestPriors({normal, rhs, 0.0, 360, order, 1.0}, beliefs).first;
 }
 
 TEST(LikeliestPriors, WithoutDataAreTheUsualOnes) {

@@ -43,7 +43,7 @@ TEST(RingModel, AFoundationUsuallyWavesByOneInFourThousandOfItsRadius) {
   EXPECT_NEAR(ringData(survey(level(8), 40.0, 0.001), 40.0, {}).usual_wave, 0.010, 1e-12);
 }
 
-TEST(RingModel, ElevationsWithoutSigmasAreKnownToATenthOfTheirScatterAndNoBetterThanToATenthOfAMicrometre) {
+TEST(RingModel, ElevationsWithoutSigmasAreKnownToATenthOfTheirScatterAndOfAMicrometre) {
   const auto sigma = [](double scatter) {
     return modelOf(wave(8, [=](double a) { return scatter * (std::cos(4.0 * a) > 0.0 ? 1.0 : -1.0); }), kUnknown)
         .data()
