@@ -6,16 +6,16 @@
 #include "datum_stages.h"
 #include "exit_status.h"
 #include "io/up_axis.h"
+#include "movement/baseline.h"
+#include "movement/movement.h"
+#include "report/provenance.h"
 #include "results/manifest.h"
 #include "results/output_file.h"
 #include "results/result_folder.h"
 #include "run_main.h"
 #include "stage_clock.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/levelling.h"
-#include "tank_datum/movement/baseline.h"
-#include "tank_datum/report/report.h"
-#include "tank_datum/report/report_page.h"
+#include "tank_datum/locate/tank.h"
 #include "terminal.h"
 
 namespace tank_datum {
@@ -40,21 +40,24 @@ std::string fileToOpen(const Command& command, const std::string& part) {
 }
 
 std::vector<Datum> extract(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
-  const auto observer = [&clock](const char* stage) { clock.begin(stage); };
+  Callbacks callbacks;
+  callbacks.stage = [&clock](const char* stage) { clock.begin(stage); };
   clock.begin("open");
   const double metres = command.metresPerUnit();
   if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.options)};
   Scan scan = Scan::open(command.scans, metres);
   if (command.up != "z") scan = scan.turned(upRotation(command.up));
   scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
-  const std::vector<Tank> tanks = findTanks(scan, command.options, observer);
-  if (baseline) requireAmong(tanks, scan.origin(), *baseline);
-  if (command.all) return extractDatumsOf(tanks, scan, command.options, observer);
-  const Datum datum = extractDatumAmong(tanks, scan, command.options, observer);
-  if (!command.options.level || !datum.lean.known()) return {datum};
-  DatumOptions upright = command.options;
-  upright.level = false;
-  return {extractDatum(levelled(scan, datum), upright, observer)};
+  callbacks.tanks = [&](const std::vector<Tank>& tanks) {
+    if (baseline) requireAmong(tanks, scan.origin(), *baseline);
+  };
+  if (!command.all) return {extractDatum(scan, command.options, callbacks)};
+  std::vector<Tank> tanks = findTanks(scan, command.options, callbacks);
+  callbacks.tanks(tanks);
+  if (tanks.empty()) tanks.emplace_back();
+  std::vector<Datum> datums;
+  for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, command.options, callbacks));
+  return datums;
 }
 
 /// The movement of one of several tanks; of those that are not the baseline's it says so.

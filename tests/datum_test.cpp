@@ -7,6 +7,7 @@
 
 #include "support/made_clouds.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum {
 namespace {
@@ -109,7 +110,7 @@ TEST(ExtractDatum, OfHalfATankIsPartialAndSaysWhatIsMissing) {
 
 TEST(ExtractDatum, TellsItsObserverEachStageInOrder) {
   std::vector<std::string> stages;
-  extractDatum(Scan::fromPoints(tankPoints()), {}, [&](const char* stage) { stages.push_back(stage); });
+  extractDatum(Scan::fromPoints(tankPoints()), {}, {[&](const char* stage) { stages.push_back(stage); }, {}, {}});
   const std::vector<std::string> first = {"locate",         "crop",          "setups", "normals",
                                           "region_growing", "centre_filter", "spline"};
   ASSERT_GE(stages.size(), first.size());
@@ -121,14 +122,15 @@ TEST(ExtractDatum, TakesItsNormalsFromTheStageGiven) {
   options.method = Method::Paper;
   options.threads = 1;
   std::size_t asked = 0;
-  const NormalStage upright = [&](const Points& points, const NormalOptions& normals, int threads) {
+  Callbacks callbacks;
+  callbacks.normals = [&](const Points& points, const NormalOptions& normals, int threads) {
     asked = points.size();
     EXPECT_EQ(threads, 1);
     Normals result = estimateNormals(points, normals, threads);
     for (auto& n : result.normals) n = Eigen::Vector3f::UnitZ();  // no crease
     return result;
   };
-  const Datum datum = extractDatum(Scan::fromPoints(tankPoints()), options, {}, upright);
+  const Datum datum = extractDatum(Scan::fromPoints(tankPoints()), options, callbacks);
   EXPECT_GT(asked, 10'000U);
   EXPECT_EQ(datum.status, Status::FitFailed) << datum.message;
   EXPECT_TRUE(datum.edge_points.empty());
@@ -139,7 +141,7 @@ TEST(ExtractDatum, OptionsReachTheirStages) {
   const auto with = [&](const std::function<void(DatumOptions&)>& change) {
     DatumOptions options;
     change(options);
-    return extractDatumOf(wholeTank().tank, scan, options);
+    return extractDatum(wholeTank().tank, scan, options);
   };
   const std::size_t edge = wholeTank().edge_points.size();
   EXPECT_GT(with([](auto& o) { o.normals.k = 40; }).edge_points.size(), edge);
@@ -154,6 +156,29 @@ TEST(ExtractDatum, SmallestRadiusDecidesWhetherThereIsATank) {
   DatumOptions options;
   options.locate.min_radius = 6.0;
   EXPECT_EQ(extractDatum(Scan::fromPoints(tankPoints()), options).status, Status::NoTank);
+}
+
+TEST(ExtractDatum, OfATankThatIsNotThereKeepsOriginAndCounts) {
+  DatumOptions options;
+  options.pick = 5;
+  const Scan scan = Scan::fromPoints(tankPoints({1000, 2000, 50}));
+  std::size_t found = 0;
+  const Datum datum =
+      extractDatum(scan, options, {{}, [&](const std::vector<Tank>& tanks) { found = tanks.size(); }, {}});
+  EXPECT_EQ(found, 1U);
+  EXPECT_EQ(datum.status, Status::NoTank);
+  EXPECT_EQ(datum.message, "only 1 found, no tank 5 to pick");
+  EXPECT_EQ(datum.origin, scan.origin());
+  EXPECT_EQ(datum.counts.points, scan.size());
+}
+
+TEST(ExtractDatum, OfNoTankIsThatOfAScanWithoutOne) {
+  const Scan scan = Scan::fromPoints(floorPoints(50'000, 8.0));
+  ASSERT_TRUE(findTanks(scan, {}).empty());
+  const Datum datum = extractDatum(Tank(), scan, {}), whole = extractDatum(scan, {});
+  EXPECT_EQ(datum.status, Status::NoTank);
+  EXPECT_EQ(datum.message, whole.message);
+  EXPECT_EQ(datum.counts.points, scan.size());
 }
 
 TEST(ExtractDatum, OfAShellWithoutAFoundationFindsNoCrease) {
@@ -171,13 +196,13 @@ TEST(ExtractDatum, WithoutEdgePointsTheFitFails) {
   DatumOptions options;
   options.method = Method::Paper;
   options.growing.angle = 1.57;
-  const Datum datum = extractDatumOf(wholeTank().tank, Scan::fromPoints(tankPoints()), options);
+  const Datum datum = extractDatum(wholeTank().tank, Scan::fromPoints(tankPoints()), options);
   EXPECT_EQ(datum.status, Status::FitFailed) << datum.message;
   EXPECT_FALSE(datum.usable());
 }
 
 TEST(ExtractDatum, OfARingWithFewerPointsThanNeighboursHasTooFew) {
-  const Datum datum = extractDatumOf(wholeTank().tank, Scan::fromPoints({{kRadius, 0, 0.5}, {0, kRadius, 0.5}}), {});
+  const Datum datum = extractDatum(wholeTank().tank, Scan::fromPoints({{kRadius, 0, 0.5}, {0, kRadius, 0.5}}), {});
   EXPECT_EQ(datum.status, Status::TooFewPoints) << datum.message;
 }
 

@@ -5,8 +5,9 @@
 #include <cstdio>
 
 #include "core/units.h"
+#include "shape/deformation.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/shape/deformation.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum::view {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/spline.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/fit/spline.h"
 
 namespace tank_datum {
 namespace {

@@ -9,7 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "tank_datum/movement/baseline.h"
+#include "movement/baseline.h"
+#include "movement/movement.h"
 
 namespace py = pybind11;
 
@@ -87,15 +88,17 @@ struct Job {
   }
 
   void extract(const Scan& scan, const std::optional<Baseline>& baseline) {
-    const auto tell = [this](const char* stage) {
+    Callbacks callbacks;
+    callbacks.stage = [this](const char* stage) {
       if (given_up) throw GivenUp();
       const std::lock_guard<std::mutex> lock(mutex);
       stages.emplace_back(stage);
       told.notify_one();
     };
-    const std::vector<Tank> tanks = findTanks(scan, options.datum, tell);
-    if (baseline) requireAmong(tanks, scan.origin(), *baseline);
-    result.datum = extractDatumAmong(tanks, scan, options.datum, tell);
+    callbacks.tanks = [&](const std::vector<Tank>& tanks) {
+      if (baseline) requireAmong(tanks, scan.origin(), *baseline);
+    };
+    result.datum = extractDatum(scan, options.datum, callbacks);
     result.provenance = provenanceOf(recordInputs(points.paths), options.units, options.datum, result.datum);
     result.provenance.baseline = options.baseline;
     result.provenance.movement_options = options.movement;

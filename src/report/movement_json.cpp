@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "tank_datum/report/report.h"
+#include "movement/movement.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

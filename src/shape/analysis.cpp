@@ -1,17 +1,22 @@
-#include "tank_datum/shape/analysis.h"
+#include "shape/analysis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "core/units.h"
+#include "limits/checks.h"
+#include "shape/deformation.h"
 #include "shape/figures.h"
+#include "shape/out_of_plane.h"
 #include "shape/ring_fits.h"
+#include "shape/second_differences.h"
+#include "shape/settlement_arcs.h"
+#include "stations/stations.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kWidestGap = 6.096;  // 20 ft [m]
 
 void addTilt(const Tilt& tilt, double radius, std::vector<Measure>& measures) {
   const double slope = tilt.valid() ? tilt.slope() : kUnknown;
@@ -68,7 +73,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
         100.0 * tilt.r2);
     notes.push_back(text);
   }
-  if (analysis.longest_gap > kWidestGap && stations.size() > 64) {
+  if (analysis.longest_gap > kTwentyFeet && stations.size() > 64) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
@@ -94,12 +99,13 @@ std::string firstError(const AnalysisOptions& options) {
   return {};
 }
 
-Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius, const AnalysisOptions& options,
+Analysis analyse(const std::vector<Station>& measured, const Tilt& tilt, double radius, const AnalysisOptions& options,
                  const std::vector<Measure>& shell, const StationCovariance& covariance) {
   Analysis result;
-  const SimulatedSurveys surveys(stations, radius, covariance);
-  result.harmonics = harmonicsOf(stations, radius, surveys.model());
-  result.out_of_plane = fitOutOfPlane(stations, radius, surveys.model());
+  const SimulatedSurveys surveys(measured, radius, covariance);
+  result.harmonics = harmonicsOf(measured, radius, surveys.model());
+  result.out_of_plane = fitOutOfPlane(measured, radius, surveys.model());
+  const std::vector<Station> stations = withParts(measured, result.out_of_plane.stations);
   result.second_differences = secondDifferencesOf(stations, radius, options.classic_points);
   result.arcs = settlementArcs(stations, radius);
   result.longest_gap = longestGap(stations, radius);
@@ -112,7 +118,7 @@ Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius
   figures.addLevels(result);
   result.measures = figures.all();
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
-  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kWidestGap, 2.01 * step);
+  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kTwentyFeet, 2.01 * step);
   addTilt(tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), shell.begin(), shell.end());
   addAntipodal(stations, result.measures);

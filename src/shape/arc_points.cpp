@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "stations/placed_value.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr std::size_t kMostPoints = 64;
-constexpr double kWanted = 6.096;  ///< 20 ft between survey points [m]
+constexpr double kWanted = kTwentyFeet;  ///< between survey points [m]
 constexpr int kFewestPoints = 8;
 
 /// Survey points among dense stations, the first at the station furthest out of plane.

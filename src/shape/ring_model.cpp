@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/deviates.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/harmonics.h"
 #include "shape/ring_likelihood.h"
-#include "tank_datum/fit/harmonics.h"
+#include "stations/station_covariance.h"
 
 namespace tank_datum {
 namespace {
@@ -178,62 +178,6 @@ Eigen::MatrixXd RingModel::covariance() const {
   Eigen::MatrixXd covariance = shares.asDiagonal() * inverse.topLeftCorner(waves, waves) * shares.asDiagonal();
   covariance.diagonal() += own;
   return covariance;
-}
-
-RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
-  Deviates normal(seed);
-  const auto drawn = [&](Eigen::Index rows) {
-    Eigen::MatrixXd m(rows, draws);
-    for (Eigen::Index j = 0; j < m.cols(); ++j) {
-      for (Eigen::Index i = 0; i < rows; ++i) m(i, j) = normal();
-    }
-    return m;
-  };
-  const Eigen::Index waves = 2 * order_ + 1, all = normal_.rows();
-  Eigen::VectorXd widths = Eigen::VectorXd::Ones(draws);  // Student's t where the scale is from residuals
-  for (Eigen::Index j = 0; j < widths.size() && noise_.freedom > 0.0; ++j) {
-    double squares = 0.0;
-    const int freedom = std::min(200, static_cast<int>(std::lround(noise_.freedom)));
-    for (int k = 0; k < freedom; ++k) squares += std::pow(normal(), 2.0);
-    widths[j] = std::sqrt(freedom / squares);
-  }
-  Simulated result;
-  const Eigen::MatrixXd unit = drawn(all);
-  const Eigen::MatrixXd spread = posterior_.matrixU().solve(unit) * widths.asDiagonal();
-  result.truth = spread.topRows(waves);
-  Eigen::VectorXd shares = Eigen::VectorXd::Ones(waves), own = errors_.cwiseSqrt();
-  for (Eigen::Index j = 3; j < waves; ++j) {
-    shares[j] = waves_[j] / (waves_[j] + errors_[j] + 1e-18);
-    own[j] = std::sqrt(shares[j] * errors_[j]);
-  }
-  result.truth = shares.asDiagonal() * result.truth + own.asDiagonal() * drawn(waves);
-  result.truth.colwise() += mean_;
-
-  // the same survey of that datum: its waves and fresh errors of neighbours, setups, and stations
-  Eigen::MatrixXd seen(all, draws);
-  seen.topRows(waves) = result.truth + errors_.cwiseSqrt().asDiagonal() * drawn(waves);
-  seen.row(0).array() -= offset_;
-  seen.bottomRows(all - waves) = drawn(all - waves);
-  const double scale2 = noise_.scale * noise_.scale;
-  Eigen::MatrixXd sums = product(normal_, seen) / scale2;  // of the survey, as the solution takes them
-  if (dense()) {
-    constexpr double kRidge = 1e-8;  // a gap leaves some sums of waves without any station: their errors are nil
-    Eigen::MatrixXd sums_covariance = normal_;
-    sums_covariance.diagonal() *= 1.0 + kRidge;
-    const Eigen::MatrixXd root = sums_covariance.llt().matrixL();
-    sums += product(root, drawn(all)) * widths.asDiagonal() / noise_.scale;
-  } else {
-    const Eigen::MatrixXd own_errors =
-        (noise_.scale * data_.sigmas).asDiagonal() * drawn(data_.count()) * widths.asDiagonal();
-    result.survey = product(design_, seen) + own_errors;
-    const Eigen::VectorXd weights = data_.sigmas.array().square().inverse();
-    sums = product((weights.asDiagonal() * design_).transpose(), result.survey) / scale2;
-    result.survey.array() += offset_;
-  }
-  result.estimate = posterior_.solve(sums).topRows(waves);
-  result.estimate = shares.asDiagonal() * result.estimate;
-  result.estimate.row(0).array() += offset_;
-  return result;
 }
 
 }  // namespace tank_datum

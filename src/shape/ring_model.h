@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {

@@ -1,4 +1,4 @@
-#include "tank_datum/shape/second_differences.h"
+#include "shape/second_differences.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 
 #include "core/units.h"
 #include "shape/survey_rows.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kFoot = 0.3048;
 constexpr double kClosest = 15.0 * kFoot;  // points nearer than this measure noise
 constexpr double kWidest = 32.0 * kFoot;   // the code's own
 constexpr double kSound = 22.0 * kFoot;    // beyond it curvature is missed

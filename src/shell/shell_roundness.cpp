@@ -4,9 +4,9 @@
 
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
+#include "fit/circle.h"
+#include "fit/harmonics.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/harmonics.h"
-#include "tank_datum/limits/limits.h"
 
 namespace tank_datum {
 namespace {
@@ -15,7 +15,6 @@ constexpr double kWidestGap = 120.0 * kPi / 180.0;  // of a circle that the rest
 constexpr int kOrder = 8;               // harmonics that fill gaps; half as many tell how well they can be filled
 constexpr std::size_t kFewest = 8;      // stations
 constexpr double kWidestSmooth = 15.0;  // half the arc that extremes are smoothed over [deg]
-constexpr double kUnseen = 6.096;       // a gap of 20 ft may hide what would fail [m]
 
 /// The most steps from a seen station to the next.
 std::size_t widestGap(const std::vector<ShellCell>& row) {
@@ -53,13 +52,6 @@ Circle circleThrough(const std::vector<ShellCell>& row, const std::vector<Statio
   return fitCircle(plan, {}, datum_circle);
 }
 
-/// Undecided where the tolerance lies within the 95 % interval, or where what passes was not all seen.
-Verdict verdictOf(const Roundness& r) {
-  constexpr double k95 = 1.96;
-  if (r.largest() - k95 * r.sigma > r.tolerance) return Verdict::Fail;
-  return r.largest() + k95 * r.sigma <= r.tolerance && r.widest_gap <= kUnseen ? Verdict::Pass : Verdict::Undecided;
-}
-
 /// Returns the station of the larger one.
 std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<double>& deviations,
                          const std::vector<Station>& stations, Roundness& roundness) {
@@ -87,14 +79,6 @@ std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<do
 
 bool isAtFoot(double height) { return height <= 0.305; }
 
-double radiusTolerance(double diameter, double height) {
-  const char* quantity = isAtFoot(height) ? "roundness_foot" : "roundness_above";
-  for (const Limit& limit : standardLimits()) {
-    if (limit.quantity == quantity && limit.diameter.holds(diameter)) return limit.formula.at({}).value();
-  }
-  return kUnknown;
-}
-
 Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
                       const Circle& datum_circle, std::vector<double>& deviations) {
   Roundness roundness;
@@ -115,8 +99,6 @@ Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const st
   const std::size_t worst = findExtremes(row, deviations, stations, roundness);
   const Eigen::Vector2d place = placeOf(datum_circle, stations[worst], row[worst].radius);
   roundness.sigma = std::hypot(roundness.sigma, circle.residual(place) - plainer.residual(place));
-  roundness.tolerance = radiusTolerance(2.0 * datum_circle.radius, height);
-  roundness.verdict = verdictOf(roundness);
   return roundness;
 }
 

@@ -1,4 +1,3 @@
-#include "tank_datum/edge/centre_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +5,9 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+
+#include "tank_datum/edge/find_edge_points.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 namespace {

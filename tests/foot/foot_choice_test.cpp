@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "foot/foot_profile.h"
+
 namespace tank_datum {
 namespace {
 

@@ -1,6 +1,9 @@
-#include "tank_datum/limits/checks.h"
+
+#include "limits/checks.h"
 
 #include <gtest/gtest.h>
+
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -219,6 +222,12 @@ TEST(TankFacts, AreRefusedByName) {
   facts = {};
   facts.foundation = "sand";
   EXPECT_EQ(firstError(facts), "facts.foundation = sand (must be ringwall or earth)");
+}
+
+TEST(Verdict, HasTheNamesOfTheFiles) {
+  EXPECT_STREQ(nameOf(Verdict::Pass), "pass");
+  EXPECT_STREQ(nameOf(Verdict::Fail), "fail");
+  EXPECT_STREQ(nameOf(Verdict::Undecided), "undecided");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-#include "tank_datum/locate/locate.h"
+
+#include "locate/locate.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 
 #include "support/made_clouds.h"
 #include "support/scanned_tanks.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 namespace {

@@ -1,3 +1,4 @@
+
 #include "tank_datum/movement/movement.h"
 
 #include <gtest/gtest.h>
@@ -5,12 +6,11 @@
 #include <cmath>
 #include <random>
 
+#include "core/units.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;
 
 /// A survey of a 30 m tank: its shape, errors of `sigma` that stations share within `window`, and a dip.
 struct Survey {

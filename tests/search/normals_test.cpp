@@ -1,4 +1,3 @@
-#include "tank_datum/search/normals.h"
 
 #include <gtest/gtest.h>
 #include <pcl/features/normal_3d.h>
@@ -11,6 +10,7 @@
 #include <random>
 
 #include "tank_datum/core/error.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum {
 namespace {

@@ -17,7 +17,7 @@ namespace TANK_DATUM_API tank_datum {
 /// It obeys pcl::FilterIndices: points come out in the order of the indices given, not finite ones are always removed,
 /// and a scan without a usable datum has no edge points (getDatum().status says why). Instantiated for PointXYZ,
 /// PointXYZI, PointXYZRGB and PointNormal; for other point types with x, y and z include
-/// tank_datum/impl/datum_filter.hpp.
+/// tank_datum/pcl/impl/datum_filter.hpp.
 ///
 /// filter() throws Error (Option) for refused options, for an index that the cloud does not have, and for a search
 /// method that finds too few neighbours; the outputs are empty then and getDatum() says NotRun.
