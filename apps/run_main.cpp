@@ -6,6 +6,7 @@
 #include <new>
 
 #include "exit_status.h"
+#include "flag_names.h"
 #include "results/stop_signals.h"
 #include "tank_datum/core/error.h"
 
@@ -32,7 +33,7 @@ int runMain(const std::string& program, const std::function<int()>& work,
   try {
     return work();
   } catch (const Error& error) {
-    return failed(error.what(), error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed);
+    return failed(lineOf(error), error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed);
   } catch (const std::bad_alloc&) {
     return failed("memory: more than there is, expected a machine with more memory, or fewer points", kFileFailed);
   } catch (const std::filesystem::filesystem_error& error) {

@@ -3,8 +3,10 @@
 
 #include "background_records.h"
 #include "command_line.h"
+#include "core/refusal.h"
 #include "datum_stages.h"
 #include "exit_status.h"
+#include "flag_names.h"
 #include "io/up_axis.h"
 #include "movement/baseline.h"
 #include "movement/movement.h"
@@ -44,26 +46,26 @@ std::vector<Datum> extract(const Command& command, const std::optional<Baseline>
   callbacks.stage = [&clock](const char* stage) { clock.begin(stage); };
   clock.begin("open");
   const double metres = command.metresPerUnit();
-  if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.options)};
+  if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.datum)};
   Scan scan = Scan::open(command.scans, metres);
   if (command.up != "z") scan = scan.turned(upRotation(command.up));
   scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
   callbacks.tanks = [&](const std::vector<Tank>& tanks) {
     if (baseline) requireAmong(tanks, scan.origin(), *baseline);
   };
-  if (!command.all) return {extractDatum(scan, command.options, callbacks)};
-  std::vector<Tank> tanks = findTanks(scan, command.options, callbacks);
+  if (!command.all) return {extractDatum(scan, command.datum, callbacks)};
+  std::vector<Tank> tanks = findTanks(scan, command.datum, callbacks);
   callbacks.tanks(tanks);
   if (tanks.empty()) tanks.emplace_back();
   std::vector<Datum> datums;
-  for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, command.options, callbacks));
+  for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, command.datum, callbacks));
   return datums;
 }
 
 /// The movement of one of several tanks; of those that are not the baseline's it says so.
 Movement movementOf(const Datum& datum, const Baseline& baseline, const Command& command) {
   try {
-    return movementSince(baseline, datum, command.options);
+    return movementSince(baseline, datum, command.datum);
   } catch (const Error& error) {
     if (!command.all) throw;
     Movement none;
@@ -75,13 +77,14 @@ Movement movementOf(const Datum& datum, const Baseline& baseline, const Command&
 
 Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline,
                     const Command& command) {
-  Provenance provenance = provenanceOf(files, command.units, command.options, datum);
+  Provenance provenance = provenanceOf(files, command.units, command.datum, datum);
+  provenance.up = command.up;
   provenance.baseline = command.baseline;
   provenance.movement_options = command.movement;
   if (!baseline || !datum.usable()) return provenance;
   provenance.movement = movementOf(datum, *baseline, command);
   if (!provenance.movement->message.empty()) {
-    std::cerr << "tank_datum: no movement: " << provenance.movement->message << "\n";
+    std::cerr << "tank_datum: no movement: " << withFlags(provenance.movement->message) << "\n";
   }
   return provenance;
 }
@@ -102,12 +105,13 @@ int announce(const std::vector<Datum>& datums, const Command& command) {
   bool usable = false;
   for (std::size_t i = 0; i < datums.size(); ++i) {
     if (!command.quiet)
-      std::cout << summary(datums[i], showsBlocks()) << "results        " << fileToOpen(command, partOf(datums, i))
-                << "\n";
-    for (const std::string& warning : warningsOf(datums[i])) std::cerr << "tank_datum: warning: " << warning << "\n";
+      std::cout << withFlags(summary(datums[i], showsBlocks())) << "results        "
+                << fileToOpen(command, partOf(datums, i)) << "\n";
+    for (const std::string& warning : warningsOf(datums[i]))
+      std::cerr << "tank_datum: warning: " << withFlags(warning) << "\n";
     usable = usable || datums[i].usable();
     if (!datums[i].usable()) {
-      std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << datums[i].message << "\n";
+      std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << withFlags(datums[i].message) << "\n";
     }
   }
   std::cout.flush();
@@ -119,14 +123,14 @@ int announce(const std::vector<Datum>& datums, const Command& command) {
 }
 
 int run(const Command& command) {
+  refuseFirst(firstError(command));
   if (!command.baseline.empty()) settleToRead(command.baseline, kProgram);
   ResultFolder folder(command.output, kProgram);
   std::optional<OutputFile> timings = timingsFile(command);
   std::optional<Baseline> baseline;
-  if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.options);
-  requireValid(command.movement);
+  if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.datum);
   StageClock clock(!command.quiet);
-  BackgroundRecords records(command.scans, command.options.threads != 1, !command.no_checksum);
+  BackgroundRecords records(command.scans, command.datum.threads != 1, !command.no_checksum);
   const std::vector<Datum> datums = extract(command, baseline, clock);
   clock.begin("hash");
   std::vector<InputRecord> files = records.take();

@@ -5,12 +5,13 @@
 
 #include "core/units.h"
 #include "exit_status.h"
+#include "flag_names.h"
 #include "io/sha256.h"
 #include "movement/epoch.h"
 #include "movement/movement.h"
 #include "movement/trend.h"
 #include "movement_files.h"
-#include "movement_options.h"
+#include "option_flags.h"
 #include "parsed.h"
 #include "results/manifest.h"
 #include "results/output_guard.h"
@@ -39,11 +40,10 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
   app.add_option("-o,--output", command.output, "folder for movement.json, movement.csv and report.html");
   app.add_option("--dates", command.dates, "of each survey, 2024-05-31 or 2024.41: trends become metres per year")
       ->delimiter(',');
-  TypedMovement typed(command.options);
-  addMovementOptions(app, command.options, typed);
+  const OptionFlags flags(app, movementOptionsOf(command.options));
   app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
   if (!parsed(app, argc, argv, status)) return false;
-  typed.putInto(command.options);
+  flags.putTyped();
   return true;
 }
 
@@ -95,7 +95,8 @@ int run(const CompareCommand& command) {
     comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
     const Movement& m = comparison.movements.back();
     if (m.valid()) continue;
-    std::cerr << "tank_datum_compare: movement: " << m.message << earlierResults(command.output, kProgram) << "\n";
+    std::cerr << "tank_datum_compare: movement: " << withFlags(m.message) << earlierResults(command.output, kProgram)
+              << "\n";
     return kNoDatum;
   }
   comparison.histories = historiesOf(comparison.movements, times);

@@ -56,11 +56,7 @@ Error refused(const std::string& what, const std::string& value, const std::stri
 }
 
 void requireValid(const ViewCommand& command) {
-  if (const std::string error = firstError(command.scene); !error.empty()) {
-    const auto equals = error.find(" = "), must = error.find(" (must be ");
-    throw refused("--" + error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
-                  error.substr(must + 10, error.size() - must - 11));
-  }
+  if (const auto error = firstError(command.scene)) throw refused("--" + error->name, error->value, error->expected);
   if (!command.screenshot.empty() && std::filesystem::path(command.screenshot).extension() != ".png") {
     throw refused("--screenshot", command.screenshot, "a file name that ends in .png");
   }

@@ -1,129 +1,184 @@
-"""Which constants no test holds: halves and doubles each named number of src/ and tests the result.
+"""Which constants no test holds: halves and doubles each named number, runs the unit tests.
 
-    python3 scripts/mutants.py [--only foot/] [--list] [--build build-mutants]
+    scripts/mutants [--only foot/] [--tests foot/] [--list] [--seconds 30] [--jobs 2]
 
-It works in a copy of the sources below the build folder; the checkout is not touched. A mutant that
-no unit test and no case of tests/data/qa notices survives: its constant changes no result that is
-looked at, or lacks a test. Exit status 1 when one survives. Long: a minute a constant and more.
+It works in a copy of the sources (see mutant_sources.py), built once; the checkout is not touched.
+For each mutant those test cases run that ask for the constant, those of its own room and the quick
+ones first, until one fails or --seconds of them have passed. A mutant that none notices survives:
+its constant changes no result that is looked at, or lacks a test. Results are kept in the build
+folder; again run are mutants whose file, or whose tests, changed. mutants.toml names the constants
+that are left alone, and why. Exit status 1 when more than 5 % survive.
 """
 
 from __future__ import annotations
 
 import argparse
-import re
-import shutil
+import hashlib
+import json
 import subprocess
 import sys
+import tomllib
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
+from mutant_sources import Constant, all_constants, write_copy
+from mutant_tests import Case, Coverage, listed_cases, merge_into, noticed_by
+
 ROOT = Path(__file__).resolve().parents[1]
-NUMBER = r"-?\d[\d']*(?:\.\d*)?(?:[eE][+-]?\d+)?"
-CONSTANT = re.compile(
-    rf"^\s*(?:static |inline )*constexpr (?:double|float|int|std::size_t|std::u?int\d+_t) "
-    rf"(?P<names>k[A-Z]\w* = {NUMBER}[fFuUlL]*(?:, k[A-Z]\w* = {NUMBER}[fFuUlL]*)*);",
-    re.MULTILINE,
-)
-ONE = re.compile(rf"(?P<name>k[A-Z]\w*) = (?P<number>{NUMBER})")
-NOT_TUNED = {"kPi"}
+MOST = 0.05  # of the mutants may survive
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """One number of one file, replaced."""
-
-    path: Path
-    line: int
-    start: int
-    end: int
-    name: str
-    old: str
-    new: str
+    constant: Constant
+    factor: float
 
     def __str__(self) -> str:
-        return f"{self.path}:{self.line}: {self.name} = {self.old} -> {self.new}"
+        c = self.constant
+        return f"{c.path}:{c.line}: {c.name} = {c.value} times {self.factor:g}"
 
 
-def scaled(number: str, factor: float) -> str | None:
-    """The number times the factor, in the same kind of literal; None where that changes nothing."""
-    plain = number.replace("'", "")
-    if re.fullmatch(r"-?\d+", plain):
-        value = int(int(plain) * factor)
-        return None if value == int(plain) or value == 0 else str(value)
-    value = float(plain) * factor
-    return None if value == float(plain) else repr(value)
+def left_alone(root: Path) -> dict[str, dict[str, str]]:
+    """The reasons of mutants.toml: {"compile_time": {key: reason}, "no_result": {...}}."""
+    return tomllib.loads((root / "scripts/mutants.toml").read_text())
 
 
-def mutants_of(path: Path) -> list[Mutant]:
-    text = path.read_text()
-    found = []
-    for declaration in CONSTANT.finditer(text):
-        for one in ONE.finditer(text, declaration.start("names"), declaration.end("names")):
-            if one["name"] in NOT_TUNED:
-                continue
-            line = text.count("\n", 0, one.start()) + 1
-            for factor in (0.5, 2.0):
-                new = scaled(one["number"], factor)
-                if new is not None:
-                    found.append(
-                        Mutant(
-                            path.relative_to(ROOT), line, one.start("number"), one.end("number"),
-                            one["name"], one["number"], new,
-                        )
-                    )  # fmt: skip
-    return found
+def stale(reasons: dict[str, dict[str, str]], constants: list[Constant]) -> list[str]:
+    known = {constant.key for constant in constants}
+    return [key for section in reasons.values() for key in section if key not in known]
 
 
-def all_mutants(only: str) -> list[Mutant]:
-    paths = [*sorted((ROOT / "src").rglob("*.cpp")), *sorted((ROOT / "src").rglob("*.h"))]
-    return [m for path in paths if only in str(path.relative_to(ROOT)) for m in mutants_of(path)]
+def digest(*paths: Path) -> str:
+    return hashlib.sha1(b"".join(path.read_bytes() for path in paths)).hexdigest()
 
 
-def quiet(*command: object) -> bool:
-    done = subprocess.run([str(word) for word in command], capture_output=True, check=False)
-    return done.returncode == 0
+class Results:
+    """What is known of the mutants: who noticed each, and from which sources that was found."""
+
+    def __init__(self, file: Path, cases: list[Case]) -> None:
+        self.file, self.cases = file, cases
+        self.kept = json.loads(file.read_text()) if file.exists() else {}
+        self.new: dict[str, dict] = {}
+
+    def state(self, mutant: Mutant, killer: str | None) -> str:
+        """Digest of the mutant's file and of the test that noticed it, or of all that might."""
+        tests = {c.source for c in self.cases if mutant.constant.key in c.touched}
+        paths = [killer] if killer else sorted(tests)
+        return digest(
+            ROOT / mutant.constant.path, *(ROOT / p for p in paths if (ROOT / p).exists())
+        )
+
+    def of(self, mutant: Mutant, budget: float) -> str | None:
+        key = f"{mutant.constant.key} {mutant.factor}"
+        kept = self.kept.get(key)
+        if kept is not None and kept["state"] == self.state(mutant, kept["noticed"]):
+            if kept["noticed"] or kept["seconds"] >= budget:
+                return kept["noticed"]
+        noticed = noticed_by(self.cases, mutant.constant.key, mutant.factor, budget)
+        self.kept[key] = {
+            "noticed": noticed,
+            "seconds": budget,
+            "state": self.state(mutant, noticed),
+        }
+        self.new[key] = self.kept[key]
+        return noticed
+
+    def save(self) -> None:
+        merge_into(self.file, self.new)
 
 
-def is_caught(build: Path) -> bool:
-    """Whether the build or a test fails."""
-    if not quiet("cmake", "--build", build):
-        return True
-    return not quiet("ctest", "--test-dir", build, "-L", "unit|qa", "--stop-on-failure", "-j", 2)
+def built(copy: Path, compile_time: frozenset[str], wanted: list[str]) -> list[Case]:
+    """Builds the unit tests whose paths hold one of the texts; their cases."""
+    build = copy / "build"
+    write_copy(ROOT, copy, compile_time)
+    paths = [p for p in (copy / "tests").rglob("*_test.cpp") if p.parent.name != "apps"]
+    tests = sorted(
+        p.stem for p in paths if any(text in str(p.relative_to(copy)) for text in wanted)
+    )
+    configure = ["cmake", "-S", copy, "-B", build, "-G", "Ninja", "-DTANK_DATUM_VIEWER=OFF"]
+    for command in (configure, ["cmake", "--build", build, "--target", *tests]):
+        done = subprocess.run(
+            [str(w) for w in command], capture_output=True, text=True, check=False
+        )
+        if done.returncode != 0:
+            raise SystemExit(
+                f"mutants: {command[1]} failed:\n{done.stdout[-3000:]}{done.stderr[-3000:]}"
+            )
+    return [case for case in listed_cases(build, copy) if Path(case.program).name in tests]
+
+
+def by_room(mutants: list[Mutant], survivors: list[Mutant]) -> str:
+    def room(mutant: Mutant) -> str:
+        return str(Path(mutant.constant.path).parent)
+
+    constants = Counter(str(Path(c.path).parent) for c in {m.constant for m in mutants})
+    tried, left = Counter(map(room, mutants)), Counter(map(room, survivors))
+    lines = [
+        f"{name:32s} {constants[name]:9d} {tried[name]:7d} {left[name]:9d}"
+        for name in sorted(tried)
+    ]
+    return "\n".join(
+        [f"{'folder':32s} {'constants':>9s} {'mutants':>7s} {'survivors':>9s}", *lines]
+    )
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--only", default="", help="files whose path holds this text")
+    parser.add_argument("--only", default="", help="constants whose path and name hold this text")
+    parser.add_argument(
+        "--tests", default="tests/", help="tests whose path holds one of these, a,b"
+    )
     parser.add_argument("--list", action="store_true", help="name the mutants and stop")
+    parser.add_argument("--seconds", type=float, default=30.0, help="of test cases a mutant [s]")
+    parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--build", type=Path, default=ROOT / "build-mutants")
     options = parser.parse_args()
-    mutants = all_mutants(options.only)
+    options.build = options.build.resolve()
+    reasons, constants = left_alone(ROOT), all_constants(ROOT)
+    if stale(reasons, constants):
+        raise SystemExit(
+            f"mutants: no longer in the sources: {', '.join(stale(reasons, constants))}"
+        )
+    alone = {key: reason for section in reasons.values() for key, reason in section.items()}
+    wanted = [c for c in constants if options.only in c.key]
+    for constant in wanted:
+        if constant.key in alone:
+            print(f"left alone {constant.key}: {alone[constant.key]}")
+    mutants = [Mutant(c, f) for c in wanted if c.key not in alone for f in c.factors()]
     if options.list:
         print("\n".join(map(str, mutants)))
-        constants = {(m.path, m.line, m.name) for m in mutants}
-        print(f"{len(mutants)} mutants of {len(constants)} constants")
+        print(f"{len(mutants)} mutants of {len({m.constant for m in mutants})} constants")
         return 0
-    copy, build = options.build / "sources", options.build / "objects"
-    shutil.rmtree(copy, ignore_errors=True)
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns("build*", ".git", ".venv", "*.datum"))
-    if not quiet("cmake", "-S", copy, "-B", build, "-G", "Ninja", "-DTANK_DATUM_VIEWER=OFF"):
-        raise SystemExit("mutants: cmake failed: run ./scripts/test first")
-    if is_caught(build):
-        raise SystemExit("mutants: the tests fail without a mutant")
+    cases = built(options.build, frozenset(reasons["compile_time"]), options.tests.split(","))
+    cases = Coverage(options.build / "coverage.json").of(cases, options.jobs)
+    for case in cases:
+        if not case.passed:
+            print(f"fails without a mutant, not used: {case.source} {case.name}")
+    survivors = tried(mutants, Results(options.build / "results.json", cases), options)
+    print(by_room(mutants, survivors))
+    share = len(survivors) / max(1, len(mutants))
+    print(f"{len(survivors)} of {len(mutants)} survive, {100.0 * share:.1f} %")
+    return 1 if share > MOST else 0
+
+
+def tried(mutants: list[Mutant], results: Results, options: argparse.Namespace) -> list[Mutant]:
+    """Those that survive; says so of each as it is known."""
     survivors = []
-    for number, mutant in enumerate(mutants, start=1):
-        path = copy / mutant.path
-        text = path.read_text()
-        path.write_text(text[: mutant.start] + mutant.new + text[mutant.end :])
-        caught = is_caught(build)
-        path.write_text(text)
-        print(
-            f"{number}/{len(mutants)} {'caught  ' if caught else 'SURVIVES'} {mutant}", flush=True
-        )
-        survivors += [] if caught else [mutant]
-    share = 100.0 * len(survivors) / max(1, len(mutants))
-    print(f"{len(survivors)} of {len(mutants)} survive, {share:.1f} %")
-    return 1 if survivors else 0
+    with ThreadPoolExecutor(options.jobs) as pool:
+        waiting = {pool.submit(results.of, mutant, options.seconds): mutant for mutant in mutants}
+        for number, future in enumerate(as_completed(waiting), start=1):
+            mutant, noticed = waiting[future], future.result()
+            asked = any(mutant.constant.key in case.touched for case in results.cases)
+            survives = "SURVIVES" if asked else "SURVIVES, used by no test"
+            word = f"noticed by {noticed}" if noticed else survives
+            print(f"{number}/{len(mutants)} {mutant}: {word}", flush=True)
+            survivors += [] if noticed else [mutant]
+            if number % 10 == 0:
+                results.save()
+    results.save()
+    return survivors
 
 
 if __name__ == "__main__":

@@ -18,16 +18,21 @@ apt_install() {
   "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build TARGET...: configures once, with the options in TANK_DATUM_CMAKE_OPTIONS, then builds what changed.
-build() {
+# configure: makes the build folder $build once, with the options in TANK_DATUM_CMAKE_OPTIONS.
+build="$root/build"
+configure() {
   apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
     libgtest-dev python3 libvtk9-dev libx11-dev node-d3
-  if [ ! -f "$root/build/build.ninja" ]; then
-    say "configuring build/"
-    cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release ${TANK_DATUM_CMAKE_OPTIONS:-} >&2
-  fi
-  say "building ${*}"
-  cmake --build "$root/build" --target "$@" >&2
+  [ ! -f "$build/build.ninja" ] || return 0
+  say "configuring ${build#"$root/"}/"
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release ${TANK_DATUM_CMAKE_OPTIONS:-} >&2
+}
+
+# build TARGET...: configures, then builds what changed.
+build() {
+  configure
+  say "building ${*} in ${build#"$root/"}/"
+  cmake --build "$build" --target "$@" >&2
 }
 
 # python_environment: .venv/ with what the Python tests and scripts need.

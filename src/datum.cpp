@@ -163,23 +163,6 @@ Scan levelled(const Scan& scan, const Datum& datum) {
 
 void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
 
-std::string firstError(const DatumOptions& options) {
-  for (const std::string& error :
-       {firstError(options.locate), firstError(options.crop), firstError(options.normals), firstError(options.growing),
-        firstError(options.centre_filter), firstError(options.spline), firstError(options.setups),
-        firstError(options.refine), firstError(options.stations), firstError(options.analysis),
-        firstError(options.shell)}) {
-    if (!error.empty()) return error;
-  }
-  if (options.tank && !(options.tank->radius > 0.0 && std::isfinite(options.tank->radius))) {
-    return "tank.radius = " + std::to_string(options.tank->radius) + " (must be > 0)";
-  }
-  if (options.tank && !options.tank->center.allFinite()) return "tank.center = not finite (must be X,Y in metres)";
-  if (options.pick < 1) return "pick = " + std::to_string(options.pick) + " (must be >= 1)";
-  if (options.threads < 0) return "threads = " + std::to_string(options.threads) + " (must be >= 0)";
-  return {};
-}
-
 const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
 
 std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {

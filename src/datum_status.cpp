@@ -109,7 +109,8 @@ Datum judgeTests(Datum datum, const DatumOptions& options) {
   const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin);
   if (worst == TestOutcome::Fail) return endDatum(datum, Status::NoTank, candidate + ", rejected: " + findings);
   const std::string before = std::move(datum.message);
-  datum.message = (options.accept ? "accepted, though " : candidate + ", doubtful (--accept takes it): ") + findings;
+  datum.message =
+      (options.accept ? "accepted, though " : candidate + ", doubtful (option accept takes it): ") + findings;
   addClause(datum.message, before);
   if (!options.accept) datum.status = Status::Doubtful;
   return datum;

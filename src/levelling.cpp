@@ -12,7 +12,6 @@
 #include "shape/deformation.h"
 #include "stations/stations.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -125,7 +124,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
   datum.level = levelOf(datum.stations);
   if (datum.level.range() > kSteepest * diameter) {
     throw refused("elevations", std::to_string(datum.level.range()) + " m apart",
-                  "at most a tenth of the diameter; are they in --units, and the columns as the header says?");
+                  "at most a tenth of the diameter; are they in option units, and the columns as the header says?");
   }
   if (datum.level.measured < kFewest) {
     datum.status = Status::TooFewPoints;

@@ -45,8 +45,8 @@ std::string otherAxis(const Scan& scan, const DatumOptions& options) {
     const auto tank = std::find_if(tanks.begin(), tanks.end(), stands);
     if (tank == tanks.end()) continue;
     char text[120];
-    std::snprintf(text, sizeof text, "; along %s stands a cylinder of R %.4g m: is that up (--up %s)?", axis.c_str(),
-                  tank->circle.radius, axis.c_str());
+    std::snprintf(text, sizeof text, "; along %s stands a cylinder of R %.4g m: is that up (option up %s)?",
+                  axis.c_str(), tank->circle.radius, axis.c_str());
     return text;
   }
   return {};

@@ -12,7 +12,8 @@ std::string candidateText(const Circle& circle, double coverage, const Eigen::Ve
 /// Why no tank stands in a scan, in which the best candidate is named, and the axis along which one does stand.
 std::string whyNoTank(const Scan& scan, const DatumOptions& options);
 
-/// ": along y stands a cylinder of R 5 m (--up y)", or nothing when there is none along another axis than z.
+/// ": along y stands a cylinder of R 5 m: is that up (option up y)?", or nothing when there is none along another axis
+/// than z.
 std::string otherAxis(const Scan& scan, const DatumOptions& options);
 
 /// A question where a radius is no tank's: "R = 10670 m: is the scan in mm?"; else nothing.

@@ -81,7 +81,7 @@ TEST(DatumOfLevelling, ElevationsInAnotherUnitAreRefused) {
     datumOfLevelling(stations, 20.0, {});
     FAIL() << "not refused";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("are they in --units"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("are they in option units"), std::string::npos);
   }
 }
 

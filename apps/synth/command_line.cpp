@@ -10,6 +10,7 @@
 #include "results/output_guard.h"
 #include "scene_file.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/version.h"
 
 namespace tank_datum::synth {
 namespace {
@@ -192,6 +193,7 @@ std::vector<NamedPath> outputsOf(const Command& command) {
 
 bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   CLI::App app("Simulates a terrestrial laser scan of a storage tank by ray casting, with its true datum.");
+  app.set_version_flag("--version", std::string("tank_datum_synth ") + kVersion);
   Given given;
   declare(app, command, given);
   try {

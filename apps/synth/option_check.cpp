@@ -16,10 +16,10 @@ std::string shown(double value) {
 /// Collects the first value outside its limits.
 class Checker {
  public:
-  std::string error;
+  std::optional<Refusal> error;
 
   void number(const char* name, double value, Limit limit = {}) {
-    if (!error.empty()) return;
+    if (error) return;
     const bool low_ok = limit.open ? value > limit.low : value >= limit.low;
     if (std::isfinite(value) && low_ok && value <= limit.high) return;
     refuse(name, shown(value), expected(limit));
@@ -44,7 +44,7 @@ class Checker {
       if (value == one) return;
       all += (all.empty() ? "" : ", ") + std::string(one);
     }
-    if (error.empty()) refuse(name, value, "one of " + all);
+    if (!error) refuse(name, value, "one of " + all);
   }
   template <class T>
   void group(const std::string& name, T& options) {
@@ -58,7 +58,7 @@ class Checker {
     for (std::size_t i = 0; i < options.size(); ++i) group(name + "[" + std::to_string(i) + "]", options[i]);
   }
   void refuse(const std::string& name, const std::string& value, const std::string& must) {
-    error = path_ + name + " = " + value + " (must be " + must + ")";
+    error = Refusal{path_ + name, value, must};
   }
 
  private:
@@ -75,7 +75,7 @@ class Checker {
 void checkSoil(Checker& check, const std::string& name, const TankOptions& tank) {
   const Foundation& f = tank.foundation;
   const double edge = f.kind == "pad" ? f.pad_width : f.kind == "crown" ? f.slab_width : f.ringwall_width;
-  for (std::size_t i = 0; i < tank.soil.size() && check.error.empty(); ++i)
+  for (std::size_t i = 0; i < tank.soil.size() && !check.error; ++i)
     if (tank.soil[i].reach > edge)
       check.refuse(name + "soil[" + std::to_string(i) + "].reach", shown(tank.soil[i].reach), "within the foundation");
 }
@@ -110,19 +110,19 @@ void checkTank(Checker& check, const std::string& name, const TankOptions& tank)
     check.refuse(name + "foundation.concentric", "true", "false for a pad, which has no kerb");
   else if (f.kind == "pad" && !f.sectors.empty())
     check.refuse(name + "foundation.sectors", "given", "none for a pad, which the shell stands on");
-  if (check.error.empty()) checkSoil(check, name, tank);
+  if (!check.error) checkSoil(check, name, tank);
 }
 
 void checkScene(Checker& check, const SceneOptions& scene) {
   const int tanks = static_cast<int>(scene.tanks.size());
   if (tanks == 0) check.refuse("tanks", "[]", "at least one");
-  for (std::size_t i = 0; i < scene.tanks.size() && check.error.empty(); ++i)
+  for (std::size_t i = 0; i < scene.tanks.size() && !check.error; ++i)
     checkTank(check, "tanks[" + std::to_string(i) + "].", scene.tanks[i]);
-  for (std::size_t i = 0; i < scene.objects.size() && check.error.empty(); ++i)
+  for (std::size_t i = 0; i < scene.objects.size() && !check.error; ++i)
     if (scene.objects[i].tank >= tanks)
       check.refuse("objects[" + std::to_string(i) + "].tank", std::to_string(scene.objects[i].tank),
                    "the index of a tank");
-  if (!check.error.empty()) return;
+  if (check.error) return;
   const ScannerOptions& s = scene.scanner;
   if (s.tank >= tanks)
     check.refuse("scanner.tank", std::to_string(s.tank), "the index of a tank");
@@ -132,24 +132,24 @@ void checkScene(Checker& check, const SceneOptions& scene) {
     check.refuse("scanner.distance", shown(s.distance), "< 0.9 radius for a scanner inside");
   else if (!s.inside && s.stations.empty() && s.distance < 0.5)
     check.refuse("scanner.distance", shown(s.distance), ">= 0.5 for a scanner outside");
-  for (std::size_t i = 0; i < s.registration.errors.size() && check.error.empty(); ++i) {
+  for (std::size_t i = 0; i < s.registration.errors.size() && !check.error; ++i) {
     const int count = s.stations.empty() ? s.count : static_cast<int>(s.stations.size());
     if (s.registration.errors[i].scanner >= count)
       check.refuse("scanner.registration.errors[" + std::to_string(i) + "].scanner",
                    std::to_string(s.registration.errors[i].scanner), "the index of a scanner");
   }
-  if (!check.error.empty()) return;
+  if (check.error) return;
   if (scene.clutter.max_gap < scene.clutter.min_gap)
     check.refuse("clutter.max_gap", shown(scene.clutter.max_gap), ">= min_gap");
 }
 
 }  // namespace
 
-std::string firstError(const SceneOptions& options) {
+std::optional<Refusal> firstError(const SceneOptions& options) {
   SceneOptions copy = options;  // visitors take what they visit by reference
   Checker check;
   fields(check, copy);
-  if (check.error.empty()) checkScene(check, copy);
+  if (!check.error) checkScene(check, copy);
   return check.error;
 }
 

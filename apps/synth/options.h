@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/units.h"
+#include "tank_datum/core/error.h"
 
 /// What a simulated scene holds: plain values with their defaults, SI and radians. Scene files carry the same names;
 /// there an angle ends in _deg and is in degrees.
@@ -231,7 +233,7 @@ struct SceneOptions {
   MeasurementOptions measurement;
 };
 
-/// Empty when the options can be used, else "tanks[0].radius = -1 (must be > 0)".
-std::string firstError(const SceneOptions& options);
+/// The first refused option, such as tanks[0].radius, or nothing.
+std::optional<Refusal> firstError(const SceneOptions& options);
 
 }  // namespace tank_datum::synth

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
-#include "tank_datum/core/error.h"
+#include "core/refusal.h"
 
 namespace tank_datum::synth {
 namespace {
 
 const SceneOptions& checked(const SceneOptions& options) {
-  const std::string error = firstError(options);
-  const auto equals = error.find(" = "), must = error.find(" (must be ");
-  if (error.empty()) return options;
-  throw Error(Error::Kind::Option, "options", error.substr(0, equals), error.substr(equals + 3, must - equals - 3),
-              error.substr(must + 10, error.size() - must - 11));
+  refuseFirst(firstError(options));
+  return options;
 }
 
 Tanks makeTanks(const SceneOptions& scene) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "core/units.h"
 #include "shape/deformation.h"
@@ -72,11 +73,11 @@ Colouring heights(const Points& cloud, const ViewedResult& result, double range)
 
 }  // namespace
 
-std::string firstError(const SceneOptions& options) {
+std::optional<Refusal> firstError(const SceneOptions& options) {
   const auto refused = [](const char* field, double value, const char* must) {
-    char buffer[120];
-    std::snprintf(buffer, sizeof buffer, "%s = %g (must be %s)", field, value, must);
-    return std::string(buffer);
+    std::ostringstream text;
+    text << value;
+    return Refusal{field, text.str(), must};
   };
   if (!(options.range >= 0.0 && std::isfinite(options.range))) return refused("range", options.range, ">= 0");
   if (!(options.exaggeration >= 1.0 && std::isfinite(options.exaggeration))) {
@@ -84,7 +85,7 @@ std::string firstError(const SceneOptions& options) {
   }
   if (options.points < 1000) return refused("points", static_cast<double>(options.points), ">= 1000");
   if (options.label_every < 0) return refused("labels", options.label_every, ">= 0");
-  return {};
+  return std::nullopt;
 }
 
 Colouring colouringOf(const Points& cloud, const ViewedResult& result, Colour colour, double range) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "view/viewed_result.h"
 
 namespace tank_datum::view {
@@ -23,8 +25,8 @@ struct SceneOptions {
   int label_every = 10;            ///< every N-th station has a label; 0: none
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const SceneOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const SceneOptions& options);
 
 /// A number for every point of the cloud, and the ends of the colour scale [m].
 struct Colouring {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/edge/edge_points.h"
@@ -51,8 +52,8 @@ struct DatumOptions {
   int threads = 0;             ///< 0: all cores; the result does not depend on it
 };
 
-/// One line naming the first refused option, its value and what it must be; empty when all are fine.
-std::string firstError(const DatumOptions& options);
+/// The first refused option, or nothing.
+std::optional<Refusal> firstError(const DatumOptions& options);
 
 enum class Status {
   NotRun,

@@ -1,5 +1,6 @@
 # cmake -DPAGE=DIR -DLIBRARY=d3.min.js -DOUTPUT=page.cpp -P embed_page.cmake: the report's page as C++ text.
 # The scripts of DIR/js run in the order of their names.
+cmake_minimum_required(VERSION 3.25)
 file(READ "${PAGE}/report.html" html)
 file(READ "${PAGE}/report.css" styles)
 file(READ "${PAGE}/licences.txt" licences)

@@ -1,7 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "core/units.h"
@@ -44,13 +43,6 @@ void sortByAzimuth(EdgePoints& edge) {
 }
 
 }  // namespace
-
-std::string firstError(const CentreFilterOptions& options) {
-  if (options.tolerance >= 0.0 && std::isfinite(options.tolerance)) return {};
-  char text[80];
-  std::snprintf(text, sizeof text, "centre_filter.tolerance = %g m (must be >= 0)", options.tolerance);
-  return text;
-}
 
 EdgePoints filterByCentre(const Points& points, const std::vector<std::int32_t>& candidates,
                           const std::optional<Circle>& start, const CentreFilterOptions& options) {

@@ -1,19 +1,10 @@
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 
 #include "core/parallel.h"
 #include "tank_datum/edge/find_edge_points.h"
 
 namespace tank_datum {
-
-std::string firstError(const GrowingOptions& options) {
-  constexpr double kRightAngle = 1.5707963267948966;
-  if (options.angle > 0.0 && options.angle < kRightAngle) return {};
-  char text[80];
-  std::snprintf(text, sizeof text, "growing.angle = %g rad (must be > 0 and < pi/2)", options.angle);
-  return text;
-}
 
 std::vector<std::int32_t> growCandidates(const Normals& normals, const GrowingOptions& options, int threads) {
   const auto k = static_cast<std::size_t>(normals.k);

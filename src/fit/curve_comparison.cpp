@@ -4,22 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/refusal.h"
 #include "fit/spline.h"
-#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
-
-/// An option that is not taken.
-struct Refusal {
-  std::string name, value, must;
-};
-
-Refusal refusalOf(const CurveOptions& o) {
-  if (o.points < 4 || o.points > 50) return {"curves.points", std::to_string(o.points), "4 to 50"};
-  if (o.degree >= 1 && o.degree < o.points) return {};
-  return {"curves.degree", std::to_string(o.degree), "1 to " + std::to_string(o.points - 1) + ", below curves.points"};
-}
 
 constexpr CurveKind kKinds[] = {CurveKind::Lagrange, CurveKind::Bezier, CurveKind::Polynomial, CurveKind::BSpline};
 
@@ -160,10 +149,10 @@ const char* nameOf(CurveKind kind) {
   return "";
 }
 
-std::string firstError(const CurveOptions& options) {
-  const Refusal refusal = refusalOf(options);
-  if (refusal.name.empty()) return {};
-  return refusal.name + " = " + refusal.value + " (must be " + refusal.must + ")";
+std::optional<Refusal> firstError(const CurveOptions& o) {
+  if (o.points < 4 || o.points > 50) return Refusal{"points", std::to_string(o.points), "4 to 50"};
+  if (o.degree >= 1 && o.degree < o.points) return std::nullopt;
+  return Refusal{"degree", std::to_string(o.degree), "1 to " + std::to_string(o.points - 1) + ", below points"};
 }
 
 CurveStretch chooseCurvePoints(const LinePoints& line, int points) {
@@ -193,10 +182,7 @@ Curve fitCurve(CurveKind kind, const LinePoints& points, int degree) {
 }
 
 std::vector<CurveFigures> compareCurves(const LinePoints& line, const CurveOptions& options) {
-  const Refusal refusal = refusalOf(options);
-  if (!refusal.name.empty()) {
-    throw Error(Error::Kind::Option, "options", refusal.name, refusal.value, refusal.must);
-  }
+  refuseFirst(firstError(options));
   const CurveStretch stretch = chooseCurvePoints(line, options.points);
   std::vector<CurveFigures> all;
   if (stretch.checks.empty()) return all;

@@ -3,8 +3,11 @@
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 
@@ -24,8 +27,8 @@ struct CurveOptions {
   int degree = 3;   ///< of the least-squares polynomial, at least 1, below the number of points
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const CurveOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const CurveOptions& options);
 
 /// Places on a line: t along it, in any unit, and the elevation z [m].
 using LinePoints = std::vector<Eigen::Vector2d>;

@@ -82,16 +82,6 @@ Fit chooseFit(const std::vector<Eigen::Vector3d>& points, const std::vector<doub
 
 }  // namespace
 
-std::string firstError(const SplineOptions& options) {
-  if (options.control_points != 0 && (options.control_points < 4 || options.control_points > 1000)) {
-    return "spline.control_points = " + std::to_string(options.control_points) + " (must be 0 or 4 to 1000)";
-  }
-  if (options.check_every < 2) {
-    return "spline.check_every = " + std::to_string(options.check_every) + " (must be >= 2)";
-  }
-  return {};
-}
-
 Eigen::Vector4d cubicBasis(double t) {
   const double t2 = t * t, t3 = t2 * t;
   return Eigen::Vector4d(1 - 3 * t + 3 * t2 - t3, 4 - 6 * t2 + 3 * t3, 1 + 3 * t + 3 * t2 - 3 * t3, t3) / 6.0;

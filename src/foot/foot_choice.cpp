@@ -14,7 +14,6 @@ using Choice = std::vector<std::optional<std::size_t>>;
 
 constexpr double kNone = 2.5;      // cost of choosing nothing at a place, in which the others are counted
 constexpr double kEnterGap = 0.5;  // of going from something to nothing or back
-constexpr double kStepCost = 4.0;  // of a step between neighbours
 
 /// What the better places of the ring show: how near to the shell a stretch begins, and its noise [m].
 struct Usual {
@@ -56,7 +55,7 @@ struct Ring {
     if (none_i || none_j) return none_i == none_j ? 0.0 : kEnterGap;
     const FootCandidate &a = places[i][s], &b = places[j][t];
     const double off = (a.height - b.height) / usualDifference(a, b, arc, reach);
-    return std::min(kStepCost, off * off);
+    return off * off;  // at most what a place of none between them costs
   }
 };
 

@@ -9,15 +9,15 @@
 #include "foot/foot_check.h"
 #include "foot/foot_state.h"
 #include "foot/slanting_beams.h"
+#include "stations/highest_wave.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/foot/refined.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
-constexpr double kWideSlope = 0.1;     // of pads and floors, before they are looked at [m/m]
-constexpr double kLipSlope = 0.05;     // of the lips of annular plates: bent by the weld, by settlement [m/m]
+constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looked at [m/m]
+constexpr double kLipSlope = 0.05;  // of the lips of annular plates: bent by the weld, by settlement [m/m]
 
 /// Fits of the slope in windows a few degrees wide, at every so many stations.
 struct Slopes {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
@@ -17,13 +16,12 @@
 #include "foot/shell_fits.h"
 #include "foot/shell_line.h"
 #include "foot/station_section.h"
+#include "stations/highest_wave.h"
 #include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kHighestWave = 0.03;  // bend of a datum times the radius: n^2 A / R for n = 8, A = R / 2000
 
 /// As many times the stations asked for as follow the shell's lobes.
 StationOptions followingLobes(StationOptions options) {
@@ -202,22 +200,6 @@ std::vector<T> everyNth(const std::vector<T>& all, int n) {
 }
 
 }  // namespace
-
-std::string firstError(const RefineOptions& options) {
-  char text[96] = "";
-  const auto refuse = [&text](const char* name, double value) {
-    if (value > 0.0 || text[0] != '\0') return;
-    std::snprintf(text, sizeof text, "refine.%s = %g m (must be > 0)", name, value);
-  };
-  refuse("largest_weld", options.largest_weld);
-  refuse("widest_band", options.widest_band);
-  refuse("widest_window", options.widest_window);
-  refuse("wanted_sigma", options.wanted_sigma);
-  if (options.profile_points < 0 && text[0] == '\0') {
-    std::snprintf(text, sizeof text, "refine.profile_points = %d (must be >= 0)", options.profile_points);
-  }
-  return text;
-}
 
 RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptions& options,
                            const StationOptions& asked) {

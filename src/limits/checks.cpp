@@ -33,9 +33,9 @@ std::string whatIsNotGiven(const Limit& limit, const TankFacts& facts) {
     if (limit.formula.powers.count(letter) == 0 || std::isfinite(value)) return;
     names += (names.empty() ? "" : ", ") + std::string(name);
   };
-  lacks('H', facts.height, "shell height (--height)");
-  lacks('Y', facts.yield, "yield strength (--yield-mpa)");
-  lacks('E', facts.modulus, "elastic modulus (--modulus-mpa)");
+  lacks('H', facts.height, "shell height (option height)");
+  lacks('Y', facts.yield, "yield strength (option yield_mpa)");
+  lacks('E', facts.modulus, "elastic modulus (option modulus_mpa)");
   return names.empty() ? names : "not given: " + names;
 }
 
@@ -171,41 +171,10 @@ Check checkOf(const LimitTable& table, const std::vector<Measure>& measures, con
   return judged(std::move(check), *limit, measure, facts);
 }
 
-/// A fact and what it can be: a limit in proportion to one of another unit would pass, or fail, every tank.
-struct Range {
-  const char* name;
-  double value, above, at_most;
-  const char* unit;
-};
-
-std::string outside(const Range& range) {
-  if (std::isnan(range.value) || (range.value > range.above && range.value <= range.at_most)) return {};
-  char text[96];
-  std::snprintf(text, sizeof text, "facts.%s = %g (must be in %s, > %g and at most %g)", range.name, range.value,
-                range.unit, range.above, range.at_most);
-  return text;
-}
-
 }  // namespace
 
 const char* nameOf(Service service) {
   return service == Service::New ? "new" : service == Service::Rebuilt ? "rebuilt" : "in-service";
-}
-
-std::string firstError(const TankFacts& facts) {
-  for (const Range& range : {Range{"height", facts.height, 0.0, 100.0, "m"},
-                             {"yield", facts.yield, 50.0, 2000.0, "MPa"},
-                             {"modulus", facts.modulus, 5e4, 5e5, "MPa"}}) {
-    const std::string error = outside(range);
-    if (!error.empty()) return error;
-  }
-  if (!facts.roof.empty() && facts.roof != "open" && facts.roof != "fixed") {
-    return "facts.roof = " + facts.roof + " (must be open or fixed)";
-  }
-  if (!facts.foundation.empty() && facts.foundation != "ringwall" && facts.foundation != "earth") {
-    return "facts.foundation = " + facts.foundation + " (must be ringwall or earth)";
-  }
-  return {};
 }
 
 std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,

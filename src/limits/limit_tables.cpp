@@ -28,8 +28,9 @@ const Limit* rowFor(const LimitTable& table, const TankFacts& facts, double diam
     roof_needed = roof_needed || (!roof && facts.roof.empty());
     foundation_needed = foundation_needed || (!foundation && facts.foundation.empty());
   }
-  if (roof_needed) addClause(reason, "the type of roof is not given (--roof open or fixed)");
-  if (foundation_needed) addClause(reason, "the kind of foundation is not given (--foundation ringwall or earth)");
+  if (roof_needed) addClause(reason, "the type of roof is not given (option roof: open or fixed)");
+  if (foundation_needed)
+    addClause(reason, "the kind of foundation is not given (option foundation: ringwall or earth)");
   if (reason.empty()) reason = kNoLimit;
   return nullptr;
 }

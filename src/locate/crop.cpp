@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
 #include "core/point_hash.h"
@@ -13,19 +12,6 @@
 #include "search/voxel_sample.h"
 
 namespace tank_datum {
-
-std::string firstError(const CropOptions& options) {
-  char text[80] = "";
-  if (!(options.reach > 0.0 && std::isfinite(options.reach))) {
-    std::snprintf(text, sizeof text, "crop.reach = %g m (must be > 0)", options.reach);
-  } else if (options.search_points < 1000) {
-    std::snprintf(text, sizeof text, "crop.search_points = %zu (must be >= 1000)", options.search_points);
-  } else if (options.fit_points < 1000) {
-    std::snprintf(text, sizeof text, "crop.fit_points = %zu (must be >= 1000)", options.fit_points);
-  }
-  return text;
-}
-
 namespace {
 
 /// Numbers setups as they come. Points of one setup come together, so that the last one is asked first.

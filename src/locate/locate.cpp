@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "core/parallel.h"
@@ -197,18 +196,6 @@ Found tanksOf(const Sample& sample, const LocateOptions& options) {
 double Tank::azimuthOf(const Eigen::Vector2d& p) const {
   const double azimuth = std::atan2(p.y() - circle.center.y(), p.x() - circle.center.x());
   return azimuth < 0 ? azimuth + kTwoPi : azimuth;
-}
-
-std::string firstError(const LocateOptions& options) {
-  char text[96] = "";
-  if (!(options.min_radius > 0.0 && std::isfinite(options.min_radius))) {
-    std::snprintf(text, sizeof text, "locate.min_radius = %g m (must be > 0)", options.min_radius);
-  } else if (!(options.min_arc > 0.0 && options.min_arc <= kTwoPi)) {
-    std::snprintf(text, sizeof text, "locate.min_arc = %g rad (must be > 0 and <= 2 pi)", options.min_arc);
-  } else if (options.sample_points < 10'000) {
-    std::snprintf(text, sizeof text, "locate.sample_points = %zu (must be >= 10000)", options.sample_points);
-  }
-  return text;
 }
 
 std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads,

@@ -37,7 +37,7 @@ Baseline readBaseline(const std::string& path, const MovementOptions& options, c
                 std::string("the method of this survey, ") + nameOf(current.method));
   }
   requireErrors(epoch);
-  if (current.tank) requireSameTank(epoch, "--tank", *current.tank, looseTolerances(options, current.crop.reach));
+  if (current.tank) requireSameTank(epoch, "option tank", *current.tank, looseTolerances(options, current.crop.reach));
   return baseline;
 }
 

@@ -11,11 +11,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kWidestBracket = 2.0 * kPi / 180.0;  ///< neighbours between which an elevation is interpolated
 /// Neighbours share the shell's fit and the surface's roughness too: with windows of one degree the errors of stations
 /// one degree apart were found correlated by 0.2 to 0.25 [rad].
 constexpr double kLeastShared = 2.0 * kPi / 180.0;
-constexpr double kSamePlace = 1e-6;  ///< [rad], 0.03 mm at 30 m
 
 std::vector<Elevation> byDirection(const Epoch& epoch) {
   std::vector<Elevation> known;

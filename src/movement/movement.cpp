@@ -33,7 +33,7 @@ std::string text(double value) {
 std::string unitBehind(double ratio) {
   if (ratio < 1.0) ratio = 1.0 / ratio;
   for (const auto& [factor, name] :
-       {std::pair{1000.0, "mm and m"}, {1000.0 * kFoot, "mm and ft"}, {1.0 / kFoot, "ft and m"}}) {
+       {std::pair{1000.0, "mm and m"}, {1000.0 * kMetresPerFoot, "mm and ft"}, {1.0 / kMetresPerFoot, "ft and m"}}) {
     if (std::abs(ratio / factor - 1.0) < 0.01) return std::string(" (as ") + name + " taken for each other)";
   }
   return {};
@@ -95,25 +95,6 @@ double StationMovement::lod95() const { return kNormal95 * sigma; }
 
 const char* nameOf(Removal removal) {
   return removal == Removal::Nothing ? "none" : removal == Removal::Mean ? "mean" : "tilt";
-}
-
-std::string firstError(const MovementOptions& options) {
-  const std::pair<const char*, double> lengths[] = {{"movement.registration_error", options.registration_error},
-                                                    {"movement.registration_tilt", options.registration_tilt},
-                                                    {"movement.correlation", options.correlation}};
-  for (const auto& [name, value] : lengths) {
-    if (!(value >= 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be >= 0)";
-  }
-  const std::pair<const char*, double> tolerances[] = {{"movement.radius_difference", options.radius_difference},
-                                                       {"movement.centre_distance", options.centre_distance}};
-  for (const auto& [name, value] : tolerances) {
-    if (!(value > 0.0 && std::isfinite(value))) return std::string(name) + " = " + text(value) + " (must be > 0)";
-  }
-  if (!std::isfinite(options.azimuth_offset)) return "movement.azimuth_offset = not finite (must be an angle)";
-  if (options.estimate_offset && options.azimuth_offset != 0.0) {
-    return "movement.azimuth_offset = " + text(options.azimuth_offset) + " (must be 0 when it is estimated)";
-  }
-  return {};
 }
 
 void requireValid(const MovementOptions& options) { refuseFirst(firstError(options)); }

@@ -14,7 +14,8 @@ struct MovementErrors {
 };
 
 /// Scatter and autocorrelation of dz about a robust plane, by medians: a movement of less than half of the ring hardly
-/// changes them. From 16 stations on; the autocorrelation from 65.
+/// changes them, nor does a long wave of the whole ring that stands far above the waves shorter than it. From 16
+/// stations on; the autocorrelation and the waves from 65.
 /// Source of the robust autocovariance: Ma and Genton, J. Time Series Analysis 21, 2000, with the median absolute
 /// deviation as scale.
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations);

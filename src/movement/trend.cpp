@@ -14,9 +14,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kWidestBracket = 2.0 * kPi / 180.0;
-constexpr double kSamePlace = 1e-6;  ///< [rad]
-
 std::vector<StationMovement> byDirection(const Movement& movement) {
   std::vector<StationMovement> known;
   for (StationMovement s : movement.stations) {

@@ -4,6 +4,7 @@
 
 #include "job.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/version.h"
 
 namespace py = pybind11;
 
@@ -51,6 +52,7 @@ py::dict extract(const std::vector<std::string>& paths, const py::list& arrays, 
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of tank_datum.";
+  module.attr("__version__") = kVersion;
   static const py::object option_error =
       py::exception<Error>(module, "OptionError", PyExc_ValueError);  // NOLINT: lives as long as the module
   static const py::object file_error = py::exception<Error>(module, "FileError", PyExc_OSError);
@@ -64,6 +66,7 @@ PYBIND11_MODULE(_core, module) {
   });
   module.def("extract", &extract);
   module.def("defaults", &defaults);
+  module.def("keyword_help", &keywordHelp);
 }
 
 }  // namespace tank_datum::python

@@ -9,6 +9,9 @@
 #include <mutex>
 #include <thread>
 
+#include "core/refusal.h"
+#include "datum_stages.h"
+#include "io/up_axis.h"
 #include "movement/baseline.h"
 #include "movement/movement.h"
 
@@ -48,7 +51,7 @@ std::vector<Rows> rowsOf(const std::vector<py::array>& arrays) {
   return all;
 }
 
-Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const Options& options) {
+Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
   if (!points.paths.empty()) return Scan::open(points.paths, options.metresPerUnit());
   const double scale = options.metresPerUnit();
   return Scan::fromRows(rows.empty() ? 0 : rows.back().end, [rows, scale](std::uint64_t i) {
@@ -58,13 +61,18 @@ Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const Options&
   });
 }
 
+Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
+  const Scan scan = scanAsGiven(points, rows, options);
+  return options.up == "z" ? scan : scan.turned(upRotation(options.up));
+}
+
 struct GivenUp {};
 
 /// What the two threads share. The thread that works touches no Python object.
 struct Job {
   Points3 points;  // keeps the arrays' memory
   std::vector<Rows> rows;
-  Options options;
+  RunOptions options;
   std::atomic<bool> given_up{false};
   std::mutex mutex;
   std::condition_variable told;
@@ -75,7 +83,7 @@ struct Job {
 
   void work() {
     try {
-      requireValid(options.movement);
+      refuseFirst(firstError(options));
       std::optional<Baseline> baseline;
       if (!options.baseline.empty()) baseline = readBaseline(options.baseline, options.movement, options.datum);
       extract(scanOf(points, rows, options), baseline);
@@ -99,7 +107,9 @@ struct Job {
       if (baseline) requireAmong(tanks, scan.origin(), *baseline);
     };
     result.datum = extractDatum(scan, options.datum, callbacks);
-    result.provenance = provenanceOf(recordInputs(points.paths), options.units, options.datum, result.datum);
+    const auto wanted = [this] { return !options.no_checksum; };
+    result.provenance = provenanceOf(recordInputs(points.paths, wanted), options.units, options.datum, result.datum);
+    result.provenance.up = options.up;
     result.provenance.baseline = options.baseline;
     result.provenance.movement_options = options.movement;
     if (baseline && result.datum.usable()) {
@@ -132,7 +142,7 @@ bool waitFor(Job& job, std::vector<std::string>& stages) {
 
 }  // namespace
 
-Result runJob(Points3 points, const Options& options, const std::function<void(const std::string&)>& progress) {
+Result runJob(Points3 points, const RunOptions& options, const std::function<void(const std::string&)>& progress) {
   dropEnded();
   const auto job = std::make_shared<Job>();
   job->points = std::move(points);

@@ -26,6 +26,6 @@ struct Result {
 /// a tenth of a second. A run that is given up ends at its next stage.
 /// @param progress  called in the calling thread with each stage's name; what it raises gives the run up
 /// @throws Error, and pybind11::error_already_set for KeyboardInterrupt and what progress raises
-Result runJob(Points3 points, const Options& options, const std::function<void(const std::string&)>& progress);
+Result runJob(Points3 points, const RunOptions& options, const std::function<void(const std::string&)>& progress);
 
 }  // namespace tank_datum::python

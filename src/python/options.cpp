@@ -4,14 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
+#include <tuple>
 #include <vector>
 
-#include "core/length_units.h"
-#include "core/units.h"
-#include "setups/agreement.h"
-#include "tank_datum/core/error.h"
+#include "options/option_table.h"
 #include "tank_datum/core/unknown.h"
 
 namespace py = pybind11;
@@ -19,256 +16,109 @@ namespace py = pybind11;
 namespace tank_datum::python {
 namespace {
 
-/// One keyword: how it is read from the options and how it is put into them.
-struct Keyword {
-  const char* name;
-  std::function<py::object(const Options&)> get;
-  std::function<void(Options&, const py::handle&)> set;
+std::string pathFrom(const py::handle& value) {
+  return value.is_none() ? std::string() : py::module_::import("os").attr("fspath")(value).cast<std::string>();
+}
+
+/// Puts a Python value where the option keeps it.
+struct Put {
+  Option& option;
+  py::handle value;
+
+  template <typename Plain>
+  void operator()(Plain* kept) const {
+    *kept = value.cast<Plain>();
+  }
+  void operator()(double* kept) const { *kept = option.kept(value.cast<double>()); }
+  void operator()(std::optional<Circle>* circle) const {
+    circle->reset();
+    if (value.is_none()) return;
+    const auto [x, y, radius] = value.cast<std::tuple<double, double, double>>();
+    *circle = Circle{{x, y}, radius};
+  }
+  void operator()(const Fact& fact) const { *fact.value = value.is_none() ? kUnknown : value.cast<double>(); }
+  void operator()(const Path& path) const { *path.path = pathFrom(value); }
+  void operator()(const Places& places) const {
+    places.places->clear();
+    if (!py::isinstance<py::dict>(value)) {
+      *places.path = pathFrom(value);
+      return;
+    }
+    for (const auto& [name, at] : value.cast<std::map<std::string, std::array<double, 3>>>()) {
+      (*places.places)[name] = Eigen::Vector3d(at[0], at[1], at[2]);
+    }
+  }
+  void operator()(const Choice&) const { option.choose(value.is_none() ? std::string() : value.cast<std::string>()); }
 };
 
-template <typename Value, typename Place>
-Keyword plain(const char* name, Place place) {
-  return {name, [place](const Options& o) { return py::cast(Value(place(const_cast<Options&>(o)))); },
-          [place](Options& o, const py::handle& value) { place(o) = value.cast<Value>(); }};
-}
+/// A value as Python has it; None: not given.
+struct Get {
+  const Option& option;
 
-template <typename Place>
-Keyword degrees(const char* name, Place place) {
-  return {name, [place](const Options& o) { return py::cast(toDegrees(place(const_cast<Options&>(o)))); },
-          [place](Options& o, const py::handle& value) { place(o) = value.cast<double>() * kPi / 180.0; }};
-}
-
-template <typename Place>
-Keyword arcSeconds(const char* name, Place place) {
-  return {name, [place](const Options& o) { return py::cast(toArcSeconds(place(const_cast<Options&>(o)))); },
-          [place](Options& o, const py::handle& value) { place(o) = value.cast<double>() / toArcSeconds(1.0); }};
-}
-
-/// A name out of a few.
-template <typename Value>
-Value named(const char* keyword, const py::handle& value, const std::vector<Value>& values) {
-  const auto name = value.cast<std::string>();
-  std::string known;
-  for (const Value v : values) {
-    if (name == nameOf(v)) return v;
-    known += (known.empty() ? "" : " or ") + std::string(nameOf(v));
+  template <typename Plain>
+  py::object operator()(const Plain* kept) const {
+    return py::cast(*kept);
   }
-  throw Error(Error::Kind::Option, "options", keyword, name, known);
-}
+  py::object operator()(const double* kept) const { return py::cast(option.typed(*kept)); }
+  py::object operator()(const std::optional<Circle>* circle) const {
+    if (!*circle) return py::none();
+    return py::make_tuple((*circle)->center.x(), (*circle)->center.y(), (*circle)->radius);
+  }
+  py::object operator()(const Fact& fact) const {
+    return std::isnan(*fact.value) ? py::object(py::none()) : py::cast(*fact.value);
+  }
+  py::object operator()(const Path& path) const { return text(*path.path); }
+  py::object operator()(const Places& places) const { return text(*places.path); }
+  py::object operator()(const Choice& choice) const { return text(choice.get()); }
 
-Keyword method() {
-  return {"method", [](const Options& o) { return py::cast(nameOf(o.datum.method)); },
-          [](Options& o, const py::handle& value) {
-            o.datum.method = named<Method>("method", value, {Method::Refined, Method::Paper});
-          }};
-}
+  static py::object text(const std::string& text) { return text.empty() ? py::object(py::none()) : py::cast(text); }
+};
 
-Keyword search() {
-  return {"search", [](const Options& o) { return py::cast(nameOf(o.datum.normals.search)); },
-          [](Options& o, const py::handle& value) {
-            o.datum.normals.search = named<SearchEngine>("search", value, {SearchEngine::Flann, SearchEngine::Buckets});
-          }};
-}
-
-Keyword service() {
-  return {"service", [](const Options& o) { return py::cast(nameOf(o.datum.analysis.facts.service)); },
-          [](Options& o, const py::handle& value) {
-            o.datum.analysis.facts.service =
-                named<Service>("service", value, {Service::New, Service::Rebuilt, Service::InService});
-          }};
-}
-
-Keyword tank() {
-  return {"tank", [](const Options&) { return py::object(py::none()); },
-          [](Options& o, const py::handle& value) {
-            if (value.is_none()) return;
-            const auto [x, y, radius] = value.cast<std::tuple<double, double, double>>();
-            o.datum.tank = Circle{{x, y}, radius};
-          }};
-}
-
-/// A figure that may not be known.
-template <typename Place>
-Keyword fact(const char* name, Place place) {
-  return {
-      name,
-      [place](const Options& o) {
-        const double value = place(const_cast<Options&>(o));
-        return std::isnan(value) ? py::object(py::none()) : py::cast(value);
-      },
-      [place](Options& o, const py::handle& value) { place(o) = value.is_none() ? kUnknown : value.cast<double>(); }};
-}
-
-/// A word that may not be known.
-template <typename Place>
-Keyword word(const char* name, Place place) {
-  return {name,
-          [place](const Options& o) {
-            const std::string& text = place(const_cast<Options&>(o));
-            return text.empty() ? py::object(py::none()) : py::cast(text);
-          },
-          [place](Options& o, const py::handle& value) {
-            place(o) = value.is_none() ? std::string() : value.cast<std::string>();
-          }};
-}
-
-Keyword limits() {
-  return {"limits", [](const Options&) { return py::object(py::none()); },
-          [](Options& o, const py::handle& value) {
-            if (value.is_none()) return;
-            o.datum.analysis.limits_file = py::str(value).cast<std::string>();
-            o.datum.analysis.limits = readLimits(o.datum.analysis.limits_file);
-          }};
-}
-
-Keyword units() {
-  return {"units", [](const Options& o) { return py::cast(o.units); },
-          [](Options& o, const py::handle& value) {
-            o.units = value.cast<std::string>();
-            if (kUnits.count(o.units) == 0) {
-              throw Error(Error::Kind::Option, "options", "units", o.units, "m, mm, ft or in");
-            }
-          }};
-}
-
-Keyword baseline() {
-  return {"baseline", [](const Options& o) { return py::cast(o.baseline); },
-          [](Options& o, const py::handle& value) {
-            o.baseline = py::module_::import("os").attr("fspath")(value).cast<std::string>();
-          }};
-}
-
-Keyword removal() {
-  return {"remove", [](const Options& o) { return py::cast(nameOf(o.movement.removal)); },
-          [](Options& o, const py::handle& value) {
-            o.movement.removal = named<Removal>("remove", value, {Removal::Nothing, Removal::Mean, Removal::Tilt});
-          }};
-}
-
-Keyword badSetups() {
-  return {
-      "bad_setups", [](const Options& o) { return py::cast(nameOf(o.datum.setups.bad)); },
-      [](Options& o, const py::handle& value) {
-        o.datum.setups.bad = named<BadSetups>("bad_setups", value, {BadSetups::Free, BadSetups::Drop, BadSetups::Keep});
-      }};
-}
-
-/// A file of rows name,x,y,z in metres, or a dictionary of them.
-Keyword setupOrigins() {
-  return {"setup_origins", [](const Options&) { return py::object(py::none()); },
-          [](Options& o, const py::handle& value) {
-            if (value.is_none()) return;
-            if (!py::isinstance<py::dict>(value)) {
-              o.datum.setups.origins = readSetupOrigins(py::str(value).cast<std::string>());
-              return;
-            }
-            for (const auto& [name, place] : value.cast<std::map<std::string, std::array<double, 3>>>()) {
-              o.datum.setups.origins[name] = Eigen::Vector3d(place[0], place[1], place[2]);
-            }
-          }};
-}
-
-const std::vector<Keyword>& keywords() {
-  static const std::vector<Keyword> all = {
-      method(),
-      plain<int>(
-          "k", [](Options & o) -> auto& { return o.datum.normals.k; }),
-      degrees(
-          "angle_deg", [](Options & o) -> auto& { return o.datum.growing.angle; }),
-      plain<double>(
-          "centre_tolerance", [](Options & o) -> auto& { return o.datum.centre_filter.tolerance; }),
-      plain<int>(
-          "control_points", [](Options & o) -> auto& { return o.datum.spline.control_points; }),
-      search(),
-      plain<int>(
-          "stations", [](Options & o) -> auto& { return o.datum.stations.count; }),
-      degrees(
-          "zero_azimuth_deg", [](Options & o) -> auto& { return o.datum.stations.zero_azimuth; }),
-      plain<bool>(
-          "clockwise", [](Options & o) -> auto& { return o.datum.stations.clockwise; }),
-      plain<std::vector<double>>(
-          "heights", [](Options & o) -> auto& { return o.datum.shell.heights; }),
-      plain<double>(
-          "height_step", [](Options & o) -> auto& { return o.datum.shell.step; }),
-      tank(),
-      plain<int>(
-          "pick", [](Options & o) -> auto& { return o.datum.pick; }),
-      plain<std::size_t>(
-          "search_points", [](Options & o) -> auto& { return o.datum.crop.search_points; }),
-      plain<std::size_t>(
-          "fit_points", [](Options & o) -> auto& { return o.datum.crop.fit_points; }),
-      plain<double>(
-          "setup_error", [](Options & o) -> auto& { return o.datum.setups.error; }),
-      arcSeconds(
-          "setup_tilt_arcsec", [](Options & o) -> auto& { return o.datum.setups.tilt; }),
-      badSetups(),
-      setupOrigins(),
-      plain<double>(
-          "min_radius", [](Options & o) -> auto& { return o.datum.locate.min_radius; }),
-      units(),
-      fact(
-          "height", [](Options & o) -> auto& { return o.datum.analysis.facts.height; }),
-      fact(
-          "yield_mpa", [](Options & o) -> auto& { return o.datum.analysis.facts.yield; }),
-      fact(
-          "modulus_mpa", [](Options & o) -> auto& { return o.datum.analysis.facts.modulus; }),
-      word(
-          "roof", [](Options & o) -> auto& { return o.datum.analysis.facts.roof; }),
-      word(
-          "foundation", [](Options & o) -> auto& { return o.datum.analysis.facts.foundation; }),
-      service(),
-      plain<int>(
-          "classic_points", [](Options & o) -> auto& { return o.datum.analysis.classic_points; }),
-      limits(),
-      baseline(),
-      removal(),
-      plain<double>(
-          "registration_error", [](Options & o) -> auto& { return o.movement.registration_error; }),
-      arcSeconds(
-          "registration_tilt_arcsec", [](Options & o) -> auto& { return o.movement.registration_tilt; }),
-      degrees(
-          "azimuth_offset_deg", [](Options & o) -> auto& { return o.movement.azimuth_offset; }),
-      plain<bool>(
-          "estimate_azimuth_offset", [](Options & o) -> auto& { return o.movement.estimate_offset; }),
-      degrees(
-          "correlation_deg", [](Options & o) -> auto& { return o.movement.correlation; }),
-      plain<double>(
-          "radius_difference", [](Options & o) -> auto& { return o.movement.radius_difference; }),
-      plain<double>(
-          "centre_distance", [](Options & o) -> auto& { return o.movement.centre_distance; }),
-      plain<int>(
-          "threads", [](Options & o) -> auto& { return o.datum.threads; }),
-  };
-  return all;
+std::vector<Option> keywordsOf(RunOptions& run) {
+  std::vector<Option> keywords;
+  for (const Option& option : optionsOf(run)) {
+    if (option.giver == Giver::All) keywords.push_back(option);
+  }
+  return keywords;
 }
 
 }  // namespace
 
-double Options::metresPerUnit() const { return kUnits.at(units); }
-
-Options optionsFrom(const py::dict& given) {
-  Options options;
+RunOptions optionsFrom(const py::dict& given) {
+  RunOptions run;
+  std::map<std::string, Option> keywords;
+  for (const Option& option : keywordsOf(run)) keywords.emplace(option.name, option);
   for (const auto& [name, value] : given) {
-    const auto text = name.cast<std::string>();
-    const Keyword* found = nullptr;
-    for (const Keyword& keyword : keywords()) {
-      if (text == keyword.name) found = &keyword;
+    const auto found = keywords.find(name.cast<std::string>());
+    if (found == keywords.end()) {
+      throw py::type_error("extract_datum() got an unexpected keyword argument '" + name.cast<std::string>() + "'");
     }
-    if (!found) throw py::type_error("extract_datum() got an unexpected keyword argument '" + text + "'");
     try {
-      found->set(options, value);
+      std::visit(Put{found->second, value}, found->second.value);
     } catch (const py::cast_error&) {
       const auto shown = py::repr(value).cast<std::string>();
-      throw py::type_error(text + " = " + shown + ", expected the type of its default");
+      throw py::type_error(found->first + " = " + shown + ", expected the type of its default");
     }
   }
-  return options;
+  readFilesOf(run);
+  return run;
 }
 
 py::dict defaults() {
+  RunOptions run;
   py::dict all;
-  for (const Keyword& keyword : keywords()) all[keyword.name] = keyword.get({});
+  for (const Option& option : keywordsOf(run)) all[option.name.c_str()] = std::visit(Get{option}, option.value);
   return all;
+}
+
+std::string keywordHelp() {
+  RunOptions run;
+  std::string lines;
+  for (const Option& option : keywordsOf(run)) {
+    const std::string expected = option.expected().empty() ? "" : " (" + option.expected() + ")";
+    lines += "    " + option.name + ": " + option.text() + expected + "\n";
+  }
+  return lines;
 }
 
 }  // namespace tank_datum::python

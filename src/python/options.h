@@ -4,26 +4,18 @@
 
 #include <string>
 
-#include "tank_datum/datum.h"
-#include "tank_datum/movement/movement.h"
+#include "options/run_options.h"
 
 namespace tank_datum::python {
 
-/// Options as the command line has them: degrees, and the units of the input.
-struct Options {
-  DatumOptions datum;
-  std::string units = "m";
-  std::string baseline;  ///< datum.json or folder of an earlier survey, or empty
-  MovementOptions movement;
-
-  double metresPerUnit() const;
-};
-
-/// Keyword arguments over the defaults of the C++ structs.
-/// @throws py::type_error for an unknown name or a value of the wrong type, Error (Option) for a refused name
-Options optionsFrom(const pybind11::dict& keywords);
+/// Keyword arguments over the defaults of the C++ structs; the files that they name are read.
+/// @throws py::type_error for an unknown name or a value of the wrong type, Error for what is refused or cannot be read
+RunOptions optionsFrom(const pybind11::dict& keywords);
 
 /// Every keyword and its default.
 pybind11::dict defaults();
+
+/// A line for each keyword: its name, what it is, in what unit and what it must be.
+std::string keywordHelp();
 
 }  // namespace tank_datum::python

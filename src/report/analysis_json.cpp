@@ -102,11 +102,23 @@ Json checksJson(const std::vector<Check>& checks) {
   return all;
 }
 
+Json localSettlementsJson(const std::vector<LocalSettlement>& settlements) {
+  Json all = Json::array();
+  for (const LocalSettlement& s : settlements) {
+    all.push_back({{"azimuth_deg", number(toDegrees(s.azimuth))},
+                   {"width_deg", number(toDegrees(s.width))},
+                   {"height", number(s.height)},
+                   {"sigma", number(s.sigma)}});
+  }
+  return all;
+}
+
 }  // namespace
 
 void addAnalysis(Json& json, const Analysis& analysis, const std::vector<Station>& stations, double z_origin) {
   json["harmonics"] = harmonicsJson(analysis.harmonics, z_origin);
   json["out_of_plane"] = outOfPlaneJson(analysis, stations);
+  json["local_settlements"] = localSettlementsJson(analysis.local_settlements);
   json["foundation"] = {{"level_9m", placed(analysis.level_9m)},
                         {"level_3m", placed(analysis.level_3m)},
                         {"level_total", placed(analysis.level_total)}};
@@ -116,17 +128,6 @@ void addAnalysis(Json& json, const Analysis& analysis, const std::vector<Station
                      {"utilisation", number(analysis.headline.utilisation)},
                      {"sentence", analysis.headline.sentence}};
   json["notes"] = analysis.notes;
-}
-
-Json analysisOptionsJson(const AnalysisOptions& o) {
-  return {{"height", number(o.facts.height)},
-          {"yield_mpa", number(o.facts.yield)},
-          {"modulus_mpa", number(o.facts.modulus)},
-          {"roof", textOrNull(o.facts.roof)},
-          {"foundation", textOrNull(o.facts.foundation)},
-          {"service", nameOf(o.facts.service)},
-          {"classic_points", o.classic_points},
-          {"limits", textOrNull(o.limits_file)}};
 }
 
 }  // namespace tank_datum

@@ -12,7 +12,4 @@ namespace tank_datum {
 void addAnalysis(nlohmann::ordered_json& json, const Analysis& analysis, const std::vector<Station>& stations,
                  double z_origin);
 
-/// The options of the analysis, as used.
-nlohmann::ordered_json analysisOptionsJson(const AnalysisOptions& options);
-
 }  // namespace tank_datum

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "io/json_file.h"
+#include "options/option_json.h"
 #include "refusals.h"
 #include "report/analysis_json.h"
 #include "report/movement_json.h"
@@ -24,47 +25,13 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json setupOrigins(const SetupOptions& options) {
-  Json origins = Json::object();
-  for (const auto& [name, at] : options.origins) origins[name] = {at.x(), at.y(), at.z()};
-  return origins;
-}
-
-Json optionsJson(const DatumOptions& o, const Provenance& provenance) {
-  Json json;
-  json["method"] = nameOf(o.method);
-  json["locate"] = {{"min_radius", o.locate.min_radius},
-                    {"min_arc_deg", toDegrees(o.locate.min_arc)},
-                    {"sample_points", o.locate.sample_points}};
-  json["crop"] = {{"reach", o.crop.reach}, {"search_points", o.crop.search_points}, {"fit_points", o.crop.fit_points}};
-  json["normals"] = {{"k", o.normals.k}, {"search", nameOf(o.normals.search)}};
-  json["growing"] = {{"angle_deg", toDegrees(o.growing.angle)}};
-  json["centre_filter"] = {{"tolerance", o.centre_filter.tolerance}};
-  json["spline"] = {{"control_points", o.spline.control_points}, {"check_every", o.spline.check_every}};
-  json["setups"] = {{"error", o.setups.error},
-                    {"tilt_arcsec", toArcSeconds(o.setups.tilt)},
-                    {"bad", nameOf(o.setups.bad)},
-                    {"origins", setupOrigins(o.setups)}};
-  json["refine"] = {{"largest_weld", o.refine.largest_weld},
-                    {"widest_band", o.refine.widest_band},
-                    {"widest_window", o.refine.widest_window},
-                    {"wanted_sigma", o.refine.wanted_sigma}};
-  json["stations"] = {{"count", o.stations.count},
-                      {"zero_azimuth_deg", toDegrees(o.stations.zero_azimuth)},
-                      {"clockwise", o.stations.clockwise},
-                      {"longest_bridge_deg", toDegrees(o.stations.longest_bridge)}};
-  json["analysis"] = analysisOptionsJson(o.analysis);
-  json["shell"] = {{"heights", o.shell.heights},
-                   {"step", o.shell.step},
-                   {"half_band", o.shell.half_band},
-                   {"reach", o.shell.reach},
-                   {"cell_points", o.shell.cell_points}};
-  json["pick"] = o.pick;
-  json["accept"] = o.accept;
-  json["level"] = o.level;
-  json["tank"] = o.tank ? Json{o.tank->center.x(), o.tank->center.y(), o.tank->radius} : Json(nullptr);
-  json["movement"] = movementOptionsSection(provenance.baseline, provenance.movement_options);
-  return json;
+Json optionsUsed(const Provenance& provenance) {
+  RunOptions run;
+  run.datum = provenance.options;
+  run.movement = provenance.movement_options;
+  run.up = provenance.up;
+  run.baseline = provenance.baseline;
+  return optionsJson(run);
 }
 
 Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool levelled) {
@@ -168,7 +135,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
   json["schema"] = kSchema;
   json["version"] = kVersion;
   json["input"] = inputJson(provenance, datum.origin, datum.levelled);
-  json["options"] = optionsJson(provenance.options, provenance);
+  json["options"] = optionsUsed(provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
   json["service"] = nameOf(provenance.options.analysis.facts.service);

@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 #include "movement/movement.h"
+#include "options/option_json.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
@@ -27,18 +28,6 @@ Json stationsSection(const Datum& datum) {
                         {"flag", nameOf(s.flag)}});
   }
   return stations;
-}
-
-Json movementOptionsSection(const std::string& baseline, const MovementOptions& o) {
-  return {{"baseline", baseline.empty() ? Json(nullptr) : Json(baseline)},
-          {"remove", nameOf(o.removal)},
-          {"registration_error", o.registration_error},
-          {"registration_tilt_arcsec", toArcSeconds(o.registration_tilt)},
-          {"azimuth_offset_deg", toDegrees(o.azimuth_offset)},
-          {"estimate_azimuth_offset", o.estimate_offset},
-          {"correlation_deg", toDegrees(o.correlation)},
-          {"radius_difference", o.radius_difference},
-          {"centre_distance", o.centre_distance}};
 }
 
 Json movementSection(const Movement& movement) {
@@ -77,11 +66,7 @@ Json movementSection(const Movement& movement) {
           {"stations", stations}};
 }
 
-std::string movementOptionsJson(const MovementOptions& options) {
-  Json json = movementOptionsSection("", options);
-  json.erase("baseline");
-  return json.dump(2) + "\n";
-}
+std::string movementOptionsJson(const MovementOptions& options) { return movementValues(options).dump(2) + "\n"; }
 
 std::string movementJson(const Movement& movement) {
   return movementSection(movement).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,9 +7,6 @@
 
 namespace tank_datum {
 
-/// The `movement` of datum.json's options.
-nlohmann::ordered_json movementOptionsSection(const std::string& baseline, const MovementOptions& options);
-
 /// The `movement` of datum.json and movement.json.
 nlohmann::ordered_json movementSection(const Movement& movement);
 

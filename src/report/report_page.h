@@ -14,8 +14,8 @@ struct PageData {
   std::string content;  ///< UTF-8
 };
 
-/// JSON that may stand inside an HTML script element: `<`, `>`, `&`, U+2028 and U+2029 written as \uXXXX, which only
-/// strings can hold, so that it still reads back as the same JSON.
+/// JSON that may stand inside an HTML script element: `<`, `>`, `&`, U+2028 and U+2029 are written as JSON escapes,
+/// which only strings can hold, so that it still reads back as the same JSON.
 std::string escapedForScript(const std::string& json);
 
 /// A page that opens from disk and needs nothing beside itself: the template with its styles, scripts and chart

@@ -22,7 +22,11 @@ template <typename... Values>
 std::string line(const char* title, const char* format, Values... values) {
   char titled[20], text[240];
   std::snprintf(titled, sizeof titled, "%-14s ", title);
-  std::snprintf(text, sizeof text, format, values...);
+  if constexpr (sizeof...(values) == 0) {
+    std::snprintf(text, sizeof text, "%s", format);
+  } else {
+    std::snprintf(text, sizeof text, format, values...);
+  }
   return std::string(titled) + text + "\n";
 }
 
@@ -66,6 +70,23 @@ std::string tiltLine(const Datum& datum) {
   }
   return line("tilt", "%.1f arc-seconds towards %.0f deg%s", toArcSeconds(std::atan(datum.tilt.slope())),
               toDegrees(datum.tilt.direction), bending);
+}
+
+/// Settlements and rises of single places, the largest first.
+std::string localLine(std::vector<LocalSettlement> all) {
+  constexpr std::size_t kShown = 3;
+  if (all.empty()) return {};
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return std::abs(a.height) > std::abs(b.height); });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, all.size()); ++i) {
+    char part[100];
+    std::snprintf(part, sizeof part, "%s%+.1f +- %.1f mm (2 sigma) at %.0f deg, %.0f deg wide", i > 0 ? "; " : "",
+                  1e3 * all[i].height, 2e3 * all[i].sigma, toDegrees(all[i].azimuth), toDegrees(all[i].width));
+    text += part;
+  }
+  if (all.size() > kShown) text += "; " + std::to_string(all.size() - kShown) + " more";
+  return line("local", "%s", text.c_str());
 }
 
 std::string antipodalLine(const Antipodal& across) {
@@ -137,9 +158,9 @@ std::string summary(const Datum& datum, bool blocks) {
   }
   const std::string lean = leanText(datum, {});
   if (!lean.empty()) text += line("lean", "%s", lean.c_str());
-  return text + methodLines(datum) + tiltLine(datum) + antipodalLine(datum.antipodal) +
-         shellSummary(datum.shell, datum.analysis.roundness) + checkLines(datum.analysis.checks) +
-         verdictLine(datum.analysis);
+  return text + methodLines(datum) + tiltLine(datum) + localLine(datum.analysis.local_settlements) +
+         antipodalLine(datum.antipodal) + shellSummary(datum.shell, datum.analysis.roundness) +
+         checkLines(datum.analysis.checks) + verdictLine(datum.analysis);
 }
 
 }  // namespace tank_datum

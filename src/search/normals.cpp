@@ -62,11 +62,6 @@ const char* nameOf(SearchEngine engine) {
   return "";
 }
 
-std::string firstError(const NormalOptions& options) {
-  if (options.k < 3) return "normals.k = " + std::to_string(options.k) + " (must be >= 3)";
-  return {};
-}
-
 Normals estimateNormals(const Points& points, const NormalOptions& options, int threads) {
   const auto k = static_cast<std::size_t>(options.k);
   if (!points.empty() && points.size() < k) {

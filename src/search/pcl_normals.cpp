@@ -67,7 +67,7 @@ Normals estimateNormalsWithPcl(const Points& points, int k, int threads) {
     float curvature = 0;
     for (std::size_t query = begin; query < end; ++query) {
       const std::uint32_t i = order[query];
-      tree.nearestKSearch((*cloud)[i], k, found, squared_distances);
+      tree.nearestKSearch((*cloud)[i], static_cast<pcl::uindex_t>(k), found, squared_distances);
       std::copy(found.begin(), found.end(), result.neighbours.begin() + static_cast<std::ptrdiff_t>(i * width));
       Eigen::Vector3f& n = result.normals[i];
       estimation.computePointNormal(*cloud, found, n.x(), n.y(), n.z(), curvature);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "core/parallel.h"
@@ -164,16 +163,6 @@ const char* nameOf(SetupVerdict verdict) {
       return "duplicate";
   }
   return "";
-}
-
-std::string firstError(const SetupOptions& options) {
-  char text[96] = "";
-  if (!(options.error >= 0.0 && std::isfinite(options.error))) {
-    std::snprintf(text, sizeof text, "setups.error = %g m (must be >= 0)", options.error);
-  } else if (!(options.tilt >= 0.0 && std::isfinite(options.tilt))) {
-    std::snprintf(text, sizeof text, "setups.tilt = %g rad (must be >= 0)", options.tilt);
-  }
-  return text;
 }
 
 SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const SetupOptions& options, int threads) {

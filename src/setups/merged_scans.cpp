@@ -67,11 +67,10 @@ double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
   }
   if (variances.size() < kFewest) return 0.0;
   const double most = kOther * median(sizes);
-  double sum = 0.0, squares = 0.0, count = 0.0;
+  double sum = 0.0, count = 0.0;
   for (const double v : variances) {
     if (v > most) continue;
     sum += v;
-    squares += v * v;
     count += 1.0;
   }
   const double mean = sum / count;

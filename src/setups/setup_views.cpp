@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "core/units.h"
+#include "stations/highest_wave.h"
 
 namespace tank_datum {
 namespace {
@@ -75,9 +76,8 @@ SetupMotion::Vector motionOfShell(const Eigen::Vector3d& arm, double azimuth) {
 
 std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double reach,
                               const std::vector<Eigen::Vector3d>& origins, int threads) {
-  constexpr double kSettlement = 0.01;   // slope of a datum along its shell [m/m]
-  constexpr double kHighestWave = 0.03;  // bend of a datum times the radius
-  constexpr double kLobe = 0.02;         // slope that the shell's outline leaves over [m/m]
+  constexpr double kSettlement = 0.01;  // slope of a datum along its shell [m/m]
+  constexpr double kLobe = 0.02;        // slope that the shell's outline leaves over [m/m]
   const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, kWindow * reach};
   const ArcPrior shell_prior{kLobe, 10.0 * kHighestWave / tank.circle.radius, kWindow * reach};
   std::vector<std::optional<ArcView>> found(2 * SetupRing::kArcs);

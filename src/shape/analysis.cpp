@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "limits/checks.h"
+#include "limits/survey_spacing.h"
 #include "shape/deformation.h"
 #include "shape/figures.h"
 #include "shape/out_of_plane.h"
@@ -13,7 +14,6 @@
 #include "shape/second_differences.h"
 #include "shape/settlement_arcs.h"
 #include "stations/stations.h"
-#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -49,12 +49,21 @@ std::string errorsNote(const RingModel& model) {
   char text[280];
   std::snprintf(text, sizeof text,
                 over > 1.0 ? "The stations depart from the fitted waves by %.1f times their standard errors (sigma_z): "
-                             "a shape shorter than the waves, such as a dip, or errors that neighbours share. The "
-                             "intervals allow for it."
+                             "errors that neighbours share. The intervals allow for it."
                            : "The stations scatter by %.1f times their standard errors (sigma_z) only: what is given "
                              "is used.",
                 over);
   return text;
+}
+
+std::vector<LocalSettlement> localSettlementsOf(const RingModel& model) {
+  std::vector<LocalSettlement> all;
+  for (const RingModel::Local& local : model.locals()) {
+    const double azimuth = local.shape.centre - kTwoPi * std::floor(local.shape.centre / kTwoPi);
+    all.push_back({azimuth, 2.0 * local.shape.half_width, local.height, local.sigma});
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.azimuth < b.azimuth; });
+  return all;
 }
 
 std::vector<std::string> notesOf(const std::vector<Station>& stations, const Tilt& tilt, const Analysis& analysis) {
@@ -73,7 +82,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
         100.0 * tilt.r2);
     notes.push_back(text);
   }
-  if (analysis.longest_gap > kTwentyFeet && stations.size() > 64) {
+  if (analysis.longest_gap > kSurveySpacing && stations.size() > 64) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
@@ -90,21 +99,13 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
 
 }  // namespace
 
-std::string firstError(const AnalysisOptions& options) {
-  const std::string error = firstError(options.facts);
-  if (!error.empty()) return error;
-  if (options.classic_points < 0) {
-    return "analysis.classic_points = " + std::to_string(options.classic_points) + " (must be >= 0)";
-  }
-  return {};
-}
-
 Analysis analyse(const std::vector<Station>& measured, const Tilt& tilt, double radius, const AnalysisOptions& options,
                  const std::vector<Measure>& shell, const StationCovariance& covariance) {
   Analysis result;
   const SimulatedSurveys surveys(measured, radius, covariance);
   result.harmonics = harmonicsOf(measured, radius, surveys.model());
   result.out_of_plane = fitOutOfPlane(measured, radius, surveys.model());
+  result.local_settlements = localSettlementsOf(surveys.model());
   const std::vector<Station> stations = withParts(measured, result.out_of_plane.stations);
   result.second_differences = secondDifferencesOf(stations, radius, options.classic_points);
   result.arcs = settlementArcs(stations, radius);
@@ -118,7 +119,7 @@ Analysis analyse(const std::vector<Station>& measured, const Tilt& tilt, double 
   figures.addLevels(result);
   result.measures = figures.all();
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
-  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kTwentyFeet, 2.01 * step);
+  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kSurveySpacing, 2.01 * step);
   addTilt(tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), shell.begin(), shell.end());
   addAntipodal(stations, result.measures);

@@ -4,20 +4,20 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "limits/survey_spacing.h"
 #include "stations/placed_value.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr std::size_t kMostPoints = 64;
-constexpr double kWanted = kTwentyFeet;  ///< between survey points [m]
 constexpr int kFewestPoints = 8;
 
 /// Survey points among dense stations, the first at the station furthest out of plane.
 std::vector<double> pointsOf(const std::vector<RingValue>& u, double radius) {
   const auto furthest = std::max_element(
       u.begin(), u.end(), [](const RingValue& a, const RingValue& b) { return std::abs(a.value) < std::abs(b.value); });
-  const int wanted = 2 * static_cast<int>(std::lround(kTwoPi * radius / kWanted / 2.0));
+  const int wanted = 2 * static_cast<int>(std::lround(kTwoPi * radius / kSurveySpacing / 2.0));
   const int count = std::clamp(wanted, kFewestPoints, static_cast<int>(kMostPoints));
   std::vector<double> azimuths;
   for (int i = 0; i < count; ++i) {

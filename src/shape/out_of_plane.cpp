@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "fit/harmonics.h"
+#include "limits/survey_spacing.h"
 #include "shape/datum_waves.h"
 #include "shape/partial_ring_tilt.h"
 #include "shape/ring_fits.h"
@@ -15,7 +16,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kShortestHalfWave = kTwentyFeet;
 constexpr double kSmallestDiameter = 18.6;  // 61 ft [m]
 constexpr std::size_t kFewest = 65;         // stations: "more than 64"
 constexpr int kLeastOrder = 4;
@@ -141,7 +141,7 @@ double rmsLeft(const std::vector<Station>& stations, const std::vector<StationBe
 
 }  // namespace
 
-int shortestWave(double radius) { return static_cast<int>(std::floor(kPi * radius / kShortestHalfWave)); }
+int shortestWave(double radius) { return static_cast<int>(std::floor(kPi * radius / kSurveySpacing)); }
 
 std::vector<Harmonic> harmonicsOf(const std::vector<Station>& stations, double radius) {
   const RingData data = ringData(stations, radius, {});

@@ -18,7 +18,7 @@ bool isMeasured(const Station& s) { return s.flag == StationFlag::Measured; }
 /// datum: coefficients 1, cos, sin.
 Eigen::Matrix3d errorOf(const Eigen::MatrixXd& fit, const RingModel& model) {
   const RingData& data = model.data();
-  const Eigen::MatrixXd rows = RingModel::rowsAt(data.azimuths, model.order());
+  const Eigen::MatrixXd rows = harmonicRows(data.azimuths, model.order());
   Eigen::MatrixXd waves = model.covariance().bottomRightCorner(rows.cols() - 3, rows.cols() - 3);
   const Eigen::VectorXd mean = model.coefficients().tail(rows.cols() - 3);
   waves += mean * mean.transpose();

@@ -10,8 +10,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kLeastVariance = 1e-18;  ///< of a coefficient [m^2]: a nanometre
-using Numbers = std::array<double, 4>;    ///< ln amplitude, power, ln neighbours, ln length
+using Numbers = std::array<double, 4>;  ///< ln amplitude, power, ln neighbours, ln length
 
 RingPriors priorsOf(const Numbers& x, bool neighbours) {
   return {std::exp(x[0]), x[1], neighbours ? std::exp(x[2]) : 0.0, std::exp(x[3])};
@@ -94,7 +93,7 @@ Eigen::VectorXd errorVariances(const RingPriors& priors, int order) {
   return variances;
 }
 
-RingPriors likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
+std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
   const bool neighbours = beliefs.neighbours.has_value();
   const double sigma = beliefs.sigma, shared = std::max(0.02 * sigma, beliefs.neighbours.value_or(0.0));
   const Numbers least = {std::log(1e-3 * sigma), 0.5, std::log(shared), std::log(2.0 * kPi / 180.0)};
@@ -108,7 +107,8 @@ RingPriors likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
     const double here = value(x);
     if (here < before) before = here, start = x;
   }
-  return priorsOf(lowest(start, least, most, neighbours ? 4 : 2, value), neighbours);
+  const Numbers best = lowest(start, least, most, neighbours ? 4 : 2, value);
+  return {priorsOf(best, neighbours), value(best)};
 }
 
 }  // namespace tank_datum

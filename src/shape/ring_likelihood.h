@@ -2,8 +2,11 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 
 namespace tank_datum {
+
+constexpr double kLeastVariance = 1e-18;  ///< of a coefficient [m^2]: a nanometre
 
 /// What the restricted likelihood of a ring's priors needs: sums over its stations, in units of their sigmas.
 struct RingSums {
@@ -11,7 +14,7 @@ struct RingSums {
   const Eigen::VectorXd& rhs;
   double squares;
   Eigen::Index stations;
-  int order;      ///< waves; unknowns after 2 order + 1 are shared errors of variance 1
+  int order;      ///< waves; unknowns after 2 order + 1 are local shapes and shared errors of variance 1
   double scale2;  ///< variance of the stations' own errors, over sigmas^2
 };
 
@@ -36,6 +39,7 @@ struct RingBeliefs {
 };
 
 /// Priors of the largest restricted marginal likelihood, times a wide belief in usual numbers.
-RingPriors likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs);
+/// @return them, and -2 ln of that likelihood, less what depends on the stations' own errors alone
+std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs);
 
 }  // namespace tank_datum

@@ -5,25 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "tank_datum/stations/stations.h"
+#include "shape/local_shapes.h"
+#include "shape/ring_data.h"
+#include "shape/ring_likelihood.h"
 
 namespace tank_datum {
-
-/// The measured stations as the model takes them.
-struct RingData {
-  Eigen::VectorXd azimuths;   ///< as the user counts them [rad]
-  Eigen::VectorXd z;          ///< [m]
-  Eigen::VectorXd sigmas;     ///< of each station's own error [m]; all the same when none is known
-  Eigen::MatrixXd shared;     ///< [m x n] errors that stations share
-  double usual_wave = 0.0;    ///< standard deviation of a coefficient of n = 2 before anything is seen [m]
-  bool sigmas_known = false;  ///< false: from the stations' own residuals
-
-  Eigen::Index count() const { return z.size(); }
-};
-
-/// @param radius      of the tank [m]
-/// @param covariance  of all stations; empty: sigma_z each
-RingData ringData(const std::vector<Station>& stations, double radius, const StationCovariance& covariance);
 
 /// What the errors of the stations are, beside the shared ones that the survey knows of.
 struct RingNoise {
@@ -34,12 +20,13 @@ struct RingNoise {
   double freedom = 0.0;        ///< degrees of freedom behind the scale; 0: it was given
 };
 
-/// The datum along the ring: z = mean + tilt + waves, with errors; u(t) = sum a_n cos nt + b_n sin nt up to order().
-/// Mean and tilt are free. The waves have normal priors whose standard deviation falls with a power of n; its size, its
-/// power, and size and length of an error that neighbours share (Matern 3/2) are those of largest restricted marginal
-/// likelihood (Patterson and Thompson, Biometrika 58, 1971). A single wave that stands above that gets a wider prior of
-/// its own (automatic relevance). So what stations tell of the waves is taken from them, and what a gap hides is as
-/// uncertain as the waves seen make it.
+/// The datum along the ring: z = mean + tilt + waves + local shapes, with errors; the waves are sums of a_n cos nt +
+/// b_n sin nt up to order(). Mean and tilt are free. The waves have normal priors whose standard deviation falls with a
+/// power of n; its size, its power, and size and length of an error that neighbours share (Matern 3/2) are those of
+/// largest restricted marginal likelihood (Patterson and Thompson, Biometrika 58, 1971). A single wave that stands
+/// above that gets a wider prior of its own (automatic relevance). So what stations tell of the waves is taken from
+/// them, and what a gap hides is as uncertain as the waves seen make it. A settlement of one place is no error that all
+/// share: local shapes are added while the likelihood gains more than chance gives the best of all places.
 class RingModel {
  public:
   explicit RingModel(const RingData& data);
@@ -48,10 +35,23 @@ class RingModel {
   const RingData& data() const { return data_; }
   const RingNoise& noise() const { return noise_; }
 
-  /// Coefficients 1, a1, b1, a2, ... of the datum, given the survey, and their covariance.
-  const Eigen::VectorXd& coefficients() const { return mean_; }
+  /// Local settlements and rises, with their heights [m] and standard errors [m].
+  struct Local {
+    LocalShape shape;
+    double height, sigma;
+  };
+  std::vector<Local> locals() const;
+
+  /// The datum, given the survey, and its covariance: coefficients 1, a1, b1, a2, ... up to order(), and those of the
+  /// local shapes less their waves up to order().
+  Eigen::VectorXd coefficients() const;
   Eigen::MatrixXd covariance() const;
-  /// Variance of what an error that neighbours share adds to each coefficient of a survey [m^2].
+  /// The same of those waves only that stand out of their errors, and of the local shapes.
+  Eigen::VectorXd standing() const;
+  /// Values that coefficients give at azimuths: [azimuths x coefficients].
+  Eigen::MatrixXd rowsAt(const Eigen::VectorXd& azimuths) const;
+
+  /// Variance of what an error that neighbours share adds to each wave of a survey [m^2].
   const Eigen::VectorXd& neighbourVariances() const { return errors_; }
 
   /// Surveys that could have been: each column a datum as likely as this survey leaves it, what the same survey of
@@ -69,26 +69,32 @@ class RingModel {
   /// Matrix product without Eigen's own threads, so that results do not depend on their number.
   static Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-  /// Values of a sum of waves at azimuths: [azimuths x coefficients].
-  static Eigen::MatrixXd rowsAt(const Eigen::VectorXd& azimuths, int order);
-
  private:
-  void estimatePriors();
+  Eigen::Index waveCount() const { return 2 * order_ + 1; }
+  Eigen::Index datumCount() const { return waveCount() + static_cast<Eigen::Index>(shapes_.size()); }
+  void addLocalShapes();
+  double fitWith(const std::vector<LocalShape>& shapes);
+  double estimatePriors();
   double ownScale2();
   double differencesScale() const;
+  void factorPrecision();
   void solve();
+  Eigen::VectorXd datumShares() const;
+  Eigen::MatrixXd solvedCovariance() const;
+  Eigen::MatrixXd withWavesOfShapes(Eigen::MatrixXd solved) const;
 
   RingData data_;
   RingNoise noise_;
   int order_ = 0;
-  double offset_ = 0.0;             ///< taken from z before it is solved for [m]
-  Eigen::MatrixXd design_;          ///< [stations x (coefficients, shared errors)]
-  Eigen::MatrixXd normal_;          ///< design' D^-1 design, D of sigmas^2
-  Eigen::VectorXd rhs_;             ///< design' D^-1 z
-  double squares_ = 0.0;            ///< z' D^-1 z
-  Eigen::VectorXd waves_, errors_;  ///< prior variances of each coefficient: of the datum, of neighbours' errors [m^2]
+  double offset_ = 0.0;  ///< taken from z before it is solved for [m]
+  std::vector<LocalShape> shapes_;
+  Eigen::MatrixXd design_;                 ///< [stations x (waves, local shapes, shared errors)]
+  Eigen::MatrixXd normal_;                 ///< design' D^-1 design, D of sigmas^2
+  Eigen::VectorXd rhs_;                    ///< design' D^-1 z
+  double squares_ = 0.0;                   ///< z' D^-1 z
+  Eigen::VectorXd waves_, errors_;         ///< prior variances of each wave: of the datum, of neighbours' errors [m^2]
   Eigen::LLT<Eigen::MatrixXd> posterior_;  ///< of the precision of all unknowns
-  Eigen::VectorXd mean_;
+  Eigen::VectorXd solution_;               ///< waves of the survey, local shapes over their scales, shared errors
 };
 
 }  // namespace tank_datum

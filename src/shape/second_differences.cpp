@@ -5,16 +5,16 @@
 #include <cstdio>
 
 #include "core/units.h"
+#include "limits/survey_spacing.h"
 #include "shape/survey_rows.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kClosest = 15.0 * kFoot;  // points nearer than this measure noise
-constexpr double kWidest = 32.0 * kFoot;   // the code's own
-constexpr double kSound = 22.0 * kFoot;    // beyond it curvature is missed
-constexpr double kWanted = 20.0 * kFoot;
+constexpr double kClosest = 15.0 * kMetresPerFoot;  // points nearer than this measure noise
+constexpr double kWidest = 32.0 * kMetresPerFoot;   // the code's own
+constexpr double kSound = 22.0 * kMetresPerFoot;    // beyond it curvature is missed
 constexpr int kFewestPoints = 8;
 constexpr double kRounding = 1e-6;
 
@@ -78,7 +78,7 @@ SurveyPlan planSurvey(const std::vector<Station>& stations, double radius, int p
   }
   const bool sparse = circumference / count >= kClosest - kRounding;
   const bool chosen = points == 0;
-  if (chosen) points = sparse ? count : 2 * static_cast<int>(std::lround(circumference / kWanted / 2.0));
+  if (chosen) points = sparse ? count : 2 * static_cast<int>(std::lround(circumference / kSurveySpacing / 2.0));
   if (points > count) {
     plan.message = formatted("%d points asked for, and only %d stations", points, count);
     return plan;

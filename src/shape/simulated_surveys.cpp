@@ -63,21 +63,10 @@ SimulatedSurveys::SimulatedSurveys(const std::vector<Station>& stations, double 
   u_ = valuesOf(true);
 }
 
-Eigen::VectorXd SimulatedSurveys::standingWaves() const {
-  constexpr double kStands = 3.0;  // power over that of its error: as much by chance in 5 % of waves
-  const Eigen::MatrixXd covariance = model_.covariance();
-  Eigen::VectorXd waves = model_.coefficients();
-  for (Eigen::Index j = 3; j < waves.size(); j += 2) {
-    if (waves.segment<2>(j).squaredNorm() < kStands * (covariance(j, j) + covariance(j + 1, j + 1)))
-      waves.segment<2>(j).setZero();
-  }
-  return waves;
-}
-
 SimulatedSurveys::Values SimulatedSurveys::valuesOf(bool of_u) const {
   const Eigen::Index first = of_u ? 3 : 0, count = model_.coefficients().size() - first;
   const auto at = [&](const Eigen::VectorXd& azimuths) {
-    return Eigen::MatrixXd(RingModel::rowsAt(azimuths, model_.order()).rightCols(count));
+    return Eigen::MatrixXd(model_.rowsAt(azimuths).rightCols(count));
   };
   const Eigen::MatrixXd rows = at(known_azimuths_);
   Values values;
@@ -85,7 +74,7 @@ SimulatedSurveys::Values SimulatedSurveys::valuesOf(bool of_u) const {
   values.whole = whole_azimuths_.size() == known_azimuths_.size()
                      ? values.truths
                      : RingModel::product(at(whole_azimuths_), draws_.truth.bottomRows(count));
-  values.standing = rows * standingWaves().tail(count);
+  values.standing = rows * model_.standing().tail(count);
   if (!model_.dense()) return raw(std::move(values), of_u);
   values.estimates = RingModel::product(rows, draws_.estimate.bottomRows(count));
   values.surveyed = rows * model_.coefficients().tail(count);
@@ -97,7 +86,7 @@ SimulatedSurveys::Values SimulatedSurveys::raw(Values values, bool of_u) const {
   values.estimates = draws_.survey;
   values.surveyed = model_.data().z;
   if (!of_u) return values;
-  const Eigen::MatrixXd plane = RingModel::rowsAt(model_.data().azimuths, 1);
+  const Eigen::MatrixXd plane = harmonicRows(model_.data().azimuths, 1);
   const Eigen::VectorXd weights = model_.data().sigmas.array().square().inverse();
   const Eigen::MatrixXd weighted = plane.transpose() * weights.asDiagonal();
   const Eigen::MatrixXd fit = (weighted * plane).ldlt().solve(weighted);
@@ -128,7 +117,7 @@ SimulatedSurveys::Values SimulatedSurveys::wavesTo(int order, bool curvature) co
   const int highest = std::min(order, model_.order());
   const Eigen::Index count = 2 * highest - 2;
   const auto at = [&](const Eigen::VectorXd& azimuths) {
-    Eigen::MatrixXd rows = RingModel::rowsAt(azimuths, highest).rightCols(count);
+    Eigen::MatrixXd rows = harmonicRows(azimuths, highest).rightCols(count);
     for (int n = 2; curvature && n <= highest; ++n) rows.middleCols(2 * n - 4, 2) *= (n / radius_) * (n / radius_);
     return rows;
   };
@@ -141,7 +130,7 @@ SimulatedSurveys::Values SimulatedSurveys::wavesTo(int order, bool curvature) co
                      : RingModel::product(at(whole_azimuths_), middle(draws_.truth));
   values.estimates = RingModel::product(rows, middle(draws_.estimate));
   values.surveyed = rows * model_.coefficients().segment(3, count);
-  values.standing = rows * standingWaves().segment(3, count);
+  values.standing = rows * model_.standing().segment(3, count);
   return values;
 }
 

@@ -50,7 +50,6 @@ class SimulatedSurveys {
   Values raw(Values values, bool of_u) const;
   Values wavesTo(int order, bool curvature) const;
   static Interval95 interval(const Values& values, const RingFigure& seen, const RingFigure& whole);
-  Eigen::VectorXd standingWaves() const;
 
   double radius_;
   RingModel model_;

@@ -5,6 +5,7 @@
 
 #include "core/units.h"
 #include "limits/checks.h"
+#include "limits/survey_spacing.h"
 #include "shell/shell_roundness.h"
 
 namespace tank_datum {
@@ -23,7 +24,7 @@ Measure radiusMeasure(const Roundness& r) {
   Measure measure;
   measure.quantity = isAtFoot(r.height) ? "roundness_foot" : "roundness_above";
   measure.worst = {r.largest(), r.sigma, r.azimuth};
-  measure.whole_ring = r.widest_gap <= kTwentyFeet;
+  measure.whole_ring = r.widest_gap <= kSurveySpacing;
   measure.note = formatted("%.2f m above the datum", r.height);
   return measure;
 }

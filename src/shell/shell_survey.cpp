@@ -11,16 +11,6 @@
 namespace tank_datum {
 namespace {
 
-std::string refused(const char* name, const char* text, const char* must) {
-  return std::string("shell.") + name + " = " + text + " (must be " + must + ")";
-}
-
-std::string refused(const char* name, double value, const char* must) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return refused(name, text, must);
-}
-
 /// The radii of all heights, with their offset from the lowest one seen at the same station.
 std::vector<ShellPoint> pointsOf(const ShellGrid& grid, const std::vector<std::vector<double>>& deviations,
                                  const std::vector<Station>& stations) {
@@ -39,22 +29,6 @@ std::vector<ShellPoint> pointsOf(const ShellGrid& grid, const std::vector<std::v
 }
 
 }  // namespace
-
-std::string firstError(const ShellOptions& options) {
-  double below = 0.0;
-  for (const double height : options.heights) {
-    if (!(height > below && std::isfinite(height))) return refused("heights", height, "> 0 and above the one before");
-    below = height;
-  }
-  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-  if (!positive(options.step) || options.step < 0.1) return refused("step", options.step, ">= 0.1 m");
-  if (!positive(options.half_band)) return refused("half_band", options.half_band, "> 0 m");
-  if (!positive(options.reach)) return refused("reach", options.reach, "> 0 m");
-  if (options.cell_points < 50) {
-    return refused("cell_points", std::to_string(options.cell_points).c_str(), ">= 50");
-  }
-  return {};
-}
 
 const Roundness* ShellSurvey::foot() const {
   const Roundness* found = nullptr;

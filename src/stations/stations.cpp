@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
@@ -25,19 +24,6 @@ const char* nameOf(StationFlag flag) {
       return "missing";
   }
   return "";
-}
-
-std::string firstError(const StationOptions& options) {
-  char text[96] = "";
-  if (options.count < 8 || options.count > 36'000) {
-    std::snprintf(text, sizeof text, "stations.count = %d (must be 8 to 36000)", options.count);
-  } else if (!std::isfinite(options.zero_azimuth)) {
-    std::snprintf(text, sizeof text, "stations.zero_azimuth = %g (must be finite)", options.zero_azimuth);
-  } else if (!(options.longest_bridge >= 0.0 && options.longest_bridge < kTwoPi)) {
-    std::snprintf(text, sizeof text, "stations.longest_bridge = %g rad (must be >= 0 and < 2 pi)",
-                  options.longest_bridge);
-  }
-  return text;
 }
 
 std::vector<Station> emptyStations(const StationOptions& options) {

@@ -5,60 +5,17 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
+#include "apps/result_folder_fixture.h"
 #include "io/sha256.h"
 #include "results/manifest.h"
-#include "results/output_file.h"
-#include "results/output_guard.h"
-#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
 
-namespace fs = std::filesystem;
+using ResultFolderTest = ResultFolderFixture;
 
 /// What a result before there were manifests is known by.
 constexpr const char* kDatumJson = R"({"schema":1,"version":"0","input":{},"options":{},"status":"ok"})";
-
-class ResultFolderTest : public testing::Test {
- protected:
-  ResultFolderTest() {
-    std::string name = (fs::temp_directory_path() / "results-XXXXXX").string();
-    dir_ = fs::path(mkdtemp(name.data()));
-  }
-  ~ResultFolderTest() override { fs::remove_all(dir_); }
-
-  std::string path(const std::string& name) const { return (dir_ / name).string(); }
-  bool has(const std::string& name) const { return fs::exists(fs::symlink_status(dir_ / name)); }
-  std::string read(const std::string& name) const {
-    std::ifstream in(dir_ / name);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const std::string& name, const std::string& content) const {
-    fs::create_directories((dir_ / name).parent_path());
-    std::ofstream(dir_ / name) << content;
-  }
-  /// A run that writes files, each with a content, into out/.
-  void run(const std::vector<std::pair<std::string, std::string>>& files, const std::string& program = "tank_datum") {
-    ResultFolder folder(path("out"), program);
-    for (const auto& [name, content] : files) {
-      const fs::path file(name);
-      std::ofstream(folder.stage(file.parent_path().string()) + "/" + file.filename().string()) << content;
-    }
-    testing::internal::CaptureStderr();
-    folder.commit();
-    said_ = testing::internal::GetCapturedStderr();
-  }
-  std::size_t entries(const std::string& name) const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(dir_ / name), fs::directory_iterator()));
-  }
-
-  fs::path dir_;
-  std::string said_;
-};
 
 TEST_F(ResultFolderTest, ManifestNamesTheFilesAndTheirHashes) {
   run({{"datum.json", "abc"}, {"tank_1/datum.json", ""}});
@@ -199,74 +156,6 @@ TEST_F(ResultFolderTest, OnlyStagingFoldersOfTheDeadGo) {
   ::close(held);
   run({{"datum.json", "1"}});
   EXPECT_FALSE(has("out/.tank_datum-55-1"));
-}
-
-std::string refusal(const std::vector<NamedPath>& inputs, const std::vector<NamedPath>& outputs) {
-  try {
-    requireApart(inputs, outputs);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Option);
-    return error.what();
-  }
-  return "";
-}
-
-TEST_F(ResultFolderTest, OutputsThatAreInputsAreRefused) {
-  write("out/datum_points.pcd", "a scan");
-  write("out/tank_5/stations.csv", "a table");
-  write("out/tank_5x/stations.csv", "no tank's folder");
-  write("scan.pcd", "another");
-  write("base/datum.json", "{}");
-  fs::create_hard_link(dir_ / "scan.pcd", dir_ / "out/stations.csv");
-  fs::create_symlink(dir_ / "out/datum_points.pcd", dir_ / "link.pcd");
-  const auto outputs = outputsOf(path("out"), "tank_datum");
-  EXPECT_NE(refusal({{"scan", path("out/datum_points.pcd")}}, outputs).find("this is the scan"), std::string::npos);
-  EXPECT_NE(refusal({{"scan", path("scan.pcd")}}, outputs), "");  // a hard link of it
-  EXPECT_NE(refusal({{"scan", path("link.pcd")}}, outputs), "");  // leads to it
-  EXPECT_NE(refusal({{"t", path("out/tank_5/stations.csv")}}, outputs), "");
-  EXPECT_NE(refusal({{"t", path("out/../out/manifest.json")}}, outputs), "");  // not there yet
-  EXPECT_NE(refusal({{"t", path("out/.//shell.csv")}}, outputs), "");
-  EXPECT_NE(refusal({{"scan", path("scan.pcd")}}, outputsOf(path("scan.pcd"), "tank_datum")), "");
-  EXPECT_EQ(refusal({{"t", path("out/tank_5x/stations.csv")}}, outputs), "");
-  EXPECT_EQ(refusal({{"t", path("out/other.csv")}, {"none", ""}}, outputs), "");
-  EXPECT_NE(refusal(inputsOf("survey", path("base/datum.json")), outputsOf(path("base"), "tank_datum_compare")), "");
-  EXPECT_NE(refusal(inputsOf("survey", path("base")), outputsOf(path("base"), "tank_datum_compare")), "");
-  EXPECT_EQ(refusal(inputsOf("survey", path("base")), outputsOf(path("moved"), "tank_datum_compare")), "");
-}
-
-TEST_F(ResultFolderTest, ANamedFileReplacesOnlyItsOwn) {
-  const auto put = [&](const std::string& name, const std::string& content) {
-    OutputFile file(path(name), isJsonWith({"stages", "total"}), "tank_datum");
-    file.write(content);
-    testing::internal::CaptureStderr();
-    file.commit();
-    said_ = testing::internal::GetCapturedStderr();
-  };
-  write("t.json", "a scan");
-  put("t.json", R"({"stages": 1, "total": 2})");
-  EXPECT_EQ(read("t.kept.json"), "a scan");
-  EXPECT_NE(said_.find("is not of this program: kept as"), std::string::npos);
-  put("t.json", R"({"stages": 2, "total": 2})");
-  EXPECT_EQ(said_, "");
-  EXPECT_EQ(read("t.json"), R"({"stages": 2, "total": 2})");
-  fs::create_directory(dir_ / "sub");
-  fs::create_symlink("../t.json", dir_ / "sub/link.json");
-  put("sub/link.json", R"({"stages": 3, "total": 2})");
-  EXPECT_TRUE(fs::is_symlink(dir_ / "sub/link.json"));
-  EXPECT_EQ(read("t.json"), R"({"stages": 3, "total": 2})");
-  EXPECT_EQ(entries("."), 3U);
-  EXPECT_THROW(put("sub", "{}"), Error);
-}
-
-TEST_F(ResultFolderTest, FilesAreKnownByTheirHead) {
-  const IsOwn own = isFileWith("# .PCD", "# made by x\n");
-  write("a.pcd", "# .PCD v0.7\n# made by x\nVERSION 0.7\n");
-  write("b.pcd", "# .PCD v0.7\nVERSION 0.7\n");
-  write("c.pcd", "# made by x\n");
-  write("d.pcd", "# .PCD v0.7\n" + std::string(2000, ' ') + "# made by x\n");
-  EXPECT_TRUE(own(path("a.pcd")));
-  for (const char* other : {"b.pcd", "c.pcd", "d.pcd"}) EXPECT_FALSE(own(path(other))) << other;
-  EXPECT_THROW(own(path("none")), Error);  // what cannot be read is not taken for anything
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "support/refused.h"
 #include "support/synth_scenes.h"
 
 namespace tank_datum::synth {
@@ -94,13 +95,14 @@ TEST(SynthFoot, CrownKeepsToTheCircle) {
 TEST(SynthFoot, APadHasNeitherKerbNorSectors) {
   SceneOptions scene = plainScene();
   scene.tanks[0].foundation.concentric = true;
-  EXPECT_EQ(firstError(scene), "tanks[0].foundation.concentric = true (must be false for a pad, which has no kerb)");
+  EXPECT_EQ(said(firstError(scene)),
+            "tanks[0].foundation.concentric, true, expected false for a pad, which has no kerb");
   scene.tanks[0].foundation.concentric = false;
   scene.tanks[0].foundation.sectors = {Sector{}};
-  EXPECT_EQ(firstError(scene),
-            "tanks[0].foundation.sectors = given (must be none for a pad, which the shell stands on)");
+  EXPECT_EQ(said(firstError(scene)),
+            "tanks[0].foundation.sectors, given, expected none for a pad, which the shell stands on");
   scene.tanks[0].foundation.kind = "crown";
-  EXPECT_EQ(firstError(scene), "");
+  EXPECT_EQ(said(firstError(scene)), "");
 }
 
 TEST(SynthFoot, SoilLiesOnEverySurface) {

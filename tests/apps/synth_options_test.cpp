@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "support/refused.h"
 #include "synth/command_line.h"
 #include "synth/scene.h"
 #include "synth/scene_file.h"
@@ -16,20 +17,20 @@ std::string errorOf(const std::string& place, const Json& value) {
   Json scene = Json::object();
   scene[Json::json_pointer(place)] = value;
   try {
-    return firstError(sceneFromJson(scene));
+    return said(firstError(sceneFromJson(scene)));
   } catch (const Error& error) {
     return error.what();
   }
 }
 
-TEST(SynthOptions, DefaultsAreUsable) { EXPECT_EQ(firstError(SceneOptions{}), ""); }
+TEST(SynthOptions, DefaultsAreUsable) { EXPECT_EQ(said(firstError(SceneOptions{})), ""); }
 
 TEST(SynthOptions, BadValuesAreRefusedByName) {
-  EXPECT_EQ(errorOf("/tanks/0/radius", -1), "tanks[0].radius = -1 (must be >= 0.5)");
+  EXPECT_EQ(errorOf("/tanks/0/radius", -1), "tanks[0].radius, -1, expected >= 0.5");
   EXPECT_EQ(errorOf("/tanks/0/foundation/kind", "sand"),
-            "tanks[0].foundation.kind = sand (must be one of pad, annular_plate, crown)");
-  EXPECT_EQ(errorOf("/measurement/outliers", 1.5), "measurement.outliers = 1.5 (must be 0 .. 1)");
-  EXPECT_EQ(errorOf("/scanner/step_deg", 0), "scanner.step_deg = 0 (must be 0.0001 .. 30)");
+            "tanks[0].foundation.kind, sand, expected one of pad, annular_plate, crown");
+  EXPECT_EQ(errorOf("/measurement/outliers", 1.5), "measurement.outliers, 1.5, expected 0 .. 1");
+  EXPECT_EQ(errorOf("/scanner/step_deg", 0), "scanner.step_deg, 0, expected 0.0001 .. 30");
 }
 
 struct Bad {
@@ -165,7 +166,7 @@ TEST(SynthSceneFile, ComesBackAsWritten) {
 TEST(SynthSceneFile, EverySceneOfTheTestsIsUsable) {
   int scenes = 0;
   for (const auto& file : std::filesystem::directory_iterator(TANK_DATUM_TEST_SCENES)) {
-    EXPECT_EQ(firstError(readScene(file.path().string())), "") << file.path();
+    EXPECT_EQ(said(firstError(readScene(file.path().string()))), "") << file.path();
     ++scenes;
   }
   EXPECT_GE(scenes, 13);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "support/made_datums.h"
+#include "support/refused.h"
 #include "tank_datum/core/unknown.h"
 #include "view/scene.h"
 
@@ -33,18 +34,18 @@ ViewedResult tilted() {
 }
 
 TEST(SceneOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(SceneOptions()), "");
+  EXPECT_EQ(said(firstError(SceneOptions())), "");
   SceneOptions o;
   o.range = -1.0;
-  EXPECT_EQ(firstError(o), "range = -1 (must be >= 0)");
+  EXPECT_EQ(said(firstError(o)), "range, -1, expected >= 0");
   o = {}, o.exaggeration = 0.5;
-  EXPECT_EQ(firstError(o), "exaggeration = 0.5 (must be >= 1)");
+  EXPECT_EQ(said(firstError(o)), "exaggeration, 0.5, expected >= 1");
   o = {}, o.exaggeration = NAN;
-  EXPECT_NE(firstError(o), "");
+  EXPECT_NE(said(firstError(o)), "");
   o = {}, o.points = 999;
-  EXPECT_EQ(firstError(o), "points = 999 (must be >= 1000)");
+  EXPECT_EQ(said(firstError(o)), "points, 999, expected >= 1000");
   o = {}, o.label_every = -1;
-  EXPECT_EQ(firstError(o), "labels = -1 (must be >= 0)");
+  EXPECT_EQ(said(firstError(o)), "labels, -1, expected >= 0");
 }
 
 TEST(Colouring, ByHeightIsAboveTheMean) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "support/refused.h"
 #include "tank_datum/edge/find_edge_points.h"
 #include "tank_datum/fit/curves.h"
 
@@ -164,11 +165,11 @@ TEST(CentreFilter, HasNoCircleForCollinearOrTooFewCandidates) {
 }
 
 TEST(CentreFilterOptions, RefuseAToleranceBelowZeroByName) {
-  EXPECT_EQ(firstError(CentreFilterOptions()), "");
-  EXPECT_EQ(firstError(within(0.2)), "");
-  EXPECT_EQ(firstError(within(-0.1)), "centre_filter.tolerance = -0.1 m (must be >= 0)");
-  EXPECT_NE(firstError(within(NAN)), "");
-  EXPECT_NE(firstError(within(INFINITY)), "");
+  EXPECT_EQ(said(firstError(CentreFilterOptions())), "");
+  EXPECT_EQ(said(firstError(within(0.2))), "");
+  EXPECT_EQ(said(firstError(within(-0.1))), "centre_tolerance, -0.1, expected >= 0 m");
+  EXPECT_NE(said(firstError(within(NAN))), "");
+  EXPECT_NE(said(firstError(within(INFINITY))), "");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/units.h"
+#include "support/refused.h"
 #include "tank_datum/edge/find_edge_points.h"
 #include "tank_datum/search/estimate_normals.h"
 
@@ -154,12 +155,12 @@ TEST(GrowCandidates, DoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(GrowingOptions, RefuseAnAngleThatIsNotAcuteByName) {
-  EXPECT_EQ(firstError(GrowingOptions()), "");
-  EXPECT_EQ(firstError(above(89)), "");
-  EXPECT_EQ(firstError(above(0)), "growing.angle = 0 rad (must be > 0 and < pi/2)");
-  EXPECT_EQ(firstError(above(90)), "growing.angle = 1.5708 rad (must be > 0 and < pi/2)");
-  EXPECT_NE(firstError(above(-1)), "");
-  EXPECT_NE(firstError(above(NAN)), "");
+  EXPECT_EQ(said(firstError(GrowingOptions())), "");
+  EXPECT_EQ(said(firstError(above(89))), "");
+  EXPECT_EQ(said(firstError(above(0))), "angle_deg, 0, expected > 0 and < 90 deg");
+  EXPECT_EQ(said(firstError(above(90))), "angle_deg, 90, expected > 0 and < 90 deg");
+  EXPECT_NE(said(firstError(above(-1))), "");
+  EXPECT_NE(said(firstError(above(NAN))), "");
 }
 
 }  // namespace

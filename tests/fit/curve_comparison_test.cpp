@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -152,17 +153,17 @@ TEST(CompareCurves, FiguresAreUnknownUntilCompared) {
 }
 
 TEST(CurveOptions, RefuseThemselvesByName) {
-  EXPECT_EQ(firstError(CurveOptions()), "");
-  EXPECT_EQ(firstError(withPoints(3)), "curves.points = 3 (must be 4 to 50)");
-  EXPECT_EQ(firstError(withPoints(51)), "curves.points = 51 (must be 4 to 50)");
-  EXPECT_EQ(firstError(withPoints(10, 0)), "curves.degree = 0 (must be 1 to 9, below curves.points)");
-  EXPECT_EQ(firstError(withPoints(10, 10)), "curves.degree = 10 (must be 1 to 9, below curves.points)");
+  EXPECT_EQ(said(firstError(CurveOptions())), "");
+  EXPECT_EQ(said(firstError(withPoints(3))), "points, 3, expected 4 to 50");
+  EXPECT_EQ(said(firstError(withPoints(51))), "points, 51, expected 4 to 50");
+  EXPECT_EQ(said(firstError(withPoints(10, 0))), "degree, 0, expected 1 to 9, below points");
+  EXPECT_EQ(said(firstError(withPoints(10, 10))), "degree, 10, expected 1 to 9, below points");
   try {
     compareCurves(sampled(0, 9, 50, line), withPoints(3));
     FAIL() << "not refused";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), Error::Kind::Option);
-    EXPECT_STREQ(error.what(), "options: curves.points, 3, expected 4 to 50");
+    EXPECT_STREQ(error.what(), "options: points, 3, expected 4 to 50");
   }
 }
 

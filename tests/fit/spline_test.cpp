@@ -7,6 +7,8 @@
 #include <functional>
 #include <random>
 
+#include "support/refused.h"
+
 namespace tank_datum {
 namespace {
 
@@ -193,14 +195,14 @@ TEST(FitClosedSpline, BridgesAGapOfThirtyDegrees) {
 }
 
 TEST(SplineOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(SplineOptions()), "");
-  EXPECT_EQ(firstError(withControls(4)), "");
-  EXPECT_EQ(firstError(withControls(1000, 2)), "");
-  EXPECT_EQ(firstError(withControls(3)), "spline.control_points = 3 (must be 0 or 4 to 1000)");
-  EXPECT_EQ(firstError(withControls(1001)), "spline.control_points = 1001 (must be 0 or 4 to 1000)");
-  EXPECT_NE(firstError(withControls(-4)), "");
-  EXPECT_EQ(firstError(withControls(0, 1)), "spline.check_every = 1 (must be >= 2)");
-  EXPECT_NE(firstError(withControls(0, 0)), "");
+  EXPECT_EQ(said(firstError(SplineOptions())), "");
+  EXPECT_EQ(said(firstError(withControls(4))), "");
+  EXPECT_EQ(said(firstError(withControls(1000, 2))), "");
+  EXPECT_EQ(said(firstError(withControls(3))), "control_points, 3, expected 0 or 4 to 1000");
+  EXPECT_EQ(said(firstError(withControls(1001))), "control_points, 1001, expected 0 or 4 to 1000");
+  EXPECT_NE(said(firstError(withControls(-4))), "");
+  EXPECT_EQ(said(firstError(withControls(0, 1))), "spline.check_every, 1, expected >= 2");
+  EXPECT_NE(said(firstError(withControls(0, 0))), "");
 }
 
 }  // namespace

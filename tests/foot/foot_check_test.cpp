@@ -160,7 +160,7 @@ TEST(FindSteps, TwoHeapsAndALoneStation) {
 TEST(FindSteps, AcrossAGapTheArcIsThatOfTheGap) {
   auto fits = smoothRing();
   for (std::size_t i = 0; i < 360; ++i) fits[i].z += 0.4 * std::cos(kTurn * static_cast<double>(i) / 360);
-  for (const std::size_t first : {85, 265}) {  // 70 mm in 5 m, down and up again
+  for (const std::size_t first : {85U, 265U}) {  // 70 mm in 5 m, down and up again
     for (std::size_t i = first; i < first + 10; ++i) fits[i] = {};
   }
   EXPECT_TRUE(droppedOf(fits).empty());

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
+#include <algorithm>
 
 #include "foot/foot_profile.h"
 
@@ -67,36 +66,49 @@ TEST(ChooseRoundRing, NothingToChooseFromIsNothingChosen) {
   EXPECT_EQ(chosen(chooseRoundRing(Places(kPlaces), kArc, kReach)), 0U);
 }
 
-/// A section of a plate lip, the ringwall below it and a shell that is seen down to the weld.
-std::vector<FootPoint> lipSection(double slope = 0.0) {
-  std::mt19937_64 random(3);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> any;
-  std::vector<FootPoint> points;
-  for (int i = 0; i < 3000; ++i) {
-    const double d = 0.008 + 0.292 * any(random), z = d < 0.065 ? slope * d : -0.010;
-    points.push_back({0.0, d, z + 0.0004 * normal(random)});
+/// What a ring of plates with one odd place makes of it: kept beside 3.5, the cost of a gap of one place.
+bool isKept(const FootCandidate& odd, double arc = kArc) {
+  Places places(kPlaces, {plate()});
+  places[7] = {odd};
+  const auto choice = chooseRoundRing(places, arc, kReach);
+  EXPECT_EQ(chosen(choice), kPlaces - (choice[7] ? 0 : 1));
+  return choice[7].has_value();
+}
+
+TEST(ChooseRoundRing, AStretchThatBeginsSevenHundredthsOfTheReachFurtherOutIsKeptOneTwiceAsFarIsNot) {
+  const double begins = plate().from;
+  EXPECT_TRUE(isKept(stretch(0.0, 0.0, 0.0005, begins + 0.065 * 1.25)));   // cost 3.25
+  EXPECT_FALSE(isKept(stretch(0.0, 0.0, 0.0005, begins + 0.075 * 1.25)));  // cost 3.75
+}
+
+TEST(ChooseRoundRing, ASlopeOfOneInEightIsKeptOneInSixIsNot) {
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_TRUE(isKept(stretch(0.0, sign * 0.125, 0.0005)));
+    EXPECT_FALSE(isKept(stretch(0.0, sign * 0.160, 0.0005)));
   }
-  for (int i = 0; i < 2000; ++i) points.push_back({0.0, 0.001 * normal(random), 0.007 + 0.4 * any(random)});
-  return points;
 }
 
-TEST(FindCandidates, AreTheFlatStretchesFromTheShellOutwards) {
-  const FootScales scales{0.3, 0.001, 0.013};
-  const auto found = findCandidates(lipSection(-0.04), scales);
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_NEAR(found[0].height, 0.0, 0.0005);
-  EXPECT_NEAR(found[0].slope, -0.04, 0.02);
-  EXPECT_NEAR(found[0].to, 0.065, 0.008);
-  EXPECT_NEAR(found[0].over_foot, -0.007, 0.003);
-  EXPECT_NEAR(found[1].height, -0.010, 0.0005);
-  EXPECT_NEAR(found[1].from, 0.065, 0.01);
+TEST(ChooseRoundRing, AShellSeenBelowCountsFromAHundredthOfTheReach) {
+  const double further = plate().from + 0.05;  // cost 2
+  EXPECT_TRUE(isKept(stretch(0.0, 0.0, 0.0005, further, 0.0055)));
+  EXPECT_FALSE(isKept(stretch(0.0, 0.0, 0.0005, further, 0.0100)));
 }
 
-TEST(FindCandidates, AFewPointsMakeNone) {
-  std::vector<FootPoint> few = lipSection();
-  few.resize(7);
-  EXPECT_TRUE(findCandidates(few, {0.3, 0.001, 0.013}).empty());
+TEST(ChooseRoundRing, AShellHiddenOverAFifthOfTheReachCountsOne) {
+  const double further = plate().from + 0.075;  // cost 3
+  EXPECT_TRUE(isKept(stretch(0.0, 0.0, 0.0005, further, -0.08)));
+  EXPECT_FALSE(isKept(stretch(0.0, 0.0, 0.0005, further, -0.15)));
+}
+
+TEST(ChooseRoundRing, ADatumMayClimbByItsArc) {
+  struct Climb {
+    double arc, usual;  // between places, and what neighbours there differ by [m]
+  };
+  // a section's own doubt, 4 mm a metre over four reaches, 1 mm a metre further on
+  for (const Climb& c : {Climb{0.2, 0.0164}, Climb{1.9, 0.0249}, Climb{4.0, 0.0274}, Climb{20.0, 0.0434}}) {
+    EXPECT_TRUE(isKept(stretch(1.25 * c.usual, 0.0, 0.0005), c.arc)) << c.arc;
+    EXPECT_FALSE(isKept(stretch(1.39 * c.usual, 0.0, 0.0005), c.arc)) << c.arc;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/refined_scans.h"
+#include "support/refused.h"
 
 namespace tank_datum {
 namespace {
@@ -65,11 +66,11 @@ TEST(RefineOptions, ProfilePointsAreKeptAndMoveNothing) {
     EXPECT_EQ(kept.stations[i].sigma_z, padRun().stations[i].sigma_z);
   }
   options.profile_points = -1;
-  EXPECT_EQ(firstError(options), "refine.profile_points = -1 (must be >= 0)");
+  EXPECT_EQ(said(firstError(options)), "refine.profile_points, -1, expected >= 0");
 }
 
 TEST(RefineOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(RefineOptions()), "");
+  EXPECT_EQ(said(firstError(RefineOptions())), "");
   const std::vector<std::pair<std::string, double RefineOptions::*>> fields = {
       {"largest_weld", &RefineOptions::largest_weld},
       {"widest_band", &RefineOptions::widest_band},
@@ -78,11 +79,11 @@ TEST(RefineOptions, AreRefusedByName) {
   for (const auto& [name, field] : fields) {
     RefineOptions options;
     options.*field = -1.0;
-    EXPECT_EQ(firstError(options), "refine." + name + " = -1 m (must be > 0)");
+    EXPECT_EQ(said(firstError(options)), "refine." + name + ", -1, expected > 0 m");
     options.*field = 0.0;
-    EXPECT_NE(firstError(options), "");
+    EXPECT_NE(said(firstError(options)), "");
     options.*field = NAN;
-    EXPECT_NE(firstError(options), "");
+    EXPECT_NE(said(firstError(options)), "");
   }
 }
 

@@ -191,7 +191,8 @@ class Hostile : public testing::TestWithParam<std::string> {
   Folder folder_;
   std::string bytes_;
 };
-INSTANTIATE_TEST_SUITE_P(All, Hostile, testing::Values("ascii", "binary", "binary_compressed"));
+INSTANTIATE_TEST_SUITE_P(All, Hostile, testing::Values("ascii", "binary", "binary_compressed"),
+                         pcd_files::nameOfEncoding);
 
 TEST_P(Hostile, EveryTruncation) {
   for (std::size_t size = 0; size <= bytes_.size(); ++size) readHostile(folder_.file("a.pcd", bytes_.substr(0, size)));

@@ -137,7 +137,8 @@ TEST(PcdHeader, MorePointsThanTheFileCanHold) {
 TEST(PcdHeader, BytesBehindTheDataArePassedOver) {
   for (const std::string data : {"binary", "binary_compressed"}) {
     const std::string text = pcd_files::pcd(pcd_files::kXyzFloat, {{1, 2, 3}}, data);
-    for (const std::size_t more : {11, 12, 4096}) EXPECT_EQ(parse(text + std::string(more, '\0')).points, 1U) << more;
+    for (const std::size_t more : {11U, 12U, 4096U})
+      EXPECT_EQ(parse(text + std::string(more, '\0')).points, 1U) << more;
   }
 }
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "support/pcd_files.h"
 #include "tank_datum/io/scan.h"
 
@@ -13,6 +16,15 @@ struct RealFile {
   std::uint64_t points, finite;
   Eigen::Vector3d min, max;  // to 3 decimals
 };
+
+void PrintTo(const RealFile& file, std::ostream* out) { *out << file.path; }
+
+/// The file's name; a test's name holds letters, digits and underscores alone.
+std::string nameOf(const testing::TestParamInfo<RealFile>& info) {
+  std::string name = std::filesystem::path(info.param.path).stem().string();
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 class PcdRealFile : public testing::TestWithParam<RealFile> {};
 
@@ -29,7 +41,7 @@ const RealFile kFiles[] = {
     {"formats/pcd/pdal_utm17_tab.pcd", 10, 10, {289814.15, 4320978.61, 170.58}, {289818.5, 4320980.59, 170.76}},
     {"cylinders_on_plane/learn44.pcd", 307200, 174620, {-0.56, -0.416, 0.632}, {0.388, 0.293, 1.673}},
 };
-INSTANTIATE_TEST_SUITE_P(All, PcdRealFile, testing::ValuesIn(kFiles));
+INSTANTIATE_TEST_SUITE_P(All, PcdRealFile, testing::ValuesIn(kFiles), nameOf);
 
 std::string dataFile(const std::string& path) { return pcd_files::dataFolder() + "/" + path; }
 

@@ -12,6 +12,10 @@
 #include "tank_datum/io/scan.h"
 
 namespace tank_datum {
+
+std::string nameOf(PcdWriter::Format format) { return format == PcdWriter::Format::Ascii ? "ascii" : "binary"; }
+void PrintTo(PcdWriter::Format format, std::ostream* out) { *out << nameOf(format); }
+
 namespace {
 
 using pcd_files::errorOf;
@@ -22,7 +26,8 @@ const std::vector<PcdField> kXyz = {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 class PcdWriterFormat : public testing::TestWithParam<Format> {};
-INSTANTIATE_TEST_SUITE_P(All, PcdWriterFormat, testing::Values(Format::Ascii, Format::Binary));
+INSTANTIATE_TEST_SUITE_P(All, PcdWriterFormat, testing::Values(Format::Ascii, Format::Binary),
+                         [](const testing::TestParamInfo<Format>& of) { return nameOf(of.param); });
 
 TEST_P(PcdWriterFormat, PclReadsWhatWasWritten) {
   const Folder folder;

@@ -49,7 +49,7 @@ class ScanEncoding : public testing::TestWithParam<std::string> {
   }
   Folder folder_;
 };
-INSTANTIATE_TEST_SUITE_P(All, ScanEncoding, testing::ValuesIn(kEncodings));
+INSTANTIATE_TEST_SUITE_P(All, ScanEncoding, testing::ValuesIn(kEncodings), pcd_files::nameOfEncoding);
 
 TEST_P(ScanEncoding, EveryTypeOfEveryAxis) {
   const std::vector<Field> types = {{"", 'F', 4}, {"", 'F', 8}, {"", 'I', 1}, {"", 'I', 2}, {"", 'I', 4},

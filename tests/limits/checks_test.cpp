@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/refused.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
@@ -52,7 +53,7 @@ TEST(Judge, SaysWhatIsNotGiven) {
   facts.height = 16;
   const Check check = one(rule, {measure("curvature", 1e-4, 1e-6)}, facts);
   EXPECT_EQ(check.verdict, Verdict::NotEvaluated);
-  EXPECT_EQ(check.note, "not given: yield strength (--yield-mpa), elastic modulus (--modulus-mpa)");
+  EXPECT_EQ(check.note, "not given: yield strength (option yield_mpa), elastic modulus (option modulus_mpa)");
   EXPECT_TRUE(std::isnan(check.limit));
   EXPECT_EQ(check.value, 1e-4);
   facts.yield = 235;
@@ -74,11 +75,11 @@ TEST(Judge, TakesTheRowForTheTank) {
   EXPECT_EQ(one(table, m, open, 20.1).limit, 0.2);
   EXPECT_EQ(one(table, m, open, 20.1).trust, "secondary");
   EXPECT_EQ(one(table, m, fixed, 30).limit, 0.3);
-  EXPECT_NE(one(table, m, {}, 30).note.find("--roof"), std::string::npos);
+  EXPECT_NE(one(table, m, {}, 30).note.find("option roof"), std::string::npos);
   EXPECT_EQ(one(table, m, open, 50).note, "the rule has no limit for such a tank");
   EXPECT_EQ(one(table, m, open, 50).verdict, Verdict::NotApplicable);
   const std::string wall = "A,1,l,level_total,judge,0.006,,m,,,ringwall,verified,c\n";
-  EXPECT_NE(one(wall, {measure("level_total", 0.001, 0.0001)}).note.find("--foundation"), std::string::npos);
+  EXPECT_NE(one(wall, {measure("level_total", 0.001, 0.0001)}).note.find("option foundation"), std::string::npos);
 }
 
 TEST(Judge, OfSeveralFiguresTheOneNearestItsLimit) {
@@ -199,29 +200,29 @@ TEST(Judge, WhatCouldNotBeHadIsNotApplicable) {
 }
 
 TEST(TankFacts, AreRefusedByName) {
-  EXPECT_EQ(firstError(TankFacts{}), "");
+  EXPECT_EQ(said(firstError(TankFacts{})), "");
   TankFacts facts;
   facts.height = -3;
-  EXPECT_EQ(firstError(facts), "facts.height = -3 (must be in m, > 0 and at most 100)");
+  EXPECT_EQ(said(firstError(facts)), "height, -3, expected > 0 and <= 100 m");
   facts = {};
   facts.yield = 0;
-  EXPECT_EQ(firstError(facts), "facts.yield = 0 (must be in MPa, > 50 and at most 2000)");
+  EXPECT_EQ(said(firstError(facts)), "yield_mpa, 0, expected > 50 and <= 2000 MPa");
   facts.yield = 36000;  // psi
-  EXPECT_EQ(firstError(facts), "facts.yield = 36000 (must be in MPa, > 50 and at most 2000)");
+  EXPECT_EQ(said(firstError(facts)), "yield_mpa, 36000, expected > 50 and <= 2000 MPa");
   facts = {};
   facts.modulus = INFINITY;
-  EXPECT_EQ(firstError(facts), "facts.modulus = inf (must be in MPa, > 50000 and at most 500000)");
+  EXPECT_EQ(said(firstError(facts)), "modulus_mpa, inf, expected > 50000 and <= 500000 MPa");
   facts.modulus = 206;  // GPa
-  EXPECT_EQ(firstError(facts), "facts.modulus = 206 (must be in MPa, > 50000 and at most 500000)");
+  EXPECT_EQ(said(firstError(facts)), "modulus_mpa, 206, expected > 50000 and <= 500000 MPa");
   facts = {};
   facts.height = 16000;  // mm
-  EXPECT_EQ(firstError(facts), "facts.height = 16000 (must be in m, > 0 and at most 100)");
+  EXPECT_EQ(said(firstError(facts)), "height, 16000, expected > 0 and <= 100 m");
   facts = {};
   facts.roof = "dome";
-  EXPECT_EQ(firstError(facts), "facts.roof = dome (must be open or fixed)");
+  EXPECT_EQ(said(firstError(facts)), "roof, dome, expected open or fixed");
   facts = {};
   facts.foundation = "sand";
-  EXPECT_EQ(firstError(facts), "facts.foundation = sand (must be ringwall or earth)");
+  EXPECT_EQ(said(firstError(facts)), "foundation, sand, expected ringwall or earth");
 }
 
 TEST(Verdict, HasTheNamesOfTheFiles) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/made_clouds.h"
+#include "support/refused.h"
 
 namespace tank_datum {
 namespace {
@@ -140,18 +141,18 @@ TEST(CropRing, TheSearchIsThinnedEvenlyAndTheFitKeepsAll) {
 }
 
 TEST(CropOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(CropOptions()), "");
+  EXPECT_EQ(said(firstError(CropOptions())), "");
   CropOptions options;
   for (const double reach : {0.0, -1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
     options.reach = reach;
-    EXPECT_EQ(firstError(options).rfind("crop.reach = ", 0), 0U) << reach;
+    EXPECT_EQ(said(firstError(options)).rfind("crop.reach, ", 0), 0U) << reach;
   }
   options = {};
   options.search_points = 999;
-  EXPECT_EQ(firstError(options), "crop.search_points = 999 (must be >= 1000)");
+  EXPECT_EQ(said(firstError(options)), "search_points, 999, expected >= 1000");
   options = {};
   options.fit_points = 999;
-  EXPECT_EQ(firstError(options), "crop.fit_points = 999 (must be >= 1000)");
+  EXPECT_EQ(said(firstError(options)), "fit_points, 999, expected >= 1000");
 }
 
 TEST(CropRing, OfMorePointsThanTheFitsTakeAnEvenShareIsKeptWhateverTheirOrder) {

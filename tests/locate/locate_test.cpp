@@ -8,29 +8,17 @@
 
 #include "support/made_clouds.h"
 #include "support/scanned_tanks.h"
-#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 namespace {
 
 using scanned_tanks::pointsOf;
+using scanned_tanks::yard;
 using synth::ObjectOptions;
 using synth::radians;
 using synth::SceneOptions;
 
 constexpr double kTurn = scanned_tanks::kTurn;
-
-/// A 20 m tank 6 m high on a pad, seen coarsely and whole by four scanners.
-SceneOptions yard() {
-  SceneOptions scene;
-  scene.tanks[0].radius = 10.0, scene.tanks[0].height = 6.0;
-  scene.ground.drop = 0.2;
-  scene.scanner.count = 4;
-  scene.scanner.step = radians(0.7), scene.scanner.row_step = radians(0.45);
-  scene.scanner.min_elevation = radians(-30), scene.scanner.max_elevation = radians(30);
-  scene.scanner.max_range = 40.0;
-  return scene;
-}
 
 struct Found {
   std::vector<Tank> tanks;
@@ -205,16 +193,6 @@ TEST(LocateTanks, TheFootFollowsATilt) {
   EXPECT_NEAR(across, 0.6, 0.15);
 }
 
-TEST(LocateTanks, MinRadiusIsAnOption) {
-  SceneOptions scene = yard();
-  scene.tanks[0].radius = 3.0, scene.tanks[0].height = 4.0;
-  const Points points = pointsOf(scene);
-  LocateOptions options;
-  EXPECT_EQ(locate(points).tanks.size(), 1U);
-  options.min_radius = 3.5;
-  EXPECT_TRUE(locate(points, options).tanks.empty());
-}
-
 TEST(LocateTanks, SamplePointsBoundTheSample) {
   const Points points = pointsOf(yard());
   LocateOptions options;
@@ -223,42 +201,6 @@ TEST(LocateTanks, SamplePointsBoundTheSample) {
   ASSERT_EQ(coarse.tanks.size(), 1U);
   expectThe20mTank(fine);
   EXPECT_GT(coarse.tanks[0].resolution, fine.tanks[0].resolution);
-}
-
-TEST(DescribeTank, LooksAtAKnownCircle) {
-  const Scan scan = Scan::fromPoints(pointsOf(yard()));
-  const Circle known{-scan.origin().head<2>(), 10.0};
-  const auto tank = describeTank(scan, known, {});
-  ASSERT_TRUE(tank.has_value());
-  EXPECT_NEAR(tank->circle.radius, 10.0, 0.02);
-  EXPECT_EQ(tank->side, Side::Outside);
-  EXPECT_TRUE(tank->has_foundation);
-  EXPECT_GT(tank->coverage, 0.9 * kTurn);
-  EXPECT_NEAR(tank->foot(1.0) + scan.origin().z(), 0.0, 0.25);
-  EXPECT_FALSE(describeTank(scan, {known.center + Eigen::Vector2d(100, 0), 10.0}, {}).has_value());
-  EXPECT_FALSE(describeTank(Scan::fromPoints({}), known, {}).has_value());
-}
-
-TEST(Tank, KnowsAzimuthsAboutItsCentre) {
-  Tank tank;
-  tank.circle = {{3.0, -4.0}, 10.0};
-  EXPECT_DOUBLE_EQ(tank.azimuthOf({3.0, 6.0}), kTurn / 4);
-  EXPECT_DOUBLE_EQ(tank.azimuthOf({3.0, -14.0}), 0.75 * kTurn);
-}
-
-TEST(LocateOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(LocateOptions()), "");
-  LocateOptions options;
-  options.min_radius = -1.0;
-  EXPECT_EQ(firstError(options), "locate.min_radius = -1 m (must be > 0)");
-  for (const double arc : {0.0, 6.3, static_cast<double>(NAN)}) {
-    options = {};
-    options.min_arc = arc;
-    EXPECT_EQ(firstError(options).rfind("locate.min_arc = ", 0), 0U) << arc;
-  }
-  options = {};
-  options.sample_points = 9'999;
-  EXPECT_EQ(firstError(options), "locate.sample_points = 9999 (must be >= 10000)");
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(Strays, ACleanSurfaceHoldsNone) {
 }
 
 TEST(Strays, AreFoundAndTakenOut) {
-  for (const std::size_t count : {8'000, 20'000}) {
+  for (const std::size_t count : {8'000U, 20'000U}) {
     const Points points = with(floorPoints(), uniformPoints(count, {20.0, 20.0, 60.0}, 3));
     const VoxelSample sample(points, 1'000'000);
     EXPECT_TRUE(holdsStrays(sample)) << count;

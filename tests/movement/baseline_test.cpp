@@ -104,10 +104,10 @@ TEST_F(BaselineFile, IsRefusedForAnotherMethodOrTank) {
   given.tank = Circle{{500001.5, 4000002.25}, 10.1};
   EXPECT_EQ(refusal(given), "");
   given.tank->radius = 12.0;
-  EXPECT_NE(refusal(given).find("radius of --tank"), std::string::npos);
+  EXPECT_NE(refusal(given).find("radius of option tank"), std::string::npos);
   MovementOptions bad;
   bad.correlation = -1.0;
-  EXPECT_NE(refusal({}, bad).find("movement.correlation"), std::string::npos);
+  EXPECT_NE(refusal({}, bad).find("correlation_deg"), std::string::npos);
 }
 
 TEST_F(BaselineFile, MustBeAmongTheTanksOfTheScan) {

@@ -57,6 +57,55 @@ TEST(ShownErrors, AreNotMovedByASectorThatIs) {
   EXPECT_EQ(shownErrors(differences(12, 1, 1, 0.005)).scale, 1.0) << "too few to say";
 }
 
+TEST(ShownErrors, AreNotAWaveOfTheWholeRing) {
+  for (const int n : {2, 3, 5}) {
+    auto stations = differences(360, 1, 7);
+    for (MatchedStation& m : stations) m.dz += 0.010 * std::cos(n * m.direction + 1.0);
+    const MovementErrors errors = shownErrors(stations);
+    EXPECT_NEAR(errors.shown, 1.0, 0.15) << n;
+    EXPECT_LT(errors.shared, 4.0 * kDegree) << n;
+  }
+}
+
+TEST(ShownErrors, AWaveIsNoErrorWhenItsPowerIsFiftyTimesThatOfShorterOnes) {
+  const auto shown = [](double amplitude) {
+    auto stations = differences(360, 1, 7, 0.0);
+    for (MatchedStation& m : stations) {
+      for (int n = 6; n <= 14; ++n) m.dz += 0.0005 * std::cos(n * m.direction + n * n);
+      m.dz += 0.0005 * amplitude * std::cos(3.0 * m.direction);
+    }
+    return shownErrors(stations).shown;
+  };
+  const double without = shown(0.0);
+  EXPECT_GT(shown(6.6), 1.5 * without);             // power 44: may be an error that neighbours share
+  EXPECT_NEAR(shown(7.5), without, 0.1 * without);  // power 56
+}
+
+TEST(ShownErrors, SixteenStationsTellTheirScatterSixtyFiveTheArcThatNeighboursShare) {
+  EXPECT_EQ(shownErrors(differences(14, 1, 1, 0.005)).scale, 1.0);
+  EXPECT_GT(shownErrors(differences(18, 1, 1, 0.005)).scale, 2.0);
+  EXPECT_EQ(shownErrors(differences(60, 10, 1)).shared, 0.0);
+  EXPECT_GT(shownErrors(differences(72, 10, 1)).shared, 10.0 * kDegree);
+}
+
+TEST(ShownErrors, AnArcIsGivenAQuarterMore) {
+  auto stations = differences(360, 1, 1, 0.0);
+  for (MatchedStation& m : stations) m.dz = 0.010 * std::sin(6.0 * m.direction);
+  // correlations of stations k degrees apart are cos(6 k), above 0.35 up to k = 11: their sum is 8.42
+  EXPECT_NEAR(shownErrors(stations).shared / kDegree, 1.25 * (1.0 + 2.0 * 8.42), 1.0);
+}
+
+TEST(ShownErrors, ACorrelationOfAQuarterIsNone) {
+  int shared = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    auto stations = differences(360, 1, seed, 0.001 * std::sqrt(0.75));
+    const auto wide = differences(360, 30, 100 + seed, 0.001 * std::sqrt(0.25));
+    for (std::size_t i = 0; i < stations.size(); ++i) stations[i].dz += wide[i].dz;
+    shared += shownErrors(stations).shared > 0.0 ? 1 : 0;
+  }
+  EXPECT_LE(shared, 5);
+}
+
 TEST(WidenErrors, TakesTheLargerAndTheDeclaredArc) {
   auto stations = differences(8, 1, 1);
   widenErrors(stations, {2.0, 2.0, 10.0 * kDegree}, 0.0);

@@ -13,11 +13,11 @@
 #include "tank_datum/pcl/impl/datum_filter.hpp"
 
 /// A point type that the library has not been compiled for.
-struct ReflectancePoint {
+struct EIGEN_ALIGN16 ReflectancePoint {
   PCL_ADD_POINT4D;
   float reflectance;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
-} EIGEN_ALIGN16;
+};
 POINT_CLOUD_REGISTER_POINT_STRUCT(ReflectancePoint,
                                   (float, x, x)(float, y, y)(float, z, z)(float, reflectance, reflectance))
 

@@ -1,15 +1,17 @@
-"""What every test needs: the two executables, small scans, and the results read back."""
+"""What every test needs: the programs, small scans, and the results read back."""
 
 from __future__ import annotations
 
 import os
-import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 
+from foreign_folders import inputs, place  # noqa: F401
 from module_fixtures import command, datum, points  # noqa: F401
+from programs import ROOT, TIMEOUT, executable, run_program  # noqa: F401
+from readable_ids import readable_id
 from report_fixtures import (  # noqa: F401
     browser,
     gaps_report,
@@ -19,9 +21,6 @@ from report_fixtures import (  # noqa: F401
     still,
 )
 from results import Run
-
-ROOT = Path(__file__).resolve().parents[2]
-TIMEOUT = 120.0  # s; a hang is a failure
 
 # A tank seen in a second or two: 4 m, 84 000 points, noise of a small scanner.
 SMALL_TANK = (
@@ -39,23 +38,9 @@ SMALL_TANK = (
 )
 
 
-def executable(name: str) -> Path:
-    """One of the project's programs, in the folder TANK_DATUM_BIN or in build/bin."""
-    path = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin")) / name
-    if not path.exists():
-        pytest.exit(
-            f"{path} is not built: run ./scripts/test, or name its folder in TANK_DATUM_BIN"
-        )
-    return path
-
-
-def run_program(
-    name: str, args: Sequence[object], cwd: Path | None = None, timeout: float = TIMEOUT
-) -> Run:
-    words = [str(executable(name)), *map(str, args)]
-    return subprocess.run(
-        words, cwd=cwd, capture_output=True, text=True, errors="replace", timeout=timeout
-    )
+def pytest_make_parametrize_id(config: pytest.Config, val: object, argname: str) -> str | None:
+    """What pytest calls the tests of one parameter's values."""
+    return readable_id(val)
 
 
 @pytest.fixture(scope="session")

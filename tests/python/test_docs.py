@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import json
 import re
+import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from results import Run
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import option_docs  # noqa: E402
+
 OPTIONS = ROOT / "src/doc/options.md"
 PAGES = [
     ROOT / "README.md",
@@ -98,3 +105,34 @@ def test_options_are_what_help_prints(run: Callable[..., Run]) -> None:
     assert {"--k", "--output", "--no-clockwise"} <= printed  # so that no empty sets are compared
     assert sorted(printed - documented) == [], "not in src/doc/options.md"
     assert sorted(documented - printed) == [], "not printed by tank_datum --help"
+
+
+@pytest.fixture(scope="module")
+def options(run: Callable[..., Run]) -> list[dict[str, Any]]:
+    """What the command lists of its options."""
+    found: list[dict[str, Any]] = json.loads(run("--print-options").stdout)
+    return found
+
+
+def test_options_page_and_stub_are_what_the_source_says(options: list[dict[str, Any]]) -> None:
+    """Else: python scripts/option_docs.py writes them."""
+    assert option_docs.PAGE.read_text() == option_docs.page_of(
+        option_docs.PAGE.read_text(), options
+    )
+    assert option_docs.STUB.read_text() == option_docs.stub_of(
+        option_docs.STUB.read_text(), options
+    )
+
+
+def test_every_option_has_its_place_on_the_page(options: list[dict[str, Any]]) -> None:
+    topics = re.findall(r"<!-- options: (.+) -->", OPTIONS.read_text())
+    assert sorted(topics) == sorted({option["topic"] for option in options})
+
+
+def test_a_changed_option_is_seen_in_page_and_stub(options: list[dict[str, Any]]) -> None:
+    changed = [option | {"help": "another | help"} for option in options if option["name"] == "k"]
+    page, stub = option_docs.PAGE.read_text(), option_docs.STUB.read_text()
+    row = "| `--k N` | another \\| help | >= 3 | 20 |"
+    assert row in option_docs.page_of(page, changed) and row not in page
+    lines = "    # another | help (>= 3)\n    k: int = 20,\n"
+    assert lines in option_docs.stub_of(stub, changed) and lines not in stub

@@ -112,12 +112,13 @@ def test_no_tank_is_a_status(points: Array) -> None:
 
 
 def test_defaults_are_the_commands(run: Runner) -> None:
+    """Every option of the command that is not of its own alone."""
     config = tomllib.loads(run(SAMPLE, "--print-config").stdout)
-    of_runs = {"all", "quiet", "no-report"}
-    wanted = {k.replace("-", "_"): v for k, v in config.items() if k not in of_runs}
+    wanted = {k.replace("-", "_"): v for k, v in config.items()}
     got = tank_datum.defaults()
     assert got.pop("tank") is None and wanted.pop("tank") == ""
     assert got.pop("heights") == [] and wanted.pop("heights") == ""
+    assert set(wanted) - set(got) == {"all", "quiet", "no_report"}
     assert set(got) <= set(wanted)
     for name, value in got.items():
         assert ("" if value is None else value) == pytest.approx(wanted[name]), name
@@ -148,6 +149,10 @@ def test_defaults_are_the_commands(run: Runner) -> None:
         ),
         ({"heights": [0.2, 0.25]}, ["--heights", "0.2,0.25"]),
         ({"height_step": 0.15}, ["--height-step", 0.15]),
+        ({"up": "-z"}, ["--up=-z"]),
+        ({"level": True}, ["--level"]),
+        ({"accept": True}, ["--accept"]),
+        ({"no_checksum": True}, ["--no-checksum"]),
     ],
 )
 def test_options_are_the_commands(
@@ -168,8 +173,28 @@ def test_threads_and_search_change_nothing(datum: Any) -> None:
 def test_stub_lists_the_options() -> None:
     stub = Path(inspect.getfile(tank_datum)).with_suffix(".pyi").read_text()
     signature = stub[stub.index("def extract_datum") :]
-    named = re.findall(r"^    (\w+): .* = \.\.\.", signature, re.MULTILINE)
+    named = re.findall(r"^    (\w+): .* = .+,$", signature, re.MULTILINE)
     assert set(named) == {*tank_datum.defaults(), "progress"}
+
+
+def test_help_lists_the_options() -> None:
+    text = tank_datum.extract_datum.__doc__
+    assert "    k: neighbours of a point, itself included (>= 3)\n" in text
+    assert "    setup_error: how well setups are registered in height and plan, 1 sigma [m]" in text
+    listed = re.findall(r"^    (\w+): ", text[text.index("Options:") :], re.MULTILINE)
+    assert listed == list(tank_datum.defaults())
+
+
+def test_origins_of_setups_are_in_the_units_of_the_scan(points: Array, tmp_path: Path) -> None:
+    for name, part in (("a.pcd", points[::2]), ("b.pcd", points[1::2])):
+        write_pcd(tmp_path / name, {n: 1000 * part[:, i] for i, n in enumerate("xyz")})
+    (tmp_path / "origins.csv").write_text("a,8000,0,1500\nb,-8000,0,1500\n")
+    scans = [tmp_path / "a.pcd", tmp_path / "b.pcd"]
+    datum = tank_datum.extract_datum(scans, units="mm", setup_origins=tmp_path / "origins.csv")
+    wanted = {"a": [8.0, 0.0, 1.5], "b": [-8.0, 0.0, 1.5]}
+    assert datum.to_dict()["options"]["setups"]["origins"] == wanted
+    other = tank_datum.extract_datum(scans, units="mm", setup_origins=wanted)
+    assert other.to_dict() == datum.to_dict()
 
 
 # ---- errors ----
@@ -178,13 +203,15 @@ def test_stub_lists_the_options() -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"k": 2}, "options: normals.k, 2, expected >= 3"),
+        ({"k": 2}, "options: k, 2, expected >= 3"),
         ({"method": "exact"}, "options: method, exact, expected refined or paper"),
         ({"search": "slow"}, "options: search, slow, expected flann or buckets"),
-        ({"units": "inch"}, "options: units, inch, expected m, mm, ft or in"),
-        ({"stations": 4}, "options: stations.count, 4"),
-        ({"min_radius": -1.0}, "options: locate.min_radius, -1"),
-        ({"heights": [0.5, 0.4]}, "options: shell.heights, 0.4"),
+        ({"roof": "a = 1 (must be b)"}, "options: roof, a = 1 (must be b), expected open or fixed"),
+        ({"angle_deg": 95}, "options: angle_deg, 95, expected > 0 and < 90 deg"),
+        ({"units": "inch"}, "options: units, inch, expected ft, in, m, mm or us-ft"),
+        ({"stations": 4}, "options: stations, 4, expected 8 to 36000"),
+        ({"min_radius": -1.0}, "options: min_radius, -1, expected > 0 m"),
+        ({"heights": [0.5, 0.4]}, "options: heights, 0.4, expected > 0 m and above the one before"),
     ],
 )
 def test_refused_options(options: dict[str, Any], said: str) -> None:

@@ -286,3 +286,17 @@ def test_all_with_a_baseline_of_one(run: Runner, two_tanks: Path, tmp_path: Path
     )  # the best seen is the other
     assert result.returncode == 2
     assert list((tmp_path / "c").iterdir()) == [] if (tmp_path / "c").exists() else True
+
+
+def test_longest_bridge(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    """An arc of 8 degrees that was not seen is bridged, unless bridges may span 4 degrees only."""
+    points = read_points(synth())
+    azimuth = np.degrees(np.arctan2(points[:, 1], points[:, 0])) % 360.0
+    scan = write(tmp_path / "scan.pcd", points[(azimuth < 100.0) | (azimuth > 108.0)])
+    bridged = stations_of(run, scan, tmp_path / "a")
+    assert set(bridged.flag[102:107]) == {"interpolated"}
+    left = stations_of(run, scan, tmp_path / "b", "--longest-bridge-deg", 4)
+    assert set(left.flag[102:107]) == {"missing"}
+    datum = read_datum(tmp_path / "b")
+    assert datum["options"]["stations"]["longest_bridge_deg"] == 4.0
+    assert (datum["status"], datum["datum"]["interpolated"]) == ("partial", 0)

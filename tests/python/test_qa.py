@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import shutil
-import subprocess
-import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
 
-from conftest import ROOT, executable
+from conftest import ROOT
+from qa_command import qa
 
 CASES = """
 [tolerance]
@@ -25,14 +23,6 @@ name = "sample"
 inputs = ["{scan}"]
 options = ["--stations", "36"]
 """
-
-
-def qa(cases: Path, *args: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, ROOT / "scripts" / "qa.py", cases, *args]
-    environment = {**os.environ, "TANK_DATUM_BIN": str(executable("tank_datum").parent)}
-    return subprocess.run(
-        [str(c) for c in command], capture_output=True, text=True, env=environment
-    )
 
 
 @pytest.fixture(scope="module")
@@ -246,49 +236,6 @@ def test_command_that_is_not_there(cases: Path) -> None:
     result = qa(cases, "--command", "/nowhere/tank_datum")
     assert result.returncode == 1
     assert "/nowhere/tank_datum: No such file" in result.stdout
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("", "at least one [[case]]"),
-        ("[[case]]\n", "case 1.name, None, expected a text"),
-        ('[[case]]\nname = "a"\n', "a.inputs, None, expected a list of texts"),
-        ('[[case]]\nname = "a"\ninputs = []\n', "a.inputs, [], expected at least 1"),
-        ('[[case]]\nname = "a"\ninputs = ["b"]\nopts = 1\n', "case 1, 'opts', expected one of"),
-        ('[[case]]\nname = "a"\ninputs = ["b"]\nstatus = 3\n', "a.status, 3, expected 0 or 1"),
-        ('[[case]]\nname = "a"\ninputs = ["b"]\ntolerance = {z = -1}\n', "a.tolerance.z, -1,"),
-        ('[tolerance]\nz = "much"\n[[case]]\n', "tolerance.z, 'much', expected a number >= 0"),
-        ('[[case]]\nname = "a"\ninputs = ["b"]\n' * 2, "a name of its own"),
-        ("[[case", "expected TOML"),
-        *(
-            (f'[[case]]\nname = "a"\ninputs = ["b"]\n{line}\n', said)
-            for line, said in (
-                ('fixture = "../a"', "a.fixture, '../a', expected the name of a folder below"),
-                ('fixture = "."', "a.fixture, '.', expected the name of a folder below"),
-                ('fixture = "/tmp/a"', "a.fixture, '/tmp/a', expected the name of a folder below"),
-                ('files = ["../datum.json"]', "a.files, '../datum.json', expected names"),
-                ('options = ["-o", "x"]', "a.options, '-o', expected no option that names"),
-                ('options = ["-ox"]', "a.options, '-ox', expected no option that names"),
-                ('options = ["--output=x"]', "a.options, '--output=x', expected no option"),
-                ('options = ["--timings", "x"]', "a.options, '--timings', expected no option"),
-            )
-        ),
-    ],
-)
-def test_wrong_cases_are_refused(tmp_path: Path, text: str, said: str) -> None:
-    cases = tmp_path / "cases.toml"
-    cases.write_text(text)
-    result = qa(cases)
-    assert result.returncode == 2
-    assert said in result.stderr
-    assert result.stderr.count("\n") == 1
-
-
-def test_no_cases_file(tmp_path: Path) -> None:
-    result = qa(tmp_path / "none.toml")
-    assert result.returncode == 2
-    assert "No such file" in result.stderr
 
 
 def test_own_fixtures() -> None:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import pty
-import re
-import subprocess
+import json
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
@@ -13,53 +10,11 @@ from typing import Any
 
 import pytest
 
-from conftest import executable
 from results import FOLDER, RESULTS, Run, read_datum, read_stations
 
 Runner = Callable[..., Run]
 Synth = Callable[..., Path]
 
-# Where datum.json holds an option; threads, all, quiet, no-report do not bear on a result.
-PLACES = {
-    "method": "method",
-    "k": "normals/k",
-    "angle-deg": "growing/angle_deg",
-    "centre-tolerance": "centre_filter/tolerance",
-    "control-points": "spline/control_points",
-    "search": "normals/search",
-    "stations": "stations/count",
-    "zero-azimuth-deg": "stations/zero_azimuth_deg",
-    "clockwise": "stations/clockwise",
-    "heights": "shell/heights",
-    "height-step": "shell/step",
-    "tank": "tank",
-    "pick": "pick",
-    "accept": "accept",
-    "level": "level",
-    "service": "analysis/service",
-    "setup-error": "setups/error",
-    "setup-tilt-arcsec": "setups/tilt_arcsec",
-    "bad-setups": "setups/bad",
-    "search-points": "crop/search_points",
-    "fit-points": "crop/fit_points",
-    "min-radius": "locate/min_radius",
-    "height": "analysis/height",
-    "yield-mpa": "analysis/yield_mpa",
-    "modulus-mpa": "analysis/modulus_mpa",
-    "roof": "analysis/roof",
-    "foundation": "analysis/foundation",
-    "classic-points": "analysis/classic_points",
-    "limits": "analysis/limits",
-    "baseline": "movement/baseline",
-    "remove": "movement/remove",
-    "registration-error": "movement/registration_error",
-    "registration-tilt-arcsec": "movement/registration_tilt_arcsec",
-    "azimuth-offset-deg": "movement/azimuth_offset_deg",
-    "estimate-azimuth-offset": "movement/estimate_azimuth_offset",
-    "correlation-deg": "movement/correlation_deg",
-    "radius-difference": "movement/radius_difference",
-    "centre-distance": "movement/centre_distance",
-}
 CHOSEN = {
     "method": "paper",
     "k": 25,
@@ -92,9 +47,15 @@ CHOSEN = {
 }
 
 
+def listed(run: Runner) -> list[dict[str, Any]]:
+    """What the command says of its options, with the name they have on its line."""
+    options: list[dict[str, Any]] = json.loads(run("--print-options").stdout)
+    return [option | {"name": option["name"].replace("_", "-")} for option in options]
+
+
 def at(options: dict[str, Any], place: str) -> Any:
     value: Any = options
-    for key in place.split("/"):
+    for key in place.split("."):
         value = value[key]
     return value
 
@@ -117,66 +78,10 @@ def test_summary(run: Runner, synth: Synth, tmp_path: Path) -> None:
     assert "360 measured, 0 interpolated, 0 missing" in result.stdout
 
 
-def stdout_on_terminal(locale: str, *args: object) -> str:
-    """What a run writes to standard output when that is a terminal."""
-    master, slave = pty.openpty()
-    command = [str(executable("tank_datum")), *map(str, args)]
-    environment = {**os.environ, "LC_ALL": locale}
-    with subprocess.Popen(command, stdout=slave, stderr=subprocess.DEVNULL, env=environment):
-        os.close(slave)
-        text = b""
-        try:
-            while part := os.read(master, 4096):
-                text += part
-        except OSError:  # the other end has closed
-            pass
-    os.close(master)
-    return text.decode()
-
-
-def test_sparkline_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
-    """A row of blocks on a terminal of a UTF-8 locale, and nowhere else; the rest is the same."""
-    args = (synth(), "-o", tmp_path / "out")
-    lines = stdout_on_terminal("C.UTF-8", *args).splitlines()
-    row = next(line for line in lines if line.startswith("elevation"))
-    assert {"▁", "█"} <= set(row)
-    assert len(lines) <= 15
-    plain = stdout_on_terminal("C", *args).splitlines()
-    assert plain == [line for line in lines if line != row]
-
-
 def test_quiet(run: Runner, synth: Synth, tmp_path: Path) -> None:
     result = run(synth(), "-o", tmp_path / "out", "--quiet")
     assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
     assert sorted(p.name for p in (tmp_path / "out").iterdir()) == sorted(FOLDER)
-
-
-def stderr_on_terminal(*args: object) -> tuple[int, str]:
-    """What a run writes to standard error when that is a terminal."""
-    master, slave = pty.openpty()
-    command = [str(executable("tank_datum")), *map(str, args)]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=slave) as process:
-        os.close(slave)
-        text = b""
-        try:
-            while part := os.read(master, 4096):
-                text += part
-        except OSError:  # the other end has closed
-            pass
-        status = process.wait(timeout=60)
-    os.close(master)
-    return status, text.decode()
-
-
-def test_progress_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
-    """One line that is written over, and cleared at the end; nothing when quiet."""
-    status, text = stderr_on_terminal(synth(), "-o", tmp_path / "out")
-    assert status == 0
-    assert text.count("...") >= 5
-    assert re.search(r"locate 100 %  \d+\.\d M points/s  0 s left", text)
-    assert "\n" not in text
-    assert text.endswith("\r\033[K")
-    assert stderr_on_terminal(synth(), "-o", tmp_path / "out", "--quiet") == (0, "")
 
 
 def test_version_and_help(run: Runner, tmp_path: Path) -> None:
@@ -185,17 +90,9 @@ def test_version_and_help(run: Runner, tmp_path: Path) -> None:
     assert result.stdout.startswith("tank_datum ")
     help_text = run("--help", cwd=tmp_path)
     assert help_text.returncode == 0
-    for name in [
-        *PLACES,
-        "output",
-        "units",
-        "all",
-        "threads",
-        "quiet",
-        "no-report",
-        "timings",
-        "config",
-    ]:
+    names = [option["name"] for option in listed(run)]
+    assert {"k", "output", "config", "quiet"} <= set(names)
+    for name in names:
         assert f"--{name}" in help_text.stdout
     assert list(tmp_path.iterdir()) == []
 
@@ -213,19 +110,22 @@ def test_printed_options_are_those_used(
     """Every line of --print-config equals what datum.json says was used."""
     scan, out = synth(), tmp_path / "out"
     printed = tomllib.loads(run(scan, *words(chosen), "--print-config").stdout)
-    beside = {"units", "up", "setup-origins", "all", "threads", "quiet", "no-report", "no-checksum"}
-    assert set(printed) == {*PLACES, *beside}
+    options = [option for option in listed(run) if option["configurable"]]
+    assert set(printed) == {option["name"] for option in options}
     assert {k: printed[k] for k in chosen} == chosen
     assert run(scan, "-o", out, *words(chosen)).returncode == 0
     datum = read_datum(out)
     assert datum["input"]["units"] == printed["units"]
-    for name, place in PLACES.items():
-        used = at(datum["options"], place)
+    for option in options:
+        if not option["place"] or option["kind"] == "places":
+            continue
+        used = at(datum["options"], option["place"])
         if used is None:
             used = ""
         if isinstance(used, list):
             used = ",".join(f"{v:g}" for v in used)
-        assert printed[name] == (used if isinstance(used, str) else pytest.approx(used)), name
+        wanted = used if isinstance(used, str) else pytest.approx(used)
+        assert printed[option["name"]] == wanted, option["name"]
 
 
 def test_config_round_trip(run: Runner, synth: Synth, tmp_path: Path) -> None:

@@ -82,7 +82,7 @@ TEST(StationsCsv, WhatIsUnknownIsEmpty) {
   EXPECT_EQ(rows[7][0], "6");
   EXPECT_EQ(rows[7][1], "270");
   EXPECT_EQ(rows[7][10], "missing");
-  for (const std::size_t cell : {2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13}) EXPECT_EQ(rows[7][cell], "") << cell;
+  for (const std::size_t cell : {2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 11U, 12U, 13U}) EXPECT_EQ(rows[7][cell], "") << cell;
   EXPECT_EQ(stationsCsv(Datum()), stationsCsv(octagon()).substr(0, stationsCsv(octagon()).find('\n') + 1));
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/search/estimate_normals.h"
 
@@ -178,10 +179,10 @@ TEST(Normals, KeepTheirAccuracyAKilometreFromTheOrigin) {
 }
 
 TEST(NormalOptions, RefuseFewerThanThreeNeighboursByName) {
-  EXPECT_EQ(firstError(NormalOptions()), "");
-  EXPECT_EQ(firstError(withK(3)), "");
-  EXPECT_EQ(firstError(withK(2)), "normals.k = 2 (must be >= 3)");
-  EXPECT_EQ(firstError(withK(-5)), "normals.k = -5 (must be >= 3)");
+  EXPECT_EQ(said(firstError(NormalOptions())), "");
+  EXPECT_EQ(said(firstError(withK(3))), "");
+  EXPECT_EQ(said(firstError(withK(2))), "k, 2, expected >= 3");
+  EXPECT_EQ(said(firstError(withK(-5))), "k, -5, expected >= 3");
 }
 
 TEST(Normals, OfFewerPointsThanNeighboursAreRefused) {

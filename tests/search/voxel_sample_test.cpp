@@ -51,8 +51,8 @@ TEST(VoxelSample, HoldsOneScanPointForEachOccupiedVoxelAndNoMore) {
 }
 
 TEST(VoxelSample, NeverHoldsMoreThanItsBound) {
-  for (const std::size_t bound : {10, 100, 101, 1000}) {
-    for (const std::size_t count : {11, 102, 3000}) {
+  for (const std::size_t bound : {10U, 100U, 101U, 1000U}) {
+    for (const std::size_t count : {11U, 102U, 3000U}) {
       const VoxelSample sample(randomPoints(count, 50.0), bound);
       EXPECT_LE(sample.points().size(), bound) << count;
     }
@@ -69,7 +69,7 @@ TEST(VoxelSample, TheBoundDecidesTheVoxel) {
 }
 
 TEST(VoxelSample, DoesNotDependOnTheOrderOfThePointsOrTheThreads) {
-  for (const std::size_t count : {103, 4000}) {
+  for (const std::size_t count : {103U, 4000U}) {
     Points points = randomPoints(count, 3.0);
     const VoxelSample once(points, 100);
     for (unsigned seed = 1; seed <= 20; ++seed) {

@@ -86,5 +86,50 @@ TEST(ArcComparison, WhatOneSetupSeesAloneIsNotCompared) {
   EXPECT_FALSE(compareArc(few, kPrior));
 }
 
+/// So many points of two setups in each of the bins, without noise, the second 1 mm higher.
+std::vector<ArcPoint> evenArc(std::uint16_t bins, int first, int second) {
+  std::vector<ArcPoint> points;
+  for (std::uint16_t bin = 0; bin < bins; ++bin) {
+    for (int i = 0; i < first; ++i) points.push_back({0.01 * i, 0.0, bin, 0});
+    for (int i = 0; i < second; ++i) points.push_back({0.01 * i, 0.001, bin, 1});
+  }
+  return points;
+}
+
+TEST(ArcComparison, ASetupIsComparedFromTwelvePointsOnABinFromSix) {
+  EXPECT_TRUE(compareArc(evenArc(4, 3, 3), kPrior));
+  auto eleven = evenArc(4, 3, 3);
+  eleven.pop_back();
+  EXPECT_FALSE(compareArc(eleven, kPrior));
+  auto five = evenArc(10, 3, 2);
+  for (std::size_t i = 0; i < five.size(); ++i) five[i].value += i % 3 == 0 ? 0.002 : 0.0;
+  EXPECT_FALSE(compareArc(five, kPrior));
+}
+
+TEST(ArcComparison, ThreePointsOfASetupInABinMakeAFirstMedianOfItTwoDoNot) {
+  const auto seen = compareArc(evenArc(4, 4, 3), kPrior);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->offsets[1] - seen->offsets[0], 0.001, 1e-9);
+  // without noise and without a first median all of the second setup's points look like something else
+  EXPECT_FALSE(compareArc(evenArc(6, 4, 2), kPrior));
+}
+
+TEST(ArcComparison, ABinOfTwentyPointsTakesAThirdOfItsVarianceFromTheOthers) {
+  constexpr double kRough = 0.010;
+  std::vector<ArcPoint> points;
+  for (std::uint16_t bin = 0; bin < 3; ++bin) {
+    const double off = bin < 2 ? kRough / 1.4826 : 1e-6;  // two rough bins and a quiet one
+    for (int i = 0; i < 20; ++i) {
+      points.push_back({0.0, i % 2 == 0 ? off : -off, bin, static_cast<std::uint16_t>(i / 2 % 2)});
+    }
+  }
+  const auto seen = compareArc(points, kPrior);
+  ASSERT_TRUE(seen);
+  // of each bin points / (4 noise^2), the rough ones' less their share that Tukey's weights take; the quiet one's
+  // variance is a third of the others'
+  const double rough = 20.0 / (4.0 * kRough * kRough), weight = std::pow(1.0 - std::pow(0.6745 / 4.685, 2), 2);
+  EXPECT_NEAR(seen->information(0, 0), (2.0 * weight + 3.0) * rough, 0.03 * 5.0 * rough);
+}
+
 }  // namespace
 }  // namespace tank_datum

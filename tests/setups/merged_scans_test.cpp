@@ -68,5 +68,37 @@ TEST(MergedScans, FactorsHaveTheVarianceEverywhereAndFadeWithDistance) {
   EXPECT_LT(std::abs(correlation(120)), 0.1);
 }
 
+TEST(MergedScans, TheShortestWaveOfTheFactorsHasAHundredthOfThePowerOfTheLongest) {
+  std::vector<Station> stations = emptyStations({});
+  for (Station& s : stations) s.z = 0.0;
+  const Eigen::MatrixXd factors = mergedFactors(stations, 0.002);
+  const Eigen::Index last = factors.rows() - 1;
+  const double power = factors.row(last).squaredNorm() / factors.row(1).squaredNorm();
+  EXPECT_GT(power, 0.005);
+  EXPECT_LT(power, 0.03);
+}
+
+/// What two scans 4 mm apart that meet in so many arcs of 2.5 degrees disagree by.
+double disagreementIn(int arcs) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any;
+  Ring ring;
+  ring.reach = 0.5;
+  for (const double error : {0.002, -0.002}) {
+    for (int i = 0; i < 400 * arcs; ++i) {
+      const double azimuth = toRadians(2.5 * (i + 0.5) / 400.0);
+      const bool shell = i % 4 == 0;
+      const double d = shell ? 0.0 : 0.03 + 0.3 * any(random), z = shell ? 0.2 + 0.3 * any(random) : error;
+      ring.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), z});
+    }
+  }
+  return mergedDisagreement(ring, madeTank());
+}
+
+TEST(MergedScans, SixArcsTellADisagreementFiveDoNot) {
+  EXPECT_EQ(disagreementIn(5), 0.0);
+  EXPECT_GT(disagreementIn(8), 0.002);
+}
+
 }  // namespace
 }  // namespace tank_datum

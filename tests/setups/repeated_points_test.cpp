@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace tank_datum {
@@ -59,6 +60,16 @@ TEST(RepeatedPoints, CoordinatesOfFewDigitsThatMeetByChanceStay) {
   Ring ring = ringOf({madePoints(20'000, 0.05, 4), madePoints(20'000, 0.05, 5)});
   EXPECT_EQ(removeRepeated(ring).removed, 0U);
   EXPECT_EQ(ring.points.size(), 40'000U);
+}
+
+TEST(RepeatedPoints, PointsThatAThirdOfASetupSharesAreNoChance) {
+  for (const std::size_t shared : {1'250U, 1'750U}) {  // of five thousand
+    const Points a = madePoints(5'000, 0.0, 6);
+    Points b = madePoints(5'000, 0.0, 7);
+    std::copy(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(shared), b.begin());
+    Ring ring = ringOf({a, b});
+    EXPECT_EQ(removeRepeated(ring).removed, shared > 1'500U ? shared : 0U);
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "shape/deformation.h"
 #include "support/made_surveys.h"
+#include "support/refused.h"
 #include "tank_datum/limits/limits.h"
 
 namespace tank_datum {
@@ -147,9 +148,9 @@ TEST(Analyse, ShellFiguresGoToTheLimitsToo) {
 TEST(AnalysisOptions, AreRefusedByName) {
   AnalysisOptions options;
   options.classic_points = -1;
-  EXPECT_EQ(firstError(options), "analysis.classic_points = -1 (must be >= 0)");
+  EXPECT_EQ(said(firstError(options)), "classic_points, -1, expected >= 0");
   options.facts.height = 0;
-  EXPECT_EQ(firstError(options), "facts.height = 0 (must be in m, > 0 and at most 100)");
+  EXPECT_EQ(said(firstError(options)), "height, 0, expected > 0 and <= 100 m");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ OutOfPlane takeBending(std::vector<Station>& stations, double radius) {
 }
 
 TEST(HarmonicsOf, FindsExactWavesWhateverTheNumberOfStations) {
-  for (const std::size_t count : {36, 90, 360, 720}) {
+  for (const std::size_t count : {36U, 90U, 360U, 720U}) {
     const auto harmonics = harmonicsOf(survey(wave(count, sixWaves), 30.0), 30.0);
     ASSERT_GE(harmonics.size(), 7U) << count;
     EXPECT_NEAR(harmonics[0].amplitude, 3.0, 1e-9);

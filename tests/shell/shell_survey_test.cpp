@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/made_shells.h"
+#include "support/refused.h"
 
 namespace tank_datum {
 namespace {
@@ -139,23 +140,20 @@ TEST(SurveyShell, OfNoShellSaysSo) {
 }
 
 TEST(ShellOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(ShellOptions()), "");
+  EXPECT_EQ(said(firstError(ShellOptions())), "");
   const auto refused = [](auto change) {
     ShellOptions options;
     change(options);
-    return firstError(options);
+    return said(firstError(options));
   };
-  EXPECT_EQ(refused([](auto& o) {
-              o.heights = {0.5, 0.4};
-            }),
-            "shell.heights = 0.4 (must be > 0 and above the one before)");
-  EXPECT_EQ(refused([](auto& o) { o.heights = {0.0}; }), "shell.heights = 0 (must be > 0 and above the one before)");
-  EXPECT_EQ(refused([](auto& o) { o.heights = {1.0, INFINITY}; }).rfind("shell.heights = inf", 0), 0U);
-  EXPECT_EQ(refused([](auto& o) { o.step = 0.05; }), "shell.step = 0.05 (must be >= 0.1 m)");
-  EXPECT_EQ(refused([](auto& o) { o.step = NAN; }).rfind("shell.step = ", 0), 0U);
-  EXPECT_EQ(refused([](auto& o) { o.half_band = 0.0; }), "shell.half_band = 0 (must be > 0 m)");
-  EXPECT_EQ(refused([](auto& o) { o.reach = -1.0; }), "shell.reach = -1 (must be > 0 m)");
-  EXPECT_EQ(refused([](auto& o) { o.cell_points = 49; }), "shell.cell_points = 49 (must be >= 50)");
+  EXPECT_EQ(refused([](auto& o) { o.heights = {0.5, 0.4}; }), "heights, 0.4, expected > 0 m and above the one before");
+  EXPECT_EQ(refused([](auto& o) { o.heights = {0.0}; }), "heights, 0, expected > 0 m and above the one before");
+  EXPECT_EQ(refused([](auto& o) { o.heights = {1.0, INFINITY}; }).rfind("heights, inf, ", 0), 0U);
+  EXPECT_EQ(refused([](auto& o) { o.step = 0.05; }), "height_step, 0.05, expected >= 0.1 m");
+  EXPECT_EQ(refused([](auto& o) { o.step = NAN; }).rfind("height_step, nan, ", 0), 0U);
+  EXPECT_EQ(refused([](auto& o) { o.half_band = 0.0; }), "shell.half_band, 0, expected > 0 m");
+  EXPECT_EQ(refused([](auto& o) { o.reach = -1.0; }), "shell.reach, -1, expected > 0 m");
+  EXPECT_EQ(refused([](auto& o) { o.cell_points = 49; }), "shell.cell_points, 49, expected >= 50");
 }
 
 }  // namespace

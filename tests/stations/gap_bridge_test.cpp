@@ -63,7 +63,7 @@ TEST(BridgeGaps, OfALevelDatumIsLevel) {
 
 TEST(BridgeGaps, ReproduceAParabolaExactly) {
   const auto parabola = [](double t) { return 2.0 + 0.003 * t - 0.002 * t * t; };
-  for (const std::size_t length : {1, 5, 10}) {
+  for (const std::size_t length : {1U, 5U, 10U}) {
     const Bridged bridged(100, length, parabola);
     for (std::size_t i = 0; i < length; ++i) {
       EXPECT_NEAR(bridged.inGap(i).z, parabola(bridged.arc(100 + i)), 1e-9) << length << " " << i;
@@ -146,7 +146,7 @@ TEST(BridgeGaps, ALoneStationBetweenTwoGapsCarriesBoth) {
   stations[105].flag = stations[106].flag = StationFlag::Interpolated;  // 104 stands alone
   for (StationDatum& s : stations) s.z = s.flag == StationFlag::Measured ? s.z : NAN;
   stations = bridgeGaps(stations, kCenter, 0.003);
-  for (const std::size_t i : {100, 103, 105, 106}) {
+  for (const std::size_t i : {100U, 103U, 105U, 106U}) {
     EXPECT_NEAR(stations[i].z, 2.0, 1e-9) << i;
     EXPECT_TRUE(std::isfinite(stations[i].sigma_z)) << i;
   }

@@ -8,6 +8,7 @@
 
 #include "core/units.h"
 #include "fit/spline.h"
+#include "support/refused.h"
 
 namespace tank_datum {
 namespace {
@@ -198,20 +199,20 @@ TEST(SamplePaperCurve, SupportReachesRoundTheSeam) {
 }
 
 TEST(StationOptions, AreRefusedByName) {
-  EXPECT_EQ(firstError(StationOptions()), "");
+  EXPECT_EQ(said(firstError(StationOptions())), "");
   StationOptions options;
   options.count = 7;
-  EXPECT_EQ(firstError(options), "stations.count = 7 (must be 8 to 36000)");
+  EXPECT_EQ(said(firstError(options)), "stations, 7, expected 8 to 36000");
   options.count = 36'001;
-  EXPECT_NE(firstError(options), "");
+  EXPECT_NE(said(firstError(options)), "");
   options = {};
   options.zero_azimuth = INFINITY;
-  EXPECT_EQ(firstError(options), "stations.zero_azimuth = inf (must be finite)");
+  EXPECT_EQ(said(firstError(options)), "zero_azimuth_deg, inf, expected finite");
   options = {};
   options.longest_bridge = -0.5;
-  EXPECT_EQ(firstError(options), "stations.longest_bridge = -0.5 rad (must be >= 0 and < 2 pi)");
+  EXPECT_EQ(said(firstError(options)), "longest_bridge_deg, -28.6479, expected >= 0 and < 360 deg");
   options.longest_bridge = NAN;
-  EXPECT_NE(firstError(options), "");
+  EXPECT_NE(said(firstError(options)), "");
 }
 
 }  // namespace

@@ -21,6 +21,9 @@
 /// PCD files made byte by byte, without the project's own writer.
 namespace tank_datum::pcd_files {
 
+/// The name of a test that is instantiated for each encoding.
+inline std::string nameOfEncoding(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
 /// A folder that goes with the test.
 class Folder {
  public:

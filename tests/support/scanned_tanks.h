@@ -31,6 +31,18 @@ inline SceneOptions tank20() {
   return scene;
 }
 
+/// A 20 m tank 6 m high on a pad, seen coarsely and whole by four scanners.
+inline SceneOptions yard() {
+  SceneOptions scene;
+  scene.tanks[0].radius = 10.0, scene.tanks[0].height = 6.0;
+  scene.ground.drop = 0.2;
+  scene.scanner.count = 4;
+  scene.scanner.step = radians(0.7), scene.scanner.row_step = radians(0.45);
+  scene.scanner.min_elevation = radians(-30), scene.scanner.max_elevation = radians(30);
+  scene.scanner.max_range = 40.0;
+  return scene;
+}
+
 inline Points pointsOf(const SceneOptions& scene) {
   const synth::Rows rows = synth::rowsOf(scene);
   Points points;

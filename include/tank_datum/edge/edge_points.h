@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/fit/curves.h"
 
@@ -13,8 +15,8 @@ struct GrowingOptions {
   double angle = 0.7853981633974483;  ///< theta: normals further apart than this mark a crease [rad], 45 degrees
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const GrowingOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const GrowingOptions& options);
 
 struct CentreFilterOptions {
   /// The paper's distance threshold: how far from the circle an edge point may lie [m]; 0 takes 0.1 m (out-of-roundness
@@ -22,8 +24,8 @@ struct CentreFilterOptions {
   double tolerance = 0.0;
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const CentreFilterOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const CentreFilterOptions& options);
 
 /// Candidates near the circle of the datum, in order round it.
 struct EdgePoints {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/edge/edge_points.h"
 #include "tank_datum/io/scan.h"

@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <string>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -34,8 +36,8 @@ struct SplineOptions {
   int check_every = 5;     ///< every n-th ordered point checks the curve and is not used in the fit
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const SplineOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const SplineOptions& options);
 
 /// A closed uniform cubic B-spline over one turn of azimuth.
 struct ClosedSpline {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/curves.h"
@@ -18,8 +20,8 @@ struct RefineOptions {
   int profile_points = 0;        ///< points of each station's section kept for the report; moves no result
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const RefineOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const RefineOptions& options);
 
 /// Which surface the shell was intersected with.
 enum class Surface { Unknown, Foundation, AnnularPlate, Ringwall };

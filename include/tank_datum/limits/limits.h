@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/stations/stations.h"
@@ -93,8 +94,8 @@ struct TankFacts {
   Service service = Service::InService;
 };
 
-/// One line naming the first refused field, its value and what it must be; empty when all are fine.
-std::string firstError(const TankFacts& facts);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const TankFacts& facts);
 
 /// A figure that the file of limits may judge.
 struct Measure {

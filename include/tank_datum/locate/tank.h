@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/fit/curves.h"
 #include "tank_datum/io/scan.h"
@@ -21,8 +23,8 @@ struct LocateOptions {
   std::size_t sample_points = 500'000;  ///< bound of the thinned sample
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const LocateOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const LocateOptions& options);
 
 /// A vertical cylinder standing in the scan, to the accuracy of the thinned sample.
 struct Tank {
@@ -51,8 +53,8 @@ struct CropOptions {
   std::size_t fit_points = 4'000'000;     ///< of more points in the ring an even share is kept for the fits
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const CropOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const CropOptions& options);
 
 /// The points of a scan near the datum, about the tank's centre.
 struct Ring {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/curves.h"
@@ -65,8 +66,8 @@ struct MovementOptions {
   double centre_distance = 0.25;    ///< the same of the centres, in a common frame [m]
 };
 
-/// One line naming the first refused field, its value and what it must be; or empty.
-std::string firstError(const MovementOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const MovementOptions& options);
 
 /// The movement of one station.
 struct StationMovement {

@@ -78,9 +78,9 @@ class DatumFilter : public pcl::FilterIndices<PointT> {
   Datum datum_;
 };
 
-extern template class TANK_DATUM_API DatumFilter<pcl::PointXYZ>;
-extern template class TANK_DATUM_API DatumFilter<pcl::PointXYZI>;
-extern template class TANK_DATUM_API DatumFilter<pcl::PointXYZRGB>;
-extern template class TANK_DATUM_API DatumFilter<pcl::PointNormal>;
+extern template class TANK_DATUM_API_CLASS DatumFilter<pcl::PointXYZ>;
+extern template class TANK_DATUM_API_CLASS DatumFilter<pcl::PointXYZI>;
+extern template class TANK_DATUM_API_CLASS DatumFilter<pcl::PointXYZRGB>;
+extern template class TANK_DATUM_API_CLASS DatumFilter<pcl::PointNormal>;
 
 }  // namespace tank_datum

@@ -22,8 +22,10 @@
 #include "tank_datum/search/estimate_normals.h"
 #include "tank_datum/stations/stations.h"
 
+/// @file
 /// The single stages on PCL clouds of any point type with x, y and z. Indices, circles, tanks and stations are the
 /// cloud's own: its point numbers, its frame. growCandidates, between normals and centre filter, needs no cloud.
+
 namespace TANK_DATUM_API tank_datum {
 
 /// A cloud as a scan, without a copy; not finite points are dropped and counted.

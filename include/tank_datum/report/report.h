@@ -23,6 +23,7 @@ struct InputRecord {
 struct Provenance {
   std::vector<InputRecord> files;
   std::string units = "m";
+  std::string up = "z";  ///< the axis of the scan's frame that is vertical
   std::uint64_t invalid_points = 0;
   DatumOptions options;
   std::string baseline;  ///< the earlier survey compared with, or empty

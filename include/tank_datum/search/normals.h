@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tank_datum/core/default_init_allocator.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 
 namespace TANK_DATUM_API tank_datum {
@@ -23,8 +25,8 @@ struct NormalOptions {
   SearchEngine search = SearchEngine::Flann;  ///< who finds them and fits the normals; both find the same neighbours
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const NormalOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const NormalOptions& options);
 
 /// Rows of k point indices, nearest first, the point itself included.
 using Neighbours = std::vector<std::int32_t, DefaultInitAllocator<std::int32_t>>;

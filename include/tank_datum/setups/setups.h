@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 
@@ -30,8 +31,8 @@ struct SetupOptions {
   std::map<std::string, Eigen::Vector3d> origins;  ///< where setups stood, by name, in the scan's own frame [m]
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const SetupOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const SetupOptions& options);
 
 /// A small rigid motion of a setup's points about its origin: up by dz, turned such that z rises by tilt_x along x and
 /// by tilt_y along y, and moved by dx, dy.

@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/limits/limits.h"
@@ -97,13 +99,22 @@ struct AnalysisOptions {
   std::string limits_file;                       ///< where they were read from; empty: they come with the library
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const AnalysisOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const AnalysisOptions& options);
+
+/// A settlement or a rise of one part of the ring that its waves and its errors do not explain.
+struct LocalSettlement {
+  double azimuth = kUnknown;  ///< of its middle, as the user counts azimuths [rad]
+  double width = kUnknown;    ///< from where it begins to where it ends [rad]
+  double height = kUnknown;   ///< in its middle, settlement negative [m]
+  double sigma = kUnknown;    ///< [m]
+};
 
 /// What the datum's shape means.
 struct Analysis {
   std::vector<Harmonic> harmonics;
   OutOfPlane out_of_plane;
+  std::vector<LocalSettlement> local_settlements;  ///< of more than 64 stations
   SecondDifferences second_differences;
   std::vector<SettlementArc> arcs;
   PlacedValue level_9m, level_3m, level_total;  ///< of the foundation (API 650 7.5.5) [m]

@@ -3,9 +3,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/curves.h"
@@ -20,8 +22,8 @@ struct ShellOptions {
   std::size_t cell_points = 100;  ///< of half a degree and one height at most this many points are kept
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const ShellOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const ShellOptions& options);
 
 /// The shell at one height and azimuth.
 struct ShellPoint {

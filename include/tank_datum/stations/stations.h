@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 
@@ -18,8 +19,8 @@ struct StationOptions {
   double longest_bridge = 0.17453292519943295;  ///< gaps up to this are bridged by the curve [rad], 10 degrees
 };
 
-/// One line naming the first refused field, or empty.
-std::string firstError(const StationOptions& options);
+/// The first refused field, or nothing.
+std::optional<Refusal> firstError(const StationOptions& options);
 
 enum class StationFlag {
   Measured,

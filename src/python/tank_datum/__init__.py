@@ -1,4 +1,4 @@
-"""The datum of a storage tank, the line where its shell meets the foundation, from a laser scan.
+"""The datum of a storage tank, the line where its shell meets the foundation, from a laser scan::
 
     import tank_datum
     datum = tank_datum.extract_datum("scan.pcd", stations=360)
@@ -20,9 +20,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tank_datum import _core
-from tank_datum._core import FileError, OptionError
+from tank_datum._core import FileError, OptionError, __version__
 
-__all__ = ["Datum", "FileError", "OptionError", "defaults", "extract_datum"]
+__all__ = [
+    "Datum",
+    "FileError",
+    "OptionError",
+    "__version__",
+    "defaults",
+    "extract_datum",
+]
 
 _TEXTS = {"flag": "U12"}
 _COUNTS = {"station": "i8"}
@@ -169,11 +176,14 @@ def extract_datum(
 ) -> Datum:
     """The datum of the best seen tank in a scan, or of the one picked.
 
-    points: an array of shape (n, 3), float32 or float64 of any stride, vertical z, in `units`; the
+    points:
+        an array of shape (n, 3), float32 or float64 of any stride, vertical z, in `units`; the
         path of a PCD file; or a list of arrays or of paths, which are stations of one tank.
         Points that are not finite are dropped. Nothing is copied.
-    progress: called with the name of each stage as it begins; what it raises ends the run.
-    options: those of the command line with underscores, see defaults(); degrees and metres.
+    progress:
+        called with the name of each stage as it begins; what it raises ends the run.
+    options:
+        those of the command line with underscores, listed below; defaults() has their values.
 
     Raises OptionError (a ValueError) for a refused option, FileError (an OSError) for a file that
     cannot be read, TypeError for points or options of the wrong type. What the scan lacks is no
@@ -189,3 +199,6 @@ def extract_datum(
     if not sources:
         raise TypeError("points = [], expected an array or a path")
     return Datum(_core.extract(paths, arrays, options, progress))
+
+
+extract_datum.__doc__ = f"{extract_datum.__doc__}\n    Options:\n{_core.keyword_help()}"

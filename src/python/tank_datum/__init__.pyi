@@ -5,6 +5,8 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+__version__: str
+
 class OptionError(ValueError): ...
 class FileError(OSError): ...
 
@@ -58,43 +60,107 @@ def extract_datum(
     points: _Points | _Path | Sequence[_Points] | Sequence[_Path],
     *,
     progress: Callable[[str], object] | None = ...,
-    method: Literal["refined", "paper"] = ...,
-    k: int = ...,
-    angle_deg: float = ...,
-    centre_tolerance: float = ...,
-    control_points: int = ...,
-    search: Literal["flann", "buckets"] = ...,
-    stations: int = ...,
-    zero_azimuth_deg: float = ...,
-    clockwise: bool = ...,
+    # options, by scripts/option_docs.py
+    # what z is: two surfaces intersected, or the paper's curve
+    method: Literal["refined", "paper"] = "refined",
+    # neighbours of a point, itself included (>= 3)
+    k: int = 20,
+    # theta: normals further apart than this mark a crease (> 0 and < 90 deg)
+    angle_deg: float = 45.0,
+    # distance from the circle within which edge points are kept [m]; 0: 0.1 m or a
+    # tenth of the radius (>= 0 m)
+    centre_tolerance: float = 0.0,
+    # control points of the B-spline; 0: the data choose (0 or 4 to 1000)
+    control_points: int = 0,
+    # kNN engine: pcl::KdTreeFLANN, or the own tree, which finds the same faster
+    search: Literal["flann", "buckets"] = "flann",
+    # stations round the tank (8 to 36000)
+    stations: int = 360,
+    # where station 0 is, counter-clockwise from +x (finite)
+    zero_azimuth_deg: float = 0.0,
+    # stations run clockwise seen from above
+    clockwise: bool = False,
+    # arc not seen that is bridged by the curve where it is seen on both sides; 0:
+    # none is (>= 0 and < 360 deg)
+    longest_bridge_deg: float = 10.0,
+    # H,H,... above the datum at which the shell is surveyed [m]; none: 0.3 and
+    # every step above (> 0 m and above the one before)
     heights: Sequence[float] = ...,
-    height_step: float = ...,
-    tank: tuple[float, float, float] | None = ...,
-    pick: int = ...,
-    search_points: int = ...,
-    fit_points: int = ...,
-    setup_error: float = ...,
-    setup_tilt_arcsec: float = ...,
-    bad_setups: Literal["free", "drop", "keep"] = ...,
-    setup_origins: _Path | dict[str, tuple[float, float, float]] | None = ...,
-    min_radius: float = ...,
-    units: Literal["m", "mm", "ft", "in"] = ...,
-    height: float | None = ...,
-    yield_mpa: float | None = ...,
-    modulus_mpa: float | None = ...,
-    roof: Literal["open", "fixed"] | None = ...,
-    service: Literal["new", "rebuilt", "in-service"] = ...,
-    foundation: Literal["ringwall", "earth"] | None = ...,
-    classic_points: int = ...,
-    limits: _Path | None = ...,
-    baseline: str | PathLike[str] = ...,
-    remove: Literal["none", "mean", "tilt"] = ...,
-    registration_error: float = ...,
-    registration_tilt_arcsec: float = ...,
-    azimuth_offset_deg: float = ...,
-    estimate_azimuth_offset: bool = ...,
-    correlation_deg: float = ...,
-    radius_difference: float = ...,
-    centre_distance: float = ...,
-    threads: int = ...,
+    # between the heights of the shell [m]; with the courses' own all are 0.3 m
+    # above a seam (>= 0.1 m)
+    height_step: float = 1.0,
+    # X,Y,R of the tank [m]: do not search for it (X,Y,R, of which R > 0 m)
+    tank: tuple[float, float, float] | None = None,
+    # which of the tanks found, the longest seen arc first (>= 1)
+    pick: int = 1,
+    # thin the ring to this many points for the edge search (>= 1000)
+    search_points: int = 1000000,
+    # of more points in the ring an even share is kept for the fits (>= 1000)
+    fit_points: int = 4000000,
+    # how well setups are registered in height and plan, 1 sigma [m]; 0: estimated
+    # from their overlaps (>= 0 m)
+    setup_error: float = 0.0,
+    # how well they are levelled, 1 sigma about each axis; 0: estimated from their
+    # overlaps (>= 0 arcsec)
+    setup_tilt_arcsec: float = 0.0,
+    # CSV file name,x,y,z: where setups stood, by file stem or label
+    setup_origins: _Path | dict[str, tuple[float, float, float]] | None = None,
+    # a setup far off the others: free of priors, dropped where others see the foot
+    # too, or kept
+    bad_setups: Literal["free", "drop", "keep"] = "free",
+    # the smallest tank to look for [m] (> 0 m)
+    min_radius: float = 2.0,
+    # take a doubtful tank for one: message says which test it fails
+    accept: bool = False,
+    # the axis of the scan that is up; results are in the frame turned so
+    up: Literal["x", "y", "z", "-x", "-y", "-z"] = "z",
+    # turn the scan so that the shell stands upright; results are in that frame
+    level: bool = False,
+    # units of the input
+    units: Literal["ft", "in", "m", "mm", "us-ft"] = "m",
+    # datum.json of an earlier survey: movement since then
+    baseline: _Path | None = None,
+    # what is taken from the movement: nothing, the mean, mean and tilt; between
+    # levelling and scan the mean, since the rod does not stand where the scan's
+    # datum is
+    remove: Literal["none", "mean", "tilt"] = "none",
+    # 1 sigma of the height left between the surveys [m] (>= 0 m)
+    registration_error: float = 0.0,
+    # 1 sigma of the tilt left between them, about either level axis (>= 0 arcsec)
+    registration_tilt_arcsec: float = 0.0,
+    # turn of the later survey's frame, counter-clockwise (finite)
+    azimuth_offset_deg: float = 0.0,
+    # find that turn by the datum's shape
+    estimate_azimuth_offset: bool = False,
+    # arc within which stations share errors; 0: as the surveys say themselves (>= 0
+    # deg)
+    correlation_deg: float = 0.0,
+    # surveys whose radii differ by more are of different tanks [m] (> 0 m)
+    radius_difference: float = 0.05,
+    # the same of their centres [m] (> 0 m)
+    centre_distance: float = 0.25,
+    # threads; 0: all cores; the result does not depend on it (>= 0)
+    threads: int = 0,
+    # no SHA-256 of the scans in datum.json: of a large scan it takes longer than
+    # all the rest
+    no_checksum: bool = False,
+    # shell height H for the code checks, as 8, 8m, 26.25ft, 315in; a number alone
+    # is metres (> 0 and <= 100 m)
+    height: float | None = None,
+    # yield strength Y of the shell's steel [MPa] (> 50 and <= 2000 MPa)
+    yield_mpa: float | None = None,
+    # its elastic modulus E [MPa] (> 50000 and <= 500000 MPa)
+    modulus_mpa: float | None = None,
+    # open (floating) or fixed
+    roof: Literal["open", "fixed"] | None = None,
+    # ringwall or earth
+    foundation: Literal["ringwall", "earth"] | None = None,
+    # whose rules are judged by: of a new, rebuilt or in-service tank
+    service: Literal["new", "rebuilt", "in-service"] = "in-service",
+    # survey points for the classic out-of-plane rule; 0: every 20 ft, or the
+    # stations typed in (>= 0)
+    classic_points: int = 0,
+    # file of limits to judge by, as option print_limits writes it
+    limits: _Path | None = None,
+    # end of options
 ) -> Datum: ...

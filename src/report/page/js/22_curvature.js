@@ -7,7 +7,7 @@ function addCurvature(section, found) {
   section.append(make("h3", {}, "Curvature along the shell"));
   if (!known(limit)) {
     section.append(make("p", { class: "quiet" },
-      typeset("No limit is drawn: it needs the shell\u2019s height, yield strength and modulus (--height, --yield-mpa, --modulus-mpa).")));
+      typeset("No limit is drawn: it needs the shell\u2019s height, yield strength and modulus (options height, yield_mpa, modulus_mpa).")));
   }
   addChart(section, {
     id: "curvature-chart", label: "Curvature of the harmonic fit against azimuth, with its limit", ratio: 0.3, least: 260, most: 360,

@@ -3,7 +3,7 @@
 function addMovement() {
   const section = addSection("movement", "Movement");
   if (!usable) return sayAbsent(section, whyAbsent("Movement"));
-  if (!datum.movement) return sayAbsent(section, "Movement since an earlier survey: none, because no earlier result was given (--baseline FILE).");
+  if (!datum.movement) return sayAbsent(section, "Movement since an earlier survey: none, because no earlier result was given (option baseline).");
   const m = datum.movement;
   if (!m.stations || m.stations.length === 0) return sayAbsent(section, `Movement since ${m.baseline}: none (${m.message || "nothing to compare"}).`);
   section.append(make("p", { class: "breakable" }, movementSentence(m)));

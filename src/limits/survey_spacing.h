@@ -1,0 +1,9 @@
+#pragma once
+
+namespace tank_datum {
+
+/// Usual distance of survey points along a shell, 20 ft [m]: API 653 B.2.2 asks for 32 ft at most and eight points. An
+/// arc without elevations that is wider may hide what would fail, and a wave whose half is shorter is not surveyed.
+constexpr double kSurveySpacing = 6.096;
+
+}  // namespace tank_datum

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tank_datum/core/error.h"
+#include "tank_datum/core/unknown.h"
+#include "tank_datum/datum.h"
+#include "tank_datum/movement/movement.h"
+
+namespace tank_datum {
+
+/// All that a run can be asked for: the options of the library, and those of reading and writing. option_table.cpp
+/// says what each is called, means and may be.
+struct RunOptions {
+  DatumOptions datum;
+  MovementOptions movement;
+  std::string units = "m";    ///< of the input
+  std::string up = "z";       ///< the axis of the scan's frame that is vertical
+  std::string baseline;       ///< datum.json or folder of an earlier survey, or empty
+  std::string setup_origins;  ///< file of datum.setups.origins, or empty
+  bool no_checksum = false;   ///< no SHA-256 of the scans
+
+  // of the command alone
+  std::string output;          ///< folder for the results
+  std::string levelling;       ///< file of stations typed in, in place of scans
+  double diameter = kUnknown;  ///< of their tank [m]
+  std::string timings;         ///< file for the seconds of each stage, or empty
+  bool all = false;            ///< every tank, each in a folder of its own
+  bool no_report = false;      ///< no report.html
+  bool quiet = false;
+  std::string config;  ///< file of options that was read, or empty
+  bool print_config = false, print_limits = false, print_options = false;
+
+  double metresPerUnit() const;
+};
+
+/// Reads the files that options name: origins of setups, limits.
+/// @throws Error  as readSetupOrigins and readLimits
+void readFilesOf(RunOptions& run);
+
+/// The first refused option; nothing when all are fine.
+std::optional<Refusal> firstError(const RunOptions& run);
+
+}  // namespace tank_datum

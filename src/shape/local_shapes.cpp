@@ -1,0 +1,101 @@
+#include "shape/local_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kWide = 3.0;  ///< standard deviation of a shape's height over the likeliest height
+
+double apart(double a, double b) { return std::abs(std::remainder(a - b, kTwoPi)); }
+
+/// Stations that a shape touches.
+std::vector<Eigen::Index> touched(const LocalShape& shape, const Eigen::VectorXd& azimuths) {
+  std::vector<Eigen::Index> indices;
+  for (Eigen::Index i = 0; i < azimuths.size(); ++i) {
+    if (apart(azimuths[i], shape.centre) < shape.half_width) indices.push_back(i);
+  }
+  return indices;
+}
+
+/// How much less the sum of squares is with a shape, and its likeliest height.
+struct Gain {
+  double squares = 0.0, height = 0.0;
+};
+
+Gain gainOf(const LocalShape& shape, const RingResiduals& left) {
+  Eigen::VectorXd of_unknowns = Eigen::VectorXd::Zero(left.design.cols());
+  double score = 0.0, information = 0.0;
+  for (const Eigen::Index i : touched(shape, left.azimuths)) {
+    const double x = shape.at(left.azimuths[i]), weighted = left.weights[i] * x;
+    score += weighted * left.residuals[i];
+    information += weighted * x;
+    of_unknowns += weighted * left.design.row(i).transpose();
+  }
+  const double alone = information - left.precision.matrixL().solve(of_unknowns).squaredNorm();
+  constexpr double kLeastPart = 1e-6;  // of a shape that the model cannot make itself
+  return alone > kLeastPart * information ? Gain{score * score / alone, score / alone} : Gain{};
+}
+
+}  // namespace
+
+double LocalShape::at(double azimuth) const {
+  const double d = apart(azimuth, centre);
+  return d < half_width ? 0.5 * (1.0 + std::cos(kPi * d / half_width)) : 0.0;
+}
+
+Eigen::VectorXd LocalShape::waves(int order) const {
+  Eigen::VectorXd coefficients(2 * order + 1);
+  coefficients[0] = half_width / kTwoPi;
+  for (int n = 1; n <= order; ++n) {
+    const double turns = n * half_width / kPi, rest = 1.0 - turns * turns;
+    const double wave = std::abs(rest) < 1e-9 ? 0.5 * half_width / kPi : std::sin(n * half_width) / (n * kPi * rest);
+    coefficients[2 * n - 1] = wave * std::cos(n * centre);
+    coefficients[2 * n] = wave * std::sin(n * centre);
+  }
+  return coefficients;
+}
+
+std::vector<LocalShape> candidateShapes(const Eigen::VectorXd& azimuths) {
+  constexpr double kWidest = 30.0 * kPi / 180.0, kGrowth = 1.5, kNarrowest = 1.0 * kPi / 180.0;
+  const double spacing = kTwoPi / static_cast<double>(azimuths.size());
+  std::vector<LocalShape> shapes;
+  for (double half = std::max(spacing, kNarrowest); half <= kWidest; half *= kGrowth) {
+    const double apart_by = std::max(spacing, half / 3.0);
+    double last = -kTwoPi;
+    for (const double azimuth : azimuths) {
+      if (azimuth - last < 0.999 * apart_by) continue;
+      shapes.push_back({azimuth, half, 1.0, false});
+      last = azimuth;
+    }
+  }
+  return shapes;
+}
+
+std::vector<LocalShape> withDetails(const LocalShape& shape, double spacing) {
+  constexpr double kDeparture = 0.1;
+  std::vector<LocalShape> shapes = {shape};
+  const double half = 0.5 * shape.half_width, deviation = kDeparture / kWide * shape.scale;
+  if (half < spacing) return shapes;
+  for (const double offset : {-1.0, -0.5, 0.0, 0.5, 1.0})
+    shapes.push_back({shape.centre + offset * shape.half_width, half, deviation, true});
+  return shapes;
+}
+
+std::optional<LocalShape> likeliestShape(const RingResiduals& left, const std::vector<LocalShape>& candidates) {
+  constexpr double kByChance = 4.0;
+  Gain most{kByChance, 0.0};
+  std::optional<LocalShape> likeliest;
+  for (const LocalShape& shape : candidates) {
+    const Gain gain = gainOf(shape, left);
+    if (gain.squares <= most.squares) continue;
+    most = gain;
+    likeliest = LocalShape{shape.centre, shape.half_width, kWide * std::abs(gain.height), false};
+  }
+  return likeliest;
+}
+
+}  // namespace tank_datum

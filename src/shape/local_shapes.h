@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace tank_datum {
+
+/// A settlement or a rise of a part of the ring: half a cosine wave from its centre down to nothing on both sides.
+struct LocalShape {
+  double centre = 0.0;      ///< azimuth [rad]
+  double half_width = 0.0;  ///< [rad]
+  double scale = 1.0;       ///< standard deviation of its height before the stations are seen [m]
+  bool detail = false;      ///< of the one before it, whose form is not quite a cosine's
+
+  /// A shape of height 1.
+  double at(double azimuth) const;
+  /// Coefficients 1, cos t, sin t, cos 2t, ... of a shape of height 1.
+  Eigen::VectorXd waves(int order) const;
+};
+
+/// Where local shapes are looked for: from a single station's to one of 60 degrees, overlapping.
+std::vector<LocalShape> candidateShapes(const Eigen::VectorXd& azimuths);
+
+/// A shape with narrower ones inside it, which let its form depart from the cosine by a tenth of its height.
+std::vector<LocalShape> withDetails(const LocalShape& shape, double spacing);
+
+/// What a model without a local shape leaves of the stations.
+struct RingResiduals {
+  const Eigen::VectorXd& azimuths;
+  const Eigen::VectorXd& weights;                ///< 1 / (scale sigma)^2 [1/m^2]
+  const Eigen::VectorXd& residuals;              ///< [m]
+  const Eigen::MatrixXd& design;                 ///< [stations x unknowns]
+  const Eigen::LLT<Eigen::MatrixXd>& precision;  ///< of the unknowns, priors included
+};
+
+/// The candidate that explains most of the residuals, with three times its likeliest height as its scale; nothing when
+/// none explains more than a fitted number does by chance.
+std::optional<LocalShape> likeliestShape(const RingResiduals& left, const std::vector<LocalShape>& candidates);
+
+}  // namespace tank_datum

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "tank_datum/stations/stations.h"
+
+namespace tank_datum {
+
+constexpr double kRidge = 1e-8;  ///< a gap leaves some sums of waves without any station: their errors are nil
+
+/// The measured stations as a model of the ring takes them.
+struct RingData {
+  Eigen::VectorXd azimuths;   ///< as the user counts them [rad]
+  Eigen::VectorXd z;          ///< [m]
+  Eigen::VectorXd sigmas;     ///< of each station's own error [m]; all the same when none is known
+  Eigen::MatrixXd shared;     ///< [m x n] errors that stations share
+  double usual_wave = 0.0;    ///< standard deviation of a coefficient of n = 2 before anything is seen [m]
+  bool sigmas_known = false;  ///< false: from the stations' own residuals
+
+  Eigen::Index count() const { return z.size(); }
+};
+
+/// @param radius      of the tank [m]
+/// @param covariance  of all stations; empty: sigma_z each
+RingData ringData(const std::vector<Station>& stations, double radius, const StationCovariance& covariance);
+
+/// Rows (1, cos t, sin t, cos 2t, ...) at azimuths [rad].
+Eigen::MatrixXd harmonicRows(const Eigen::VectorXd& azimuths, int order);
+
+}  // namespace tank_datum

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "datum_status.h"
+#include "foot_frame.h"
+#include "locate/foot_unit.h"
+#include "refusals.h"
+
+namespace tank_datum {
+namespace {
+
+TEST(WarningsOf, ARadiusOfMoreThanAHundredMetresIsOfAScanInOtherUnits) {
+  const auto warned = [](double radius) {
+    Datum datum;
+    datum.circle.radius = radius;
+    const auto warnings = warningsOf(datum);
+    return warnings.empty() ? std::string() : warnings.front();
+  };
+  EXPECT_EQ(warned(95.0), "");
+  EXPECT_EQ(warned(105.0), "radius 105 m: is the input in ft or mm?");
+  EXPECT_EQ(warned(5000.0), "radius 5000 m: is the input in mm?");
+}
+
+TEST(WarningsOf, AShellSeenTwentyCentimetresAboveTheHeightGivenIsTold) {
+  const auto warned = [](double seen) {
+    Datum datum;
+    datum.asked_height = 10.0;
+    datum.shell.points.resize(1);
+    datum.shell.points[0].height = seen;
+    return !warningsOf(datum).empty();
+  };
+  EXPECT_FALSE(warned(10.15));
+  EXPECT_TRUE(warned(10.25));
+}
+
+TEST(EndDatum, CoordinatesInStepsOfAMillimetreAreTold) {
+  const auto message = [](double step) {
+    Datum datum;
+    datum.coordinate_step = step;
+    return endDatum(datum, Status::NoTank, "").message;
+  };
+  EXPECT_EQ(message(0.0008), "");
+  EXPECT_EQ(message(0.0015), "its 4-byte coordinates have steps of 1.5 mm here: store 8-byte ones");
+}
+
+TEST(DoubtfulUnits, NoTankHasThreeHundredMetresOfDiameter) {
+  EXPECT_EQ(doubtfulUnits(140.0), "");
+  EXPECT_EQ(doubtfulUnits(160.0), "R = 160 m: is the scan in mm?");
+}
+
+TEST(LeanText, AShellThatLeansByATenthOfADegreeIsToldOneThatLeansByLessIsNot) {
+  const auto text = [](double slope, double sigma) {
+    Datum datum;
+    datum.lean.slope = {slope, 0.0};
+    datum.lean.sigma = sigma;
+    return leanText(datum, {});
+  };
+  EXPECT_EQ(text(0.0016, 1e-5), "");
+  EXPECT_EQ(text(0.0019, 1e-5), "the shell leans by 0.11 deg towards 0 deg");
+  EXPECT_EQ(text(0.0019, 0.0005), "") << "within four standard errors";
+}
+
+TEST(FootFrame, AShellThatLeansByMoreThanAQuarterOfADegreeAndFourSigmasIsTurnedUpright) {
+  const auto turned = [](double slope, double sigma) {
+    Tank tank;
+    tank.circle = {{0.0, 0.0}, 10.0};
+    tank.foot.coefficients = Eigen::Vector3d::Zero();
+    return !FootFrame(tank, {{slope, 0.0}, sigma}).isScans();
+  };
+  EXPECT_FALSE(turned(0.0040, 1e-5));
+  EXPECT_TRUE(turned(0.0048, 1e-5));
+  EXPECT_TRUE(turned(0.0090, 0.0020));
+  EXPECT_FALSE(turned(0.0090, 0.0025));
+}
+
+TEST(FootUnit, IsAMetreFromADrumToTheLargestTank) {
+  EXPECT_EQ(footUnit(1.05, 0.001), 1.0);
+  EXPECT_EQ(footUnit(95.0, 0.001), 1.0);
+}
+
+TEST(FootUnit, ThatOfAnythingElseMakesItATankOfTenMetres) {
+  EXPECT_DOUBLE_EQ(footUnit(0.95, 0.001), 0.095);
+  EXPECT_DOUBLE_EQ(footUnit(105.0, 0.001), 10.5);
+  EXPECT_DOUBLE_EQ(footUnit(30000.0, 5.0), 3000.0);
+}
+
+TEST(FootUnit, IsAMetreForTinsSeenByFewerThanSixtyPointsToARadius) {
+  EXPECT_EQ(footUnit(0.5, 0.5 / 55.0), 1.0);
+  EXPECT_DOUBLE_EQ(footUnit(0.5, 0.5 / 65.0), 0.05);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "foot/foot_candidates.h"
+#include "foot/foot_check.h"
+#include "foot/station_section.h"
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+FootFit fitAt(double z, double sigma) {
+  FootFit fit;
+  fit.z = z, fit.sigma = sigma, fit.slope = 0.0, fit.sigma_slope = 0.001, fit.noise = 0.0005, fit.points = 100;
+  fit.along = fit.bend = 0.0;
+  return fit;
+}
+
+TEST(FindSteps, AStepOfTwoMillimetresIsNoneHoweverSureTheStations) {
+  const auto dropped = [](double step) {
+    std::vector<FootFit> fits(360, fitAt(0.0, 1e-7));
+    for (std::size_t i = 100; i < 130; ++i) fits[i].z = step;
+    const std::vector<bool> gone = findSteps(fits, 0.001);
+    return std::count(gone.begin(), gone.end(), true);
+  };
+  EXPECT_EQ(dropped(0.0018), 0);
+  EXPECT_EQ(dropped(0.0023), 30);
+}
+
+TEST(CommonSigma, IsToldByTwentyDifferences) {
+  std::vector<FootFit> fits;
+  for (int i = 0; i < 10; ++i) fits.push_back(fitAt(i % 3 == 0 ? 0.002 : 0.0, 0.0002));  // ten of either lag
+  EXPECT_GT(commonSigma(fits, 1), 0.0005);
+}
+
+TEST(FindCandidates, SevenPointsMakeNoBin) {
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 7; ++i) points.push_back({0.0, 0.02 + 0.04 * i, 0.0});
+  EXPECT_TRUE(findCandidates(points, kScales).empty());
+}
+
+TEST(FitFoundation, ADatumMayRunOneInAHundredAlongTheShell) {
+  FootProfile pad;
+  pad.band_from = 0.015, pad.band_to = pad.edge = 0.3, pad.blur = 0.006, pad.noise = 1e-5;
+  FootPrior prior;
+  prior.sigma_slope = 1e-4, prior.sigma_bend = 1e-6;
+  std::vector<FootPoint> beside;
+  for (int i = 0; i < 200; ++i) beside.push_back({0.2, 0.02 + 0.0013 * i, 0.0});
+  EXPECT_NEAR(fitFoundation(beside, pad, 0.0, 0.0, prior).sigma, 0.01 * 0.2, 0.0001);
+}
+
+/// The section through so many points in each of a hundred bins of 3 mm, without noise.
+template <typename Section>
+FootProfile sectionOf(const Section& section, int thin_bin = -1, int thin = 0) {
+  std::vector<FootPoint> points;
+  for (int bin = 0; bin < 100; ++bin) {
+    const int count = bin == thin_bin ? thin : 120;
+    for (int i = 0; i < count; ++i) {
+      const double d = 0.003 * (bin + (i + 0.5) / count);
+      points.push_back({0.0, d, section(0.003 * (bin + 0.5))});
+    }
+  }
+  return stackProfile({points}, {0.0}, kScales);
+}
+
+TEST(StackProfile, ABinIsSeenFromTenPointsOn) {
+  const auto flat = [](double) { return 0.0; };
+  EXPECT_TRUE(std::isfinite(sectionOf(flat, 40, 11).height[40]));
+  EXPECT_TRUE(std::isnan(sectionOf(flat, 40, 9).height[40]));
+}
+
+TEST(StackProfile, AStepIsAQuarterOfACentimetreBeyondARampOfOneInTen) {
+  // seen over three bins of 3 mm: 2.5 mm and 0.9 mm
+  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0031; }).edge, 0.3, 0.001);
+  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0038; }).edge, 0.15, 0.004);
+}
+
+TEST(ProfileOf, PointsThirtyMillimetresOffTheFoundationAreSomethingElse) {
+  const auto kept = [](double off) {
+    MadeFoot made;
+    for (int i = 0; i < 20; ++i) made.add(0.0, 0.15 + 0.001 * i, i % 2 == 0 ? 0.0 : off);
+    return profileOf(made.foot().ring, {0.0, 0.004, 0.0, kReach, {0.25, 1.0}}, fitAt(0.0, 0.0001), {}, 3).points.size();
+  };
+  EXPECT_EQ(kept(0.027), 1U) << "one of a kind";
+  EXPECT_EQ(kept(0.033), 2U);
+}
+
+/// Whether a station without a point of its own, between others of so many, is taken for something else.
+bool isOutlier(int count) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    if (s != 50) made.addStation(s, count, 0.02, 0.28, [](double) { return 0.0; });
+  }
+  Foot& foot = made.foot();
+  foot.points.assign(360, {});
+  const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
+  FootPass pass;
+  pass.fits.assign(360, fitAt(0.0, 0.0002));
+  FootSections& sections = pass.sections;
+  sections.stations = 360;
+  sections.whole.bin = 0.003, sections.whole.band_from = 0.015, sections.whole.noise = 0.0005;
+  sections.whole.band_to = sections.whole.edge = 0.3;
+  pass.priors.slope.assign(360, 0.0);
+  return findOutliers(foot, elevations, pass)[50];
+}
+
+TEST(FindOutliers, WhereStationsHaveTwentyPointsOneWithoutAnyIsNotMeasured) {
+  EXPECT_FALSE(isOutlier(16));
+  EXPECT_TRUE(isOutlier(24));
+}
+
+}  // namespace
+}  // namespace tank_datum

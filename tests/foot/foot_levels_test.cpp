@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+/// A pad of 300 mm round the whole ring, its stations fitted at z = 0 and not settled yet.
+struct Ready {
+  Foot& foot;
+  FootPass pass;
+};
+
+Ready ready(MadeFoot& made, double noise = 0.0005) {
+  Foot& foot = made.foot();
+  const std::size_t count = foot.directions.size();
+  Ready result{foot, {}};
+  FootProfile& pad = result.pass.sections.whole;
+  pad.bin = 0.003, pad.band_from = 0.015, pad.band_to = pad.edge = 0.3;
+  pad.blur = 0.006, pad.noise = noise, pad.surface = Surface::Foundation;
+  result.pass.sections.stations = count;
+  result.pass.priors.slope.assign(count, 0.0);
+  result.pass.priors.sigma_slope.assign(count, 0.003);
+  result.pass.priors.sigma_bend = 0.003;
+  FootFit fit;
+  fit.z = 0.0, fit.sigma = 0.0002, fit.middle = 0.15;
+  result.pass.fits.assign(count, fit);
+  return result;
+}
+
+RingProcess level(Ready& r) {
+  FootLevels levels = levelStations(r.foot, r.pass);
+  r.pass.fits = std::move(levels.fits);
+  return std::move(levels.process);
+}
+
+/// Stations of so many points each, `together` neighbours 2 mm higher than the next as many.
+Ready steps(MadeFoot& made, int count, int together) {
+  made.options.wanted_sigma = 1.0;  // every station that stands alone is good enough
+  made.options.widest_window = 10.0;
+  for (int s = 0; s < 360; ++s) {
+    const double z = s / together % 2 == 0 ? 0.002 : 0.0;
+    const double only = 0.03 + 0.06 * (s % 5);  // a single point lies now nearer, now further out
+    made.addStation(s, count, count > 1 ? 0.02 : only, count > 1 ? 0.28 : only, [z](double) { return z; });
+  }
+  return ready(made);
+}
+
+TEST(LevelStations, AStationOfEightPointsStandsAloneOneOfSevenIsFittedWithItsNeighbour) {
+  MadeFoot alone, together;
+  Ready eight = steps(alone, 8, 1), seven = steps(together, 7, 1);
+  level(eight), level(seven);
+  EXPECT_NEAR(eight.pass.fits[10].z, 0.002, 0.0002);
+  EXPECT_NEAR(eight.pass.fits[11].z, 0.0, 0.0002);
+  EXPECT_NEAR(seven.pass.fits[10].z, seven.pass.fits[11].z, 0.0005);
+}
+
+TEST(LevelStations, SparseStationsAreFittedTogetherOverFiveDegreesAtMost) {
+  MadeFoot made;
+  Ready sparse = steps(made, 1, 5);
+  ASSERT_TRUE(level(sparse).valid());
+  EXPECT_NEAR(sparse.pass.fits[2].z, 0.002, 0.0003);
+  EXPECT_NEAR(sparse.pass.fits[7].z, 0.0, 0.0003);
+  EXPECT_NEAR(sparse.pass.fits[12].z, 0.002, 0.0003);
+}
+
+TEST(LevelStations, WhereEightPointsLieOnOneSideOfAStationSomethingEndsAtIt) {
+  for (const int count : {7, 8}) {
+    MadeFoot made;
+    for (int s = 0; s < 360; ++s) {
+      if (s != 50) made.addStation(s, 12, 0.02, 0.28, [](double) { return 0.0; });
+    }
+    for (int i = 0; i < count; ++i) made.add((50 - 0.4) * made.step(), 0.03 + 0.03 * i, 0.0);
+    Ready one_sided = ready(made);
+    level(one_sided);
+    EXPECT_EQ(one_sided.pass.fits[50].valid(), count < 8) << count;
+  }
+}
+
+TEST(LevelStations, AStationLeansOnTwentyOthersAtMost) {
+  MadeFoot made;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  made.addAll(10, 0.02, 0.28, [&](double) { return 0.02 * normal(random); });
+  Ready noisy = ready(made, 0.02);
+  noisy.pass.priors.sigma_slope.assign(360, 1e-4);
+  ASSERT_TRUE(level(noisy).valid());
+  double widest = 0.0;
+  for (const FootFit& fit : noisy.pass.fits) widest = std::max(widest, fit.half_width / noisy.foot.half_step);
+  EXPECT_NEAR(widest, 20.0, 1e-9);
+}
+
+TEST(LevelStations, ASlopeThatIsSettledIsLearntNoFurtherThanATenthOfAMillimetreAMetre) {
+  // without noise but for a slope of 0.2 mm a metre, seen as well as it is believed not to be there
+  MadeFoot made;
+  made.options.wanted_sigma = 1.0;
+  made.addAll(12, 0.02, 0.28, [](double d) { return 0.0002 * d; });
+  Ready settled = ready(made, 2.7e-5);
+  settled.pass.priors.settled = true;
+  level(settled);
+  const double middle = 0.15, left = settled.pass.fits[10].z / (0.0002 * middle);
+  EXPECT_GT(left, 0.3);
+  EXPECT_LT(left, 0.7);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+/// What is learnt of the slope where the section looks so.
+FootPriors learnt(MadeFoot& made, Surface surface, double blur = 0.004, double noise = 0.0005) {
+  const Foot& foot = made.foot();
+  FootSections sections;
+  FootProfile& whole = sections.whole;
+  const bool lip = surface == Surface::AnnularPlate;
+  whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = whole.edge = lip ? 0.06 : 0.3;
+  whole.blur = blur, whole.noise = noise, whole.surface = surface;
+  sections.stations = 360;
+  return learnPriors(foot, {{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)}, sections);
+}
+
+/// A foot whose foundation is seen at these azimuths alone [deg], sloping.
+FootPriors learntFrom(const std::vector<double>& azimuths, Surface surface) {
+  MadeFoot made;
+  for (const double azimuth : azimuths) {
+    for (int i = 0; i < 200; ++i) {
+      const double d = 0.016 + 0.28 * (i + 0.5) / 200.0 * (surface == Surface::AnnularPlate ? 0.15 : 1.0);
+      made.add(toRadians(azimuth + 0.1 * (i % 5 - 2)), d, 0.02 * d);
+    }
+  }
+  return learnt(made, surface);
+}
+
+TEST(LearnPriors, ADatumBendsLikeEightWavesOfATwoThousandthOfTheRadius) {
+  MadeFoot made;
+  made.addAll(20, 0.02, 0.28, [](double) { return 0.0; });
+  EXPECT_NEAR(learnt(made, Surface::Foundation).sigma_bend, 64.0 / 2000.0 / kRadius, 0.0003);
+}
+
+TEST(LearnPriors, UnseenAPadMaySlopeByOneInTenALipByOneInTwenty) {
+  MadeFoot pad, lip;
+  pad.add(0.0, 0.4, 0.0), lip.add(0.0, 0.4, 0.0);
+  EXPECT_NEAR(learnt(pad, Surface::Foundation).sigma_slope[7], 0.1, 1e-12);
+  EXPECT_NEAR(learnt(lip, Surface::AnnularPlate).sigma_slope[7], 0.05, 1e-12);
+}
+
+TEST(LearnPriors, APadThatSlopesAlikeAllRoundIsKnownToThreeMillimetresAMetre) {
+  MadeFoot made;
+  made.addAll(40, 0.02, 0.28, [](double d) { return -0.03 * d; });
+  const FootPriors priors = learnt(made, Surface::Foundation);
+  EXPECT_NEAR(priors.slope[100], -0.03, 1e-4);
+  EXPECT_NEAR(priors.sigma_slope[100], 0.003, 1e-5);
+  EXPECT_FALSE(priors.settled);
+}
+
+TEST(LearnPriors, APadsSlopeIsLookedForOverTenDegreesAndLearntFromSixPlaces) {
+  const std::vector<double> six = {4, 64, 124, 184, 244, 304}, five = {4, 64, 124, 184, 244};
+  EXPECT_LT(learntFrom(six, Surface::Foundation).sigma_slope[0], 0.05);
+  EXPECT_NEAR(learntFrom(five, Surface::Foundation).sigma_slope[0], 0.1, 1e-12);
+}
+
+TEST(LearnPriors, ALipsSlopeIsLookedForOverFiveDegrees) {
+  const FootPriors priors = learntFrom({102.0}, Surface::AnnularPlate);
+  const auto learnt = std::count_if(priors.sigma_slope.begin(), priors.sigma_slope.end(),
+                                    [](double sigma) { return std::abs(sigma - 0.05) > 1e-9; });
+  EXPECT_GT(learnt, 0);
+  EXPECT_NEAR(learntFrom({102.0}, Surface::AnnularPlate).slope[100], 0.02, 0.002);
+}
+
+/// A lip that leans alike all round, and a shell seen so steeply that no beam lifts the lip's points.
+FootPriors leaningLip(double slope, double blur, double noise) {
+  MadeFoot made;
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  made.addAll(60, 0.0155, 0.0595, [&](double d) { return slope * d + noise * normal(random); });
+  for (int s = 0; s < 360; ++s) {
+    for (int i = 0; i < 8; ++i) made.add((s + 0.1 * i - 0.4) * made.step(), 0.0, 0.06 + 0.02 * i);
+  }
+  return learnt(made, Surface::AnnularPlate, blur, noise);
+}
+
+TEST(LearnPriors, AQuietLipsSlopeIsKnownToAMillimetreAMetre) {
+  const FootPriors priors = leaningLip(0.01, 0.0004, 1e-5);
+  EXPECT_NEAR(priors.slope[100], 0.01, 0.0005);
+  EXPECT_NEAR(priors.sigma_slope[100], 0.001, 0.0002);
+  EXPECT_TRUE(priors.settled);
+}
+
+// Range noise of 4 mm and a scatter of 1 mm may feign a lean of their product over the variance of the distances, those
+// of the 28 mm of the lip that no blend reaches.
+constexpr double kBlur = 0.016, kNoise = 0.001, kFeigned = 0.25 * kBlur * kNoise / (0.028 * 0.028 / 12.0);
+
+TEST(LearnPriors, ALeanThatRangeNoiseMayFeignIsNoneAndATenthOfItIsDoubted) {
+  const FootPriors priors = leaningLip(0.45 * kFeigned, kBlur, kNoise);
+  EXPECT_NEAR(priors.slope[100], 0.0, 0.15 * kFeigned);
+  EXPECT_NEAR(priors.sigma_slope[100] / kFeigned, 0.12, 0.04);
+}
+
+TEST(LearnPriors, ALargerLeanIsTheLipsOwnAndDoubtedBySixTenths) {
+  const FootPriors priors = leaningLip(0.85 * kFeigned, kBlur, kNoise);
+  EXPECT_NEAR(priors.slope[100], 0.85 * kFeigned, 0.15 * kFeigned);
+  EXPECT_NEAR(priors.sigma_slope[100] / kFeigned, 0.6, 0.12);
+}
+
+}  // namespace
+}  // namespace tank_datum

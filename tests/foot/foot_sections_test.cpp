@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+double ringwall(double d) { return d < 0.2 ? 0.0 : -0.25; }
+double plate(double d) { return d < 0.065 ? 0.0 : -0.010; }
+
+/// Sections of a foot; stations 100 to 160 differ from the others.
+class Sections {
+ public:
+  using Section = std::function<double(double)>;
+
+  Sections(const Section& usual, const Section& other, int points, double other_noise = 0.0005, int other_points = 0) {
+    for (int s = 0; s < 360; ++s) {
+      const bool differs = s >= 100 && s <= 160;
+      const double noise = differs ? other_noise : 0.0005;
+      const Section& section = differs ? other : usual;
+      made_.addStation(s, differs && other_points > 0 ? other_points : points, 0.005, 0.3,
+                       [&](double d) { return section(d) + noise * normal_(random_); });
+    }
+    found = stackSections(made_.foot(), std::vector<double>(360, 0.0));
+  }
+
+  const FootProfile& there() const { return found.at(130); }
+
+  FootSections found;
+
+ private:
+  std::mt19937_64 random_{5};
+  std::normal_distribution<double> normal_;
+  MadeFoot made_;
+};
+
+TEST(StackSections, WhereTheSurfaceEndsThereIsASectionEveryFiveDegrees) {
+  EXPECT_EQ(360U / Sections(ringwall, ringwall, 60).found.arcs.size(), 5U);
+}
+
+TEST(StackSections, AnArcNeedsThreeThousandPointsWithinThirtyDegreesOnEitherSide) {
+  for (const int points : {45, 54}) {  // of each of 61 stations
+    const Sections sections(ringwall, ringwall, points);
+    EXPECT_EQ(sections.there().bin > sections.found.whole.bin, points > 50) << points;
+  }
+}
+
+TEST(StackSections, AnArcAtAnotherLevelIsAnotherSurfaceFromAHundredAndTwentyFifthOfTheSection) {
+  const auto offset = [](double raised) {
+    return Sections(
+               ringwall, [=](double d) { return ringwall(d) + raised; }, 100)
+        .there()
+        .offset;
+  };
+  EXPECT_NEAR(offset(0.0016), 0.0016, 0.0003);
+  EXPECT_LT(offset(0.0028), 0.0008);
+}
+
+TEST(StackSections, AnArcMoreThanTwoAndAHalfTimesAsRoughIsAnotherSurface) {
+  const auto roughness = [](double noise) { return Sections(ringwall, ringwall, 100, noise).there().noise; };
+  EXPECT_NEAR(roughness(0.0010), 0.0010, 0.0001);
+  EXPECT_LT(roughness(0.0018), 0.0008);
+}
+
+TEST(StackSections, ALipMayLeanByEightHundredthsMoreThanTheRings) {
+  const auto slope = [](double s) {
+    return Sections(
+               plate, [=](double d) { return plate(d) + s * d; }, 100)
+        .there()
+        .slope;
+  };
+  EXPECT_NEAR(slope(-0.065), -0.065, 0.01);
+  EXPECT_GT(slope(-0.092), -0.02);
+}
+
+TEST(StackSections, OfAnArcWithFortyThousandPointsEverySecondIsTaken) {
+  const FootProfile& there = Sections(ringwall, ringwall, 60, 0.0005, 3800).there();
+  // 11 stations of 3800 points over 295 mm, in bins of 3 mm
+  const double per_bin = 11.0 * 3800.0 / 2.0 * 0.003 / 0.295;
+  EXPECT_NEAR(there.error[20], 1.2533 * 0.0005 / std::sqrt(per_bin), 0.2 * there.error[20]);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/units.h"
+#include "foot/refine.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kRadius = 5.0;
+
+/// A shell upon a level pad, each with so many points and this noise.
+Ring ringOf(int count, double noise) {
+  std::mt19937_64 random(9);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> any;
+  Ring ring;
+  ring.reach = 0.5;
+  const auto add = [&](double r, double z) {
+    const double a = kTwoPi * any(random);
+    ring.points.push_back({r * std::cos(a), r * std::sin(a), z});
+  };
+  for (int i = 0; i < count; ++i) {
+    add(kRadius + noise * normal(random), 0.5 * any(random));
+    add(kRadius + 0.4 * any(random), noise * normal(random));
+  }
+  return ring;
+}
+
+/// Median of the windows that the stations look at [deg].
+double windowOf(const Ring& ring, const RefineOptions& options, int count = 360) {
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  StationOptions around;
+  around.count = count;
+  const std::vector<StationDatum> stations = refineStations(ring, tank, options, around).stations;
+  std::vector<double> windows;
+  for (const StationDatum& s : stations) {
+    if (s.flag == StationFlag::Measured) windows.push_back(toDegrees(s.window));
+  }
+  EXPECT_GT(windows.size(), 0.9 * count);
+  if (windows.empty()) return 0.0;
+  std::nth_element(windows.begin(), windows.begin() + static_cast<std::ptrdiff_t>(windows.size() / 2), windows.end());
+  return windows[windows.size() / 2];
+}
+
+TEST(RefineStations, OfANoisyScanLooksAtTenDegreesOnEitherSideAtMost) {
+  RefineOptions options;
+  options.widest_window = 100.0;
+  // half a degree grows by 1.4 until it is beyond ten
+  EXPECT_NEAR(windowOf(ringOf(20'000, 0.008), options), 2.0 * 0.5 * std::pow(1.4, 9), 0.1);
+}
+
+TEST(RefineStations, StationsTwoDegreesApartLookAtTheDegreeTheyStandIn) {
+  RefineOptions options;
+  options.wanted_sigma = 1.0;  // every station is good enough alone
+  const Ring ring = ringOf(30'000, 0.0005);
+  EXPECT_NEAR(windowOf(ring, options, 180), 1.0, 0.01);
+  EXPECT_NEAR(windowOf(ring, options, 360), 1.0, 0.01);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,80 @@
+"""The keys of datum.json and their types, as the contract has them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+NUMBER, TEXT, LIST = (int, float), str, list
+OPTIONAL = (int, float, type(None))
+# Every key there is, with its type; a method that has no such figure gives null.
+KEYS: dict[str, Any] = {
+    "schema": int,
+    "version": TEXT,
+    "input": {"files": LIST, "kind": TEXT, "units": TEXT, "origin": LIST, "invalid_points": int},
+    "options": dict,
+    "status": TEXT,
+    "message": TEXT,
+    "service": TEXT,
+    "tank": {
+        "center": LIST,
+        "radius": NUMBER,
+        "sigma_radius": NUMBER,
+        "rms": NUMBER,
+        "coverage_deg": NUMBER,
+        "side": TEXT,
+    },
+    "tests": LIST,
+    "lean": {"slope_x": NUMBER, "slope_y": NUMBER, "sigma": NUMBER, "sentence": TEXT},
+    "datum": {
+        "surface": TEXT,
+        "measured": int,
+        "interpolated": int,
+        "missing": int,
+        "mean": NUMBER,
+        "min": NUMBER,
+        "max": NUMBER,
+        "range": NUMBER,
+        "min_azimuth_deg": NUMBER,
+        "max_azimuth_deg": NUMBER,
+        "curve": {
+            "degree": int,
+            "closed": bool,
+            "control_points": int,
+            "rms": NUMBER,
+            "max_residual": NUMBER,
+            "check_points": int,
+        },
+    },
+    "tilt": dict.fromkeys(
+        ["slope", "angle_arcsec", "direction_deg", "sigma_slope"]
+        + ["standard_error", "r2", "p_value"],
+        NUMBER,
+    ),
+    "antipodal": dict.fromkeys(
+        ["max_h", "diameter", "angle_deg", "angle_arcsec", "azimuth_deg"], NUMBER
+    )
+    | {"h": LIST},
+    "harmonics": LIST,
+    "out_of_plane": dict,
+    "foundation": dict.fromkeys(["level_9m", "level_3m", "level_total"], dict),
+    "checks": LIST,
+    "verdict": {"word": TEXT, "governing": TEXT, "utilisation": OPTIONAL, "sentence": TEXT},
+    "notes": LIST,
+    "setups": LIST,
+    "agreement": dict.fromkeys(
+        ["rms_before", "rms_after", "repeated_points", "unlabelled_discrepancy"], OPTIONAL
+    ),
+    "covariance": {"independent": LIST, "factors": LIST},
+    "stations": LIST,
+    "shell": dict,
+}
+
+
+def check_keys(value: dict[str, Any], keys: dict[str, Any], place: str = "") -> None:
+    assert list(value) == list(keys), place
+    for name, kind in keys.items():
+        if isinstance(kind, dict):
+            check_keys(value[name], kind, f"{place}/{name}")
+        else:
+            assert isinstance(value[name], kind), f"{place}/{name}: {value[name]!r}"
+            assert not isinstance(value[name], bool) or kind is bool

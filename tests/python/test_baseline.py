@@ -1,0 +1,84 @@
+"""--baseline: the same comparison within a run, and baselines that are refused."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from conftest import ROOT, executable
+
+SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
+
+
+def test_baseline_is_the_same_comparison(tmp_path: Path) -> None:
+    run = [executable("tank_datum"), SAMPLE, "--quiet", "-o"]
+    subprocess.run([*run, tmp_path / "a"], check=True)
+    again = [*run, tmp_path / "b", "--baseline", tmp_path / "a", "--remove", "mean"]
+    subprocess.run([*again, "--registration-error", "0.002"], check=True)
+    movement = json.loads((tmp_path / "b/datum.json").read_text())["movement"]
+    assert (movement["matched"], movement["significant"], movement["removed"]) == (360, 0, "mean")
+    assert movement["max"] == pytest.approx(0, abs=1e-9)
+    assert movement["registration_error"] == 0.002
+    options = json.loads((tmp_path / "b/datum.json").read_text())["options"]["movement"]
+    assert (options["baseline"], options["remove"]) == (str(tmp_path / "a"), "mean")
+    refused = subprocess.run(
+        [*run, tmp_path / "b", "--registration-error", "-1"], capture_output=True, text=True
+    )
+    assert refused.returncode == 2
+    assert "registration_error" in refused.stderr
+
+
+@pytest.fixture(scope="module")
+def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
+    out = tmp_path_factory.mktemp("sample") / "a"
+    subprocess.run([executable("tank_datum"), SAMPLE, "--quiet", "-o", out], check=True)
+    return json.loads((out / "datum.json").read_text())
+
+
+@pytest.mark.parametrize(
+    ("changes", "status", "reason"),
+    [
+        ("not JSON", 3, "a datum.json or a folder with one"),
+        ({"stations": None}, 3, "a datum.json with its stations"),
+        ({"status": "no_tank"}, 2, "of status no_tank, expected a result with a usable datum"),
+        ({"options": {"method": "paper"}}, 2, "of method paper, expected the method"),
+        ({"tank": {"center": [0, 0], "radius": 6}}, 2, "radius of the tank in the scan"),
+        ({"tank": {"center": [0, 0], "radius": 5000}}, 2, "as mm and m taken for each other"),
+        ({"tank": {"center": [9, 0], "radius": 5}}, 2, "centre of the tank in the scan"),
+    ],
+)
+def test_unusable_baselines_are_refused(
+    tmp_path: Path, of_the_sample: dict, changes: dict | str, status: int, reason: str
+) -> None:
+    """Nothing is written, and what stood there before stays."""
+    baseline, out = tmp_path / "baseline.json", tmp_path / "out"
+    text = changes if isinstance(changes, str) else json.dumps(of_the_sample | changes)
+    baseline.write_text(text)
+    out.mkdir()
+    (out / "datum.json").write_text("of an earlier run")
+    command = [executable("tank_datum"), SAMPLE, "-o", out, "--baseline", baseline]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == status, done.stderr
+    assert done.stderr.startswith("tank_datum: ") and reason in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert [(p.name, p.read_text()) for p in out.iterdir()] == [("datum.json", "of an earlier run")]
+
+
+def test_a_missing_baseline_is_a_file_error(tmp_path: Path) -> None:
+    command = [executable("tank_datum"), SAMPLE, "-o", tmp_path / "out"]
+    done = subprocess.run([*command, "--baseline", tmp_path / "no"], capture_output=True, text=True)
+    assert done.returncode == 3
+    assert "datum.json or a folder with one" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_baseline_is_not_written_over(tmp_path: Path) -> None:
+    run = [executable("tank_datum"), SAMPLE, "--quiet", "-o", tmp_path / "a"]
+    subprocess.run(run, check=True)
+    before = (tmp_path / "a/datum.json").read_bytes()
+    for baseline in (tmp_path / "a", tmp_path / "a/datum.json"):
+        done = subprocess.run([*run, "--baseline", baseline], capture_output=True, text=True)
+        assert done.returncode == 2
+        assert "outside of the inputs; this is the baseline" in done.stderr
+    assert (tmp_path / "a/datum.json").read_bytes() == before

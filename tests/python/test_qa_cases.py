@@ -1,0 +1,52 @@
+"""A file of cases that is wrong is refused in one line that says where and why."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from qa_command import qa
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "at least one [[case]]"),
+        ("[[case]]\n", "case 1.name, None, expected a text"),
+        ('[[case]]\nname = "a"\n', "a.inputs, None, expected a list of texts"),
+        ('[[case]]\nname = "a"\ninputs = []\n', "a.inputs, [], expected at least 1"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\nopts = 1\n', "case 1, 'opts', expected one of"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\nstatus = 3\n', "a.status, 3, expected 0 or 1"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\ntolerance = {z = -1}\n', "a.tolerance.z, -1,"),
+        ('[tolerance]\nz = "much"\n[[case]]\n', "tolerance.z, 'much', expected a number >= 0"),
+        ('[[case]]\nname = "a"\ninputs = ["b"]\n' * 2, "a name of its own"),
+        ("[[case", "expected TOML"),
+        *(
+            (f'[[case]]\nname = "a"\ninputs = ["b"]\n{line}\n', said)
+            for line, said in (
+                ('fixture = "../a"', "a.fixture, '../a', expected the name of a folder below"),
+                ('fixture = "."', "a.fixture, '.', expected the name of a folder below"),
+                ('fixture = "/tmp/a"', "a.fixture, '/tmp/a', expected the name of a folder below"),
+                ('files = ["../datum.json"]', "a.files, '../datum.json', expected names"),
+                ('options = ["-o", "x"]', "a.options, '-o', expected no option that names"),
+                ('options = ["-ox"]', "a.options, '-ox', expected no option that names"),
+                ('options = ["--output=x"]', "a.options, '--output=x', expected no option"),
+                ('options = ["--timings", "x"]', "a.options, '--timings', expected no option"),
+            )
+        ),
+    ],
+)
+def test_wrong_cases_are_refused(tmp_path: Path, text: str, said: str) -> None:
+    cases = tmp_path / "cases.toml"
+    cases.write_text(text)
+    result = qa(cases)
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_no_cases_file(tmp_path: Path) -> None:
+    result = qa(tmp_path / "none.toml")
+    assert result.returncode == 2
+    assert "No such file" in result.stderr

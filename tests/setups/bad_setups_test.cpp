@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "support/made_overlaps.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_overlaps;
+
+/// The setups that are bad of so many without errors but those put on: parameter (5 times the setup, and dz, tilt_x,
+/// tilt_y, dx, dy) and size.
+std::vector<bool> badOf(std::size_t setups, const std::vector<std::pair<int, double>>& errors) {
+  Recipe recipe;
+  recipe.setups = setups;
+  recipe.half_view = std::max(44.0, 280.0 / static_cast<double>(setups)) * kPi / 180.0;
+  recipe.sigma_error = recipe.sigma_plan = 1e-9, recipe.sigma_tilt = 1e-12, recipe.sigma_arc = 2e-5;
+  std::mt19937_64 random(4);
+  Survey survey = made(recipe, random);
+  for (const auto& [parameter, error] : errors) survey.errors[parameter] += error;
+  look(recipe, survey, random);
+  return adjustSetups(survey.arcs, setups, {}).bad;
+}
+
+constexpr int kHeight = 10, kPlace = 13;  // of setup 2
+
+TEST(BadSetups, AHeightIsBadBeyondWhatChanceAllowsUnderTheOthersDrawnToTwoMillimetres) {
+  // three parameters at 0.3 %: 3.7 sigmas of 1.5 mm, and what the overlaps leave of the setup's tilt
+  EXPECT_FALSE(badOf(6, {{kHeight, 0.0067}})[2]);
+  EXPECT_TRUE(badOf(6, {{kHeight, 0.0079}})[2]);
+}
+
+TEST(BadSetups, APlaceIsBadBeyondWhatChanceAllowsUnderTheOthersDrawnToTwoMillimetres) {
+  // two parameters at 0.3 %: 3.4 sigmas of 1.5 mm, and what the overlaps leave
+  EXPECT_FALSE(badOf(6, {{kPlace, 0.0053}})[2]);
+  EXPECT_TRUE(badOf(6, {{kPlace, 0.0063}})[2]);
+}
+
+TEST(BadSetups, OneOfFourIsFound) { EXPECT_TRUE(badOf(4, {{kHeight, 0.010}})[2]); }
+
+TEST(BadSetups, TwoOfTenAreFoundWhereThreeAreNoException) {
+  const std::vector<std::pair<int, double>> two = {{10, 0.015}, {30, -0.015}};
+  const std::vector<bool> found = badOf(10, two);
+  for (std::size_t s = 0; s < 10; ++s) EXPECT_EQ(found[s], s == 2 || s == 6) << s;
+  const std::vector<std::pair<int, double>> three = {{10, 0.015}, {30, -0.015}, {45, 0.015}};
+  EXPECT_EQ(badOf(10, three), std::vector<bool>(10, false));
+}
+
+TEST(SetupAdjustment, SetupsThatMeetNowhereAreAsGoodAsAGoodSurveyorsAre) {
+  const SetupAdjustment adjusted = adjustSetups({}, 2, {});
+  const Eigen::VectorXd sigmas = adjusted.covariance.diagonal().cwiseSqrt();
+  EXPECT_NEAR(sigmas[0], 0.002, 1e-9);
+  EXPECT_NEAR(toArcSeconds(sigmas[1]), 10.0, 1e-6);
+  EXPECT_NEAR(sigmas[3], 0.002, 1e-9);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,47 @@
+#include "setups/setup_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+SetupAgreement badSetup(double dz, double tilt, double dx) {
+  SetupAgreement agreement;
+  Setup setup;
+  setup.name = "north";
+  setup.verdict = SetupVerdict::Bad;
+  setup.correction.dz = dz, setup.correction.tilt_x = tilt, setup.correction.dx = dx;
+  agreement.setups.push_back(setup);
+  return agreement;
+}
+
+bool says(const SetupAgreement& agreement, const std::string& text, const std::vector<Station>& stations = {}) {
+  return setupMessage(agreement, stations).find(text) != std::string::npos;
+}
+
+TEST(SetupMessage, ATiltIsTheFaultWhereItMovesMoreThanTheShiftThirtyMetresAway) {
+  const double tilt = 1e-4;  // 3 mm over 30 m
+  EXPECT_TRUE(says(badSetup(0.0025, tilt, 0.0), "tilted by 21 arc-seconds"));
+  EXPECT_TRUE(says(badSetup(0.0040, tilt, 0.0), "4.0 mm too low"));
+  EXPECT_TRUE(says(badSetup(0.0, tilt, 0.0025), "tilted by 21 arc-seconds"));
+  EXPECT_TRUE(says(badSetup(0.0, tilt, 0.0040), "4.0 mm off in plan"));
+  EXPECT_TRUE(says(badSetup(-0.0040, 0.0, 0.0020), "4.0 mm too high"));
+}
+
+TEST(SetupMessage, MergedScansThatDisagreeByMoreThanTwiceTheStationsOwnErrorAreTold) {
+  std::vector<Station> stations(8);
+  for (Station& s : stations) s.sigma_setup = 0.0003, s.sigma_z = 0.0005;  // 0.4 mm of its own
+  SetupAgreement agreement;
+  agreement.unlabelled_discrepancy = 0.00075;
+  EXPECT_EQ(setupMessage(agreement, stations), "");
+  agreement.unlabelled_discrepancy = 0.00085;
+  EXPECT_TRUE(says(agreement, "disagree by about 0.8 mm", stations) ||
+              says(agreement, "disagree by about 0.9 mm", stations));
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,53 @@
+#include "setups/setup_ring.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kRadius = 10.0, kCell = kTwoPi / 1440.0;
+
+/// The ring of a shell that is seen by so many points in each of the cells.
+SetupRing ringOf(const std::vector<std::pair<int, int>>& counts) {
+  Ring ring;
+  ring.reach = 0.5;
+  for (const auto& [cell, count] : counts) {
+    for (int i = 0; i < count; ++i) {
+      const double azimuth = (cell + (i + 0.5) / count) * kCell;
+      ring.points.push_back({kRadius * std::cos(azimuth), kRadius * std::sin(azimuth), 0.2 + 0.01 * i});
+    }
+  }
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  return SetupRing(ring, tank, 1);
+}
+
+double middleOf(int cell) { return (cell + 0.5) * kCell; }
+
+TEST(SetupRing, FivePointsTellTheShellsOutlineInAQuarterOfADegreeFourDoNot) {
+  EXPECT_NEAR(ringOf({{100, 5}}).outlineAt(middleOf(100)), kRadius, 1e-9);
+  EXPECT_TRUE(std::isnan(ringOf({{100, 4}}).outlineAt(middleOf(100))));
+}
+
+TEST(SetupRing, TheOutlineIsTakenFromThreeCellsAwayAndNoFurther) {
+  const SetupRing ring = ringOf({{100, 8}});
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_NEAR(ring.outlineAt(middleOf(100) + side * 3.4 * kCell), kRadius, 1e-9);
+    EXPECT_TRUE(std::isnan(ring.outlineAt(middleOf(100) + side * 4.6 * kCell)));
+  }
+}
+
+TEST(SetupRing, KeepsEveryPointInItsQuarterOfADegree) {
+  const SetupRing ring = ringOf({{0, 7}, {719, 9}, {1439, 6}});
+  for (const auto& [cell, count] : {std::pair<std::size_t, int>{0, 7}, {1, 0}, {719, 9}, {1439, 6}}) {
+    EXPECT_EQ(ring.end(cell) - ring.begin(cell), count) << cell;
+  }
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,130 @@
+#include "setups/setup_views.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kRadius = 30.0, kReach = 0.5;
+constexpr double kArcLength = kTwoPi * kRadius / 144.0;  // of the arcs that are compared
+
+Tank madeTank() {
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  return tank;
+}
+
+/// A ring of two setups, of which setup 0 alone sees the shell high up, all along the first arc.
+class Overlap {
+ public:
+  Overlap() {
+    ring_.reach = kReach;
+    ring_.setups = {{0, 0}, {1, 0}};
+    for (int i = 0; i < 300; ++i) add(0, kArcLength * ((i + 0.5) / 300.0 - 0.5), 0.0, 0.45);
+  }
+
+  /// A point t along the arc from its middle, d outside of the shell, h above the foot.
+  void add(int setup, double t, double d, double h) {
+    const double azimuth = 0.5 * kTwoPi / 144.0 + t / kRadius;
+    ring_.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), h});
+    ring_.point_setups.push_back(static_cast<std::uint16_t>(setup));
+  }
+
+  /// Twenty points of a setup, half a metre along the arc.
+  void addRow(int setup, double d, double h) {
+    for (int i = 0; i < 20; ++i) add(setup, 0.025 * (i - 9.5), d, h);
+  }
+
+  std::vector<ArcView> views() const {
+    const Tank tank = madeTank();
+    return viewArcs(SetupRing(ring_, tank, 1), tank, kReach, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}, 1);
+  }
+
+ private:
+  Ring ring_;
+};
+
+/// Whether two setups that see the same place are compared there.
+bool isCompared(double d, double h, double other_d, double other_h) {
+  Overlap overlap;
+  overlap.addRow(0, d, h);
+  overlap.addRow(1, other_d, other_h);
+  return !overlap.views().empty();
+}
+
+bool isCompared(double d, double h) { return isCompared(d, h, d, h); }
+
+TEST(ViewArcs, TheFoundationIsComparedClearOfTheWeldAndNotBeyondSevenTenthsOfTheReach) {
+  EXPECT_FALSE(isCompared(0.019, 0.0));
+  EXPECT_TRUE(isCompared(0.021, 0.0));
+  EXPECT_TRUE(isCompared(0.345, 0.0));
+  EXPECT_FALSE(isCompared(0.355, 0.0));
+}
+
+TEST(ViewArcs, TheFoundationLiesWithinTwoFifthsOfTheReachOfTheCoarseFoot) {
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_TRUE(isCompared(0.1, side * 0.19));
+    EXPECT_FALSE(isCompared(0.1, side * 0.21));
+  }
+}
+
+TEST(ViewArcs, TheShellIsComparedAboveTheWeldAndWhereItStands) {
+  EXPECT_FALSE(isCompared(0.0, 0.07));
+  EXPECT_TRUE(isCompared(0.0, 0.08));
+  EXPECT_TRUE(isCompared(0.0, 0.22, 0.037, 0.22));
+  EXPECT_FALSE(isCompared(0.0, 0.22, 0.043, 0.22));
+}
+
+TEST(ViewArcs, SetupsMeetInBinsOfTwentyMillimetresAlongTheFoundationAndFiftyUpTheShell) {
+  EXPECT_TRUE(isCompared(0.1205, 0.0, 0.1395, 0.0));
+  EXPECT_FALSE(isCompared(0.0995, 0.0, 0.1005, 0.0));
+  EXPECT_TRUE(isCompared(0.0, 0.201, 0.0, 0.249));
+  EXPECT_FALSE(isCompared(0.0, 0.249, 0.0, 0.251));
+}
+
+/// What two setups' offsets are known to that see different places of an arc, without noise: the surface's run between
+/// them [m]. Setup 0 sees the places `first`, setup 1 `second`, along the arc [m].
+double unknownBetween(const std::vector<double>& first, const std::vector<double>& second, double d, double h) {
+  Overlap overlap;
+  for (int i = 0; i < 400; ++i) {
+    overlap.add(0, first[static_cast<std::size_t>(i) % first.size()], d, h);
+    overlap.add(1, second[static_cast<std::size_t>(i) % second.size()], d, h);
+  }
+  const std::vector<ArcView> views = overlap.views();
+  EXPECT_EQ(views.size(), 1U);
+  return views.empty() ? 0.0 : 1.0 / std::sqrt(views[0].seen.information(0, 0));
+}
+
+TEST(ViewArcs, ADatumMayClimbOneInAHundredAShellsOutlineTwoInAHundred) {
+  EXPECT_NEAR(unknownBetween({-0.4}, {0.4}, 0.1, 0.0), 0.01 * 0.8, 0.0002);
+  EXPECT_NEAR(unknownBetween({-0.4}, {0.4}, 0.0, 0.22), 0.02 * 0.8, 0.0004);
+}
+
+TEST(ViewArcs, ADatumBendsAsItsHighestWaveDoes) {
+  // 3 mm of amplitude on eight waves round a tank of 30 m: 0.01 / m times half the square of the radius over 1000
+  EXPECT_NEAR(unknownBetween({-0.5, 0.5}, {0.0}, 0.1, 0.0), 0.25 * 0.03 / kRadius, 1e-5);
+}
+
+TEST(ViewArcs, OfAnArcWithMoreThanSixtyThousandPointsEverySecondIsTaken) {
+  const auto information = [](int count) {
+    Overlap overlap;
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> along(-0.5, 0.5);
+    for (int i = 0; i < count; ++i) {
+      const double t = along(random);
+      overlap.add(static_cast<int>(random() % 2), t, 0.1, 0.001 * normal(random));
+    }
+    return overlap.views().at(0).seen.information(0, 0);
+  };
+  EXPECT_NEAR(information(70'000) / information(50'000), 0.7, 0.05);
+}
+
+}  // namespace
+}  // namespace tank_datum

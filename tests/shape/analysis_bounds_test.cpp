@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/units.h"
+#include "shape/level_rows.h"
+#include "shape/survey_rows.h"
+#include "support/made_surveys.h"
+#include "tank_datum/shape/analysis.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_surveys;
+constexpr double kFoot = 0.3048;
+
+std::vector<double> level(std::size_t count) {
+  return wave(count, [](double) { return 0.0; });
+}
+
+Analysis analysed(const std::vector<double>& z, double radius, double sigma) {
+  auto stations = survey(z, radius, sigma);
+  const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
+  return analyse(stations, tilt, radius, {});
+}
+
+bool notes(const Analysis& analysis, const std::string& text) {
+  return std::any_of(analysis.notes.begin(), analysis.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+TEST(Analyse, AGapOfMoreThanTwentyFeetLeavesTheShapeUndecided) {
+  for (const std::size_t missing : {2U, 3U}) {  // gaps of 4.7 and 6.3 m
+    std::vector<double> z = level(120);
+    for (std::size_t i = 0; i < missing; ++i) z[30 + i] = kUnknown;
+    const Analysis analysis = analysed(z, 30.0, 0.001);
+    EXPECT_EQ(notes(analysis, "A gap of"), missing > 2) << missing;
+    const auto curvature = std::find_if(analysis.measures.begin(), analysis.measures.end(),
+                                        [](const Measure& m) { return m.quantity == "curvature"; });
+    ASSERT_NE(curvature, analysis.measures.end());
+    EXPECT_EQ(curvature->whole_ring, missing == 2) << missing;
+  }
+}
+
+TEST(Analyse, StationsThatScatterByHalfMoreThanTheySayAreTold) {
+  for (const auto& [scatter, told] : {std::pair(1.2, false), {1.9, true}}) {
+    const Analysis analysis = analysed(noisy(level(72), 0.001 * scatter, 3), 30.0, 0.001);
+    EXPECT_EQ(notes(analysis, "times their standard errors"), told) << scatter;
+  }
+}
+
+TEST(FitTilt, ADatumLevelToWithinANanometreHasNoVarianceToExplain) {
+  const auto r2 = [](double scatter) {
+    auto stations = survey(wave(8, [=](double a) { return scatter * std::cos(4.0 * a); }), 10.0, 0.001);
+    return fitTilt(stations, {0.0, 0.0}, {}).r2;
+  };
+  EXPECT_TRUE(std::isnan(r2(0.8e-9)));
+  EXPECT_TRUE(std::isfinite(r2(1.3e-9)));
+}
+
+TEST(FitOutOfPlane, NeedsMoreThanSixtyFourStationsAndEighteenMetresOfDiameter) {
+  const auto message = [](std::size_t count, double radius) {
+    auto stations = survey(level(count), radius, 0.001);
+    return fitOutOfPlane(stations, radius).message;
+  };
+  EXPECT_EQ(message(72, 10.0), "");
+  EXPECT_NE(message(64, 10.0), "");
+  EXPECT_EQ(message(360, 9.35), "");
+  EXPECT_NE(message(360, 9.25), "");
+}
+
+TEST(FitOutOfPlane, FourWavesAreFittedWhereHigherOnesSayNothing) {
+  // what is left beside n = 2 is a wave far above those of a tank of 12 m radius, six
+  auto stations =
+      survey(wave(360, [](double a) { return 0.01 * std::cos(2 * a) + 0.0005 * std::cos(50 * a); }), 12.0, 0.0005);
+  EXPECT_EQ(fitOutOfPlane(stations, 12.0).order, 4);
+}
+
+/// What is said of a survey of ten points so far apart.
+std::string planned(double spacing) {
+  const double radius = 10.0 * spacing / kTurn;
+  return planSurvey(survey(level(360), radius), radius, 10).message;
+}
+
+TEST(PlanSurvey, AMicrometreBeyondTheRulesSpacingsIsRounding) {
+  EXPECT_EQ(planned(15.0 * kFoot - 0.8e-6), "");
+  EXPECT_NE(planned(15.0 * kFoot - 1.3e-6), "");
+  EXPECT_EQ(planned(22.0 * kFoot + 0.8e-6), "");
+  EXPECT_NE(planned(22.0 * kFoot + 1.3e-6), "");
+}
+
+TEST(PlanSurvey, StartsATenthOfAMicroradianApartAreOne) {
+  const auto starts = [](double off) {
+    const double radius = 10.0 * 20.0 * kFoot / kTurn;
+    auto stations = survey(level(20), radius);
+    for (std::size_t i = 1; i < stations.size(); i += 2) stations[i].azimuth -= kTurn / 20.0 - off;
+    return planSurvey(stations, radius, 10).starts.size();
+  };
+  EXPECT_EQ(starts(0.7e-7), 10U);
+  EXPECT_EQ(starts(1.4e-7), 10U);
+}
+
+TEST(SecondDifferenceRows, PointsTypedInMayBeThirtyTwoFeetApart) {
+  const auto rows = [](double spacing) {
+    const double radius = 72.0 * 5.0 / kTurn;  // 72 points 5 m apart, one of them put further on
+    auto stations = survey(level(72), radius);
+    stations[30].azimuth = stations[29].azimuth + spacing / radius;
+    for (std::size_t i = 31; i < 34; ++i)
+      stations[i].flag = StationFlag::Missing, stations[i].u = stations[i].z = kUnknown;
+    const RingSeries u(stations, &Station::u, &Station::sigma_z);
+    SurveyPlan plan;
+    plan.points = 72, plan.spacing = 5.0, plan.as_they_are = true, plan.starts = {0.0};
+    return secondDifferenceRows(u, plan, radius).size();
+  };
+  EXPECT_EQ(rows(9.6), rows(5.0));
+  EXPECT_LT(rows(9.9), rows(5.0));
+}
+
+TEST(LevelRows, StationsAMillionthFurtherApartThanTheArcAreWithinIt) {
+  const auto rows = [](double beyond) {
+    auto stations = survey(level(36), 10.0);
+    const RingSeries z(stations, &Station::z, &Station::sigma_z);
+    return levelRows(z, 10.0, kTurn * 10.0 / 36.0 / (1.0 + beyond)).size();
+  };
+  EXPECT_EQ(rows(0.8e-6), rows(0.0));
+  EXPECT_LT(rows(1.3e-6), rows(0.0));
+}
+
+}  // namespace
+}  // namespace tank_datum
