@@ -10,8 +10,9 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "io/json_file.h"
+#include "movement/movement.h"
+#include "report/report_page.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/report/report_page.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "results/result_folder.h"
-#include "tank_datum/movement/trend.h"
+#include "tank_datum/movement/movement.h"
 
 namespace tank_datum {
 

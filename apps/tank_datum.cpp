@@ -8,16 +8,16 @@
 #include "exit_status.h"
 #include "flag_names.h"
 #include "io/up_axis.h"
+#include "movement/baseline.h"
+#include "movement/movement.h"
+#include "report/provenance.h"
 #include "results/manifest.h"
 #include "results/output_file.h"
 #include "results/result_folder.h"
 #include "run_main.h"
 #include "stage_clock.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/levelling.h"
-#include "tank_datum/movement/baseline.h"
-#include "tank_datum/report/report.h"
-#include "tank_datum/report/report_page.h"
+#include "tank_datum/locate/tank.h"
 #include "terminal.h"
 
 namespace tank_datum {
@@ -42,21 +42,24 @@ std::string fileToOpen(const Command& command, const std::string& part) {
 }
 
 std::vector<Datum> extract(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
-  const auto observer = [&clock](const char* stage) { clock.begin(stage); };
+  Callbacks callbacks;
+  callbacks.stage = [&clock](const char* stage) { clock.begin(stage); };
   clock.begin("open");
   const double metres = command.metresPerUnit();
   if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.datum)};
   Scan scan = Scan::open(command.scans, metres);
   if (command.up != "z") scan = scan.turned(upRotation(command.up));
   scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
-  const std::vector<Tank> tanks = findTanks(scan, command.datum, observer);
-  if (baseline) requireAmong(tanks, scan.origin(), *baseline);
-  if (command.all) return extractDatumsOf(tanks, scan, command.datum, observer);
-  const Datum datum = extractDatumAmong(tanks, scan, command.datum, observer);
-  if (!command.datum.level || !datum.lean.known()) return {datum};
-  DatumOptions upright = command.datum;
-  upright.level = false;
-  return {extractDatum(levelled(scan, datum), upright, observer)};
+  callbacks.tanks = [&](const std::vector<Tank>& tanks) {
+    if (baseline) requireAmong(tanks, scan.origin(), *baseline);
+  };
+  if (!command.all) return {extractDatum(scan, command.datum, callbacks)};
+  std::vector<Tank> tanks = findTanks(scan, command.datum, callbacks);
+  callbacks.tanks(tanks);
+  if (tanks.empty()) tanks.emplace_back();
+  std::vector<Datum> datums;
+  for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, command.datum, callbacks));
+  return datums;
 }
 
 /// The movement of one of several tanks; of those that are not the baseline's it says so.

@@ -4,6 +4,7 @@
 #include "bench/command_line.h"
 #include "bench/tables.h"
 #include "exit_status.h"
+#include "locate/crop.h"
 #include "results/output_file.h"
 #include "results/output_guard.h"
 #include "run_main.h"

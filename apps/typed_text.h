@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tank_datum/fit/circle.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 

@@ -4,26 +4,86 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "datum_status.h"
+#include "fit/spline.h"
+#include "foot/refine.h"
 #include "foot_frame.h"
+#include "locate/crop.h"
 #include "locate/foot_unit.h"
+#include "locate/locate.h"
 #include "refusals.h"
 #include "setups/agreement.h"
 #include "setups/setup_shares.h"
+#include "shape/analysis.h"
 #include "shell/shell_measures.h"
-#include "shell/shell_survey_impl.h"
+#include "shell/shell_survey.h"
+#include "stations/stations.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/core/parallel.h"
+#include "tank_datum/edge/find_edge_points.h"
+#include "tank_datum/search/estimate_normals.h"
+#include "trust/tank_tests.h"
 #include "trust/tests_of_tank.h"
 
 namespace tank_datum {
 namespace {
 
-void refine(Datum& datum, const Ring& ring, const DatumOptions& options) {
-  datum.refined = refineStations(datum.stations, ring, datum.tank, options.refine, options.stations);
-  datum.circle = datum.refined.circle;
+void tell(const Callbacks& callbacks, const char* stage) {
+  if (callbacks.stage) callbacks.stage(stage);
+}
+
+/// The part of the scan that the shell is surveyed from, gathered in the same pass as the ring.
+AlsoGathered shellPart(ShellBands& bands) {
+  return {[&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
+          [&bands](const Points& block) { bands.add(block); }};
+}
+
+/// The setups of a ring compared and adjusted to each other; the ring has its points for the search then.
+SetupAgreement adjustSetups(Ring& ring, const Scan& scan, const Tank& tank, const DatumOptions& options) {
+  SetupAgreement agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
+  if (ring.search.empty() || agreement.repeated_points > 0) thinForSearch(ring, tank, options.crop, options.threads);
+  return agreement;
+}
+
+/// The stages at the foot, from the ring of the tank to its stations.
+FootResult measureUprightFoot(const Ring& ring, const Tank& tank, const DatumOptions& options,
+                              const Callbacks& callbacks) {
+  FootResult foot;
+  tell(callbacks, "normals");
+  const Normals normals = callbacks.normals ? callbacks.normals(ring.search, options.normals, options.threads)
+                                            : estimateNormals(ring.search, options.normals, options.threads);
+  tell(callbacks, "region_growing");
+  const auto candidates = growCandidates(normals, options.growing, options.threads);
+  tell(callbacks, "centre_filter");
+  const EdgePoints edge = filterByCentre(ring.search, candidates, tank.circle, options.centre_filter);
+  for (const auto i : edge.indices) foot.edge_points.push_back(ring.search[static_cast<std::size_t>(i)]);
+  tell(callbacks, "spline");
+  foot.curve = fitClosedSpline(foot.edge_points, edge.azimuths, options.spline);
+  foot.stations = emptyStations(options.stations);
+  if (foot.curve.valid()) {
+    foot.stations = withParts(foot.stations, samplePaperCurve(foot.stations, foot.curve, edge, options.stations));
+    for (Station& s : foot.stations) s.z_paper = s.z;
+  }
+  foot.circle = edge.circle;
+  tell(callbacks, "refine");
+  if (options.method == Method::Paper) return foot;
+  RefinedFoot refined = refineStations(ring, tank, options.refine, options.stations);
+  foot.stations = withParts(foot.stations, refined.stations);
+  foot.refined = std::move(refined.refined);
+  foot.circle = foot.refined.circle;
+  return foot;
+}
+
+/// The same of a shell that may lean and a ring in any units, in the scan's frame.
+FootResult measureFoot(const Ring& ring, const Tank& tank, const ShellLean& lean, const DatumOptions& options,
+                       const Callbacks& callbacks) {
+  const FootFrame frame(tank, lean);
+  if (frame.isScans()) return measureUprightFoot(ring, tank, options, callbacks);
+  FootResult foot = measureUprightFoot(frame.into(ring), frame.into(tank), options, callbacks);
+  frame.backFrom(foot);
+  return foot;
 }
 
 /// What the stations share through the setups that see them.
@@ -31,130 +91,30 @@ void shareErrors(Datum& datum, const Ring& ring) {
   const FootProfile& profile = datum.refined.profile;
   const FoundationBand band{profile.band_from, profile.band_to, profile.slope, profile.noise};
   const SetupShares shares = setupShares(ring, datum.tank, datum.stations, datum.circle.center, band);
-  datum.covariance = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
-}
-
-/// The stages at the foot, from the ring of the tank to its stations.
-void measureFoot(Datum& datum, const Ring& ring, const DatumOptions& options,
-                 const std::function<void(const char*)>& begin, const NormalStage& normal_stage) {
-  begin("normals");
-  const Normals normals = normal_stage ? normal_stage(ring.search, options.normals, options.threads)
-                                       : estimateNormals(ring.search, options.normals, options.threads);
-  begin("region_growing");
-  const auto candidates = growCandidates(normals, options.growing, options.threads);
-  begin("centre_filter");
-  const EdgePoints edge = filterByCentre(ring.search, candidates, datum.tank.circle, options.centre_filter);
-  for (const auto i : edge.indices) datum.edge_points.push_back(ring.search[static_cast<std::size_t>(i)]);
-  begin("spline");
-  datum.curve = fitClosedSpline(datum.edge_points, edge.azimuths, options.spline);
-  datum.stations = emptyStations(options.stations);
-  if (datum.curve.valid()) samplePaperCurve(datum.stations, datum.curve, edge, options.stations);
-  datum.circle = edge.circle;
-  begin("refine");
-  if (options.method == Method::Refined) refine(datum, ring, options);
-}
-
-}  // namespace
-
-void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
-
-const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
-
-std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
-  requireValid(options);
-  if (observer) observer("locate");
-  if (!options.tank) return locateTanks(scan, options.locate, options.threads);
-  const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
-  const std::optional<Tank> tank = describeTank(scan, circle, options.locate, options.threads);
-  return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
-}
-
-Scan levelled(const Scan& scan, const Datum& datum) {
-  const Eigen::Vector2d& center = datum.tank.circle.center;
-  const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(datum.lean.axis(), Eigen::Vector3d::UnitZ());
-  return scan.turnedAbout(foot + datum.origin, turn.toRotationMatrix());
-}
-
-Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer,
-                   const NormalStage& normal_stage) {
-  Datum datum = extractDatumAmong(findTanks(scan, options, observer), scan, options, observer, normal_stage);
-  if (!options.level || !datum.lean.known()) return datum;
-  DatumOptions upright = options;
-  upright.level = false;
-  return extractDatum(levelled(scan, datum), upright, observer, normal_stage);
-}
-
-std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer) {
-  return extractDatumsOf(findTanks(scan, options, observer), scan, options, observer);
-}
-
-Datum extractDatumAmong(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
-                        const StageObserver& observer, const NormalStage& normal_stage) {
-  const auto picked = static_cast<std::size_t>(options.pick);
-  if (tanks.empty()) return withoutTank(scan, options);
-  if (picked > tanks.size()) {
-    return endDatum(Datum(), Status::NoTank,
-                    "only " + std::to_string(tanks.size()) + " found, no tank " + std::to_string(picked) + " to pick");
+  SharedErrors shared = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
+  datum.covariance = std::move(shared.covariance);
+  datum.stations = withParts(std::move(datum.stations), shared.stations);
+  for (Station& s : datum.stations) {
+    if (std::isfinite(s.sigma_setup)) s.sigma_z = std::hypot(s.sigma_z, s.sigma_setup);
   }
-  return extractDatumOf(tanks[picked - 1], scan, options, observer, normal_stage);
+  for (std::size_t i = 0; i < shared.seen.size(); ++i) {
+    datum.agreement.setups[i].stations = shared.seen[i].size();
+    datum.agreement.setups[i].seen = std::move(shared.seen[i]);
+  }
 }
 
-std::vector<Datum> extractDatumsOf(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
-                                   const StageObserver& observer) {
-  std::vector<Datum> datums;
-  for (const Tank& tank : tanks) datums.push_back(extractDatumOf(tank, scan, options, observer));
-  if (datums.empty()) datums.push_back(withoutTank(scan, options));
-  return datums;
-}
-
-Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& given, const StageObserver& observer,
-                     const NormalStage& normal_stage) {
-  requireValid(given);
-  const double unit = footUnit(tank.circle.radius, tank.resolution);
-  const DatumOptions options = inUnits(given, unit);
-  const ThreadScope threads(options.threads);
-  const auto begin = [&](const char* stage) {
-    if (observer) observer(stage);
-  };
-  Datum datum = startDatum(scan);
-  datum.tank = tank;
-  const std::string candidate = candidateText(tank.circle, tank.coverage, datum.origin) + ": ";
-  if (!tank.has_foundation) {
-    return endDatum(datum, Status::NoCrease,
-                    candidate + "no surface meets the foot of the shell" + otherAxis(scan, options));
-  }
-  begin("crop");
-  ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
-  const AlsoGathered shell{
-      [&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
-      [&bands](const Points& block) { bands.add(block); }};
-  Ring ring = cropRing(scan, tank, options.crop, shell, options.threads);
-  datum.counts = ring.counts;
-  begin("setups");
-  datum.agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
-  if (ring.search.empty() || datum.agreement.repeated_points > 0) {
-    thinForSearch(ring, tank, options.crop, options.threads);
-  }
-  if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
-    return endDatum(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
-  }
-  const ShellEvidence evidence = lookAtShell(ring, tank);
-  datum.lean = evidence.lean;
-  datum.tests = testsOfShell(tank, evidence);
-  if (worstOf(datum.tests) == TestOutcome::Fail) return judgeTests(std::move(datum), options);
-  const FootFrame frame(tank, evidence.lean);
-  if (frame.isScans()) {
-    measureFoot(datum, ring, options, begin, normal_stage);
-  } else {
-    datum.tank = frame.into(tank);
-    measureFoot(datum, frame.into(ring), options, begin, normal_stage);
-    datum.tank = tank;
-    frame.backFrom(datum);
-  }
-  begin("deformation");
+/// The datum of what was measured at the foot, its stations described and tested.
+Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEvidence& evidence,
+                   const DatumOptions& options) {
+  datum.edge_points = std::move(foot.edge_points);
+  datum.curve = std::move(foot.curve);
+  datum.circle = foot.circle;
+  datum.refined = std::move(foot.refined);
+  datum.stations = std::move(foot.stations);
   if (datum.refined.valid()) {
-    dropOffCircle(datum.stations, datum.circle, evidence);
+    for (const std::size_t i : stationsOffCircle(datum.stations, datum.circle, evidence)) {
+      datum.stations[i].flag = StationFlag::Missing;
+    }
     shareErrors(datum, ring);
   }
   datum = describeStations(std::move(datum), options);
@@ -163,16 +123,96 @@ Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& giv
     const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
     datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());
   }
-  datum = judgeTests(std::move(datum), options);
-  if (!datum.hasStations()) return datum;
-  begin("shell");
-  datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
-  begin("checks");
+  return judgeTests(std::move(datum), options);
+}
+
+/// What the shape of the stations and of the shell means, beside the limits of the codes.
+Datum withChecks(Datum datum, const DatumOptions& options) {
   datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis,
                            shellMeasures(datum.shell, options.analysis.facts), datum.covariance);
+  datum.stations = withParts(std::move(datum.stations), datum.analysis.out_of_plane.stations);
+  datum.analysis.roundness =
+      compareRoundness(datum.shell, options.analysis.limits, options.analysis.facts, 2.0 * datum.circle.radius);
   datum.asked_height = options.analysis.facts.height;
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;
+}
+
+/// Of the tanks found the one that options.pick counts, or why there is none.
+Datum extractPicked(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
+                    const Callbacks& callbacks) {
+  const auto picked = static_cast<std::size_t>(options.pick);
+  if (tanks.empty() || picked <= tanks.size()) {
+    return extractDatum(tanks.empty() ? Tank() : tanks[picked - 1], scan, options, callbacks);
+  }
+  Datum datum = startDatum(scan);
+  datum.counts = countsOf(scan, options.threads);
+  return endDatum(std::move(datum), Status::NoTank,
+                  "only " + std::to_string(tanks.size()) + " found, no tank " + std::to_string(picked) + " to pick");
+}
+
+/// The scan turned about the tank's foot so that the shell, whose lean is known, stands upright.
+Scan levelled(const Scan& scan, const Datum& datum) {
+  const Eigen::Vector2d& center = datum.tank.circle.center;
+  const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(datum.lean.axis(), Eigen::Vector3d::UnitZ());
+  return scan.turnedAbout(foot + datum.origin, turn.toRotationMatrix());
+}
+
+}  // namespace
+
+void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
+
+const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
+
+std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
+  requireValid(options);
+  tell(callbacks, "locate");
+  if (!options.tank) return locateTanks(scan, options.locate, options.threads);
+  const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
+  const std::optional<Tank> tank = describeTank(scan, circle, options.locate, options.threads);
+  return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
+}
+
+Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& given, const Callbacks& callbacks) {
+  requireValid(given);
+  if (!tank.circle.valid()) return withoutTank(scan, given);
+  const ThreadScope threads(given.threads);
+  const DatumOptions options = inUnits(given, footUnit(tank.circle.radius, tank.resolution));
+  Datum datum = startDatum(scan);
+  datum.tank = tank;
+  if (!tank.has_foundation) return withoutFoundation(std::move(datum), scan, options);
+  tell(callbacks, "crop");
+  ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
+  Ring ring = cropRing(scan, tank, options.crop, shellPart(bands), options.threads);
+  datum.counts = ring.counts;
+  tell(callbacks, "setups");
+  datum.agreement = adjustSetups(ring, scan, tank, options);
+  if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
+    return endDatum(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
+  }
+  const ShellEvidence evidence = lookAtShell(ring, tank);
+  datum.lean = evidence.lean;
+  datum.tests = testsOfShell(tank, evidence);
+  if (worstOf(datum.tests) == TestOutcome::Fail) return judgeTests(std::move(datum), options);
+  FootResult foot = measureFoot(ring, tank, evidence.lean, options, callbacks);
+  tell(callbacks, "deformation");
+  datum = describeFoot(std::move(datum), std::move(foot), ring, evidence, options);
+  if (!datum.hasStations()) return datum;
+  tell(callbacks, "shell");
+  datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
+  tell(callbacks, "checks");
+  return withChecks(std::move(datum), options);
+}
+
+Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
+  const std::vector<Tank> tanks = findTanks(scan, options, callbacks);
+  if (callbacks.tanks) callbacks.tanks(tanks);
+  Datum datum = extractPicked(tanks, scan, options, callbacks);
+  if (!options.level || !datum.lean.known()) return datum;
+  DatumOptions upright = options;
+  upright.level = false;
+  return extractDatum(levelled(scan, datum), upright, {callbacks.stage, {}, callbacks.normals});
 }
 
 }  // namespace tank_datum

@@ -7,6 +7,9 @@
 #include "core/clauses.h"
 #include "refusals.h"
 #include "setups/setup_report.h"
+#include "shape/deformation.h"
+#include "stations/stations.h"
+#include "trust/tank_tests.h"
 
 namespace tank_datum {
 namespace {
@@ -57,15 +60,24 @@ Datum endDatum(Datum datum, Status status, const std::string& message) {
   return datum;
 }
 
+ScanCounts countsOf(const Scan& scan, int threads) {
+  return scan.forEachChosen([](std::uint64_t, const Points&, Points&) {}, threads, [](const Points&) {});
+}
+
 Datum withoutTank(const Scan& scan, const DatumOptions& options) {
   Datum datum = startDatum(scan);
-  datum.counts =
-      scan.forEachChosen([](std::uint64_t, const Points&, Points&) {}, options.threads, [](const Points&) {});
+  datum.counts = countsOf(scan, options.threads);
   const std::uint64_t finite = datum.counts.points - datum.counts.invalid;
   if (finite < static_cast<std::uint64_t>(options.normals.k)) {
     return endDatum(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
   }
   return endDatum(datum, Status::NoTank, whyNoTank(scan, options));
+}
+
+Datum withoutFoundation(Datum datum, const Scan& scan, const DatumOptions& options) {
+  const std::string candidate = candidateText(datum.tank.circle, datum.tank.coverage, datum.origin);
+  return endDatum(std::move(datum), Status::NoCrease,
+                  candidate + ": no surface meets the foot of the shell" + otherAxis(scan, options));
 }
 
 Datum describeStations(Datum datum, const DatumOptions& options) {
@@ -106,6 +118,7 @@ Datum judgeTests(Datum datum, const DatumOptions& options) {
 
 Datum finishDatum(Datum datum, const DatumOptions& options) {
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations, datum.covariance);
+  datum.stations = withParts(std::move(datum.stations), standingsTo(datum.tilt, datum.stations, datum.circle.center));
   datum.antipodal = antipodalOf(datum.stations);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {

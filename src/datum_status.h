@@ -14,8 +14,14 @@ Datum startDatum(const Scan& scan);
 /// A datum that ends here, without stations.
 Datum endDatum(Datum datum, Status status, const std::string& message);
 
+/// What one pass over the scan meets.
+ScanCounts countsOf(const Scan& scan, int threads);
+
 /// Why there is no tank: no points to speak of, or none that stand like one.
 Datum withoutTank(const Scan& scan, const DatumOptions& options);
+
+/// A datum whose tank stands on nothing that was seen.
+Datum withoutFoundation(Datum datum, const Scan& scan, const DatumOptions& options);
 
 /// What the stations' elevations mean, and whether there are any.
 Datum describeStations(Datum datum, const DatumOptions& options);

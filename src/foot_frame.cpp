@@ -84,23 +84,23 @@ void FootFrame::turnBack(Station& s, const Eigen::Vector2d& center) const {
   if (turned_) s.radius = (point.head<2>() - center).norm();
 }
 
-void FootFrame::backFrom(Datum& datum) const {
-  for (Eigen::Vector3d& p : datum.edge_points) p = out(p);
-  for (Circle* circle : {&datum.circle, &datum.refined.circle}) scale(*circle, unit_);
-  for (Eigen::Index i = 0; i < datum.curve.control_points.rows(); ++i) {
-    datum.curve.control_points.row(i) = out(datum.curve.control_points.row(i).transpose()).transpose();
+void FootFrame::backFrom(FootResult& foot) const {
+  for (Eigen::Vector3d& p : foot.edge_points) p = out(p);
+  for (Circle* circle : {&foot.circle, &foot.refined.circle}) scale(*circle, unit_);
+  for (Eigen::Index i = 0; i < foot.curve.control_points.rows(); ++i) {
+    foot.curve.control_points.row(i) = out(foot.curve.control_points.row(i).transpose()).transpose();
   }
-  datum.curve.rms *= unit_;
-  datum.curve.max_residual *= unit_;
-  datum.refined.sigma_radius *= unit_;
-  scale(datum.refined.profile, unit_);
-  for (std::size_t i = 0; i < datum.stations.size(); ++i) {
-    const double before = datum.stations[i].z * unit_;
-    turnBack(datum.stations[i], datum.circle.center);
-    if (i >= datum.refined.sections.size()) continue;
-    scale(datum.refined.sections[i], unit_);
-    const double risen = datum.stations[i].z - before;
-    if (std::isfinite(risen)) datum.refined.sections[i].base += risen;
+  foot.curve.rms *= unit_;
+  foot.curve.max_residual *= unit_;
+  foot.refined.sigma_radius *= unit_;
+  scale(foot.refined.profile, unit_);
+  for (std::size_t i = 0; i < foot.stations.size(); ++i) {
+    const double before = foot.stations[i].z * unit_;
+    turnBack(foot.stations[i], foot.circle.center);
+    if (i >= foot.refined.sections.size()) continue;
+    scale(foot.refined.sections[i], unit_);
+    const double risen = foot.stations[i].z - before;
+    if (std::isfinite(risen)) foot.refined.sections[i].base += risen;
   }
 }
 

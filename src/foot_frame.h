@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "tank_datum/datum.h"
 
@@ -8,6 +9,15 @@ namespace tank_datum {
 
 /// Lengths of a shell survey and of the crop in multiples of a footUnit [m].
 DatumOptions inUnits(DatumOptions options, double unit);
+
+/// What the stages at the foot give.
+struct FootResult {
+  Points edge_points;  ///< in order round the tank
+  ClosedSpline curve;  ///< through them
+  Circle circle;       ///< about whose centre the stations stand
+  Refined refined;     ///< not valid with Method::Paper
+  std::vector<Station> stations;
+};
 
 /// The frame in which the stages at the foot work. They think in metres, which are footUnit long, and of a shell that
 /// stands upright: a shell that leans by more than a quarter of a degree, in a scan that was not level or by itself, is
@@ -23,7 +33,7 @@ class FootFrame {
   Tank into(Tank tank) const;
 
   /// Puts edge points, curve, stations and what was refined back into the scan's frame.
-  void backFrom(Datum& datum) const;
+  void backFrom(FootResult& foot) const;
 
  private:
   Eigen::Vector3d in(const Eigen::Vector3d& p) const { return (turn_ * (p - foot_) + foot_) / unit_; }

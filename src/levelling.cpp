@@ -1,4 +1,4 @@
-#include "tank_datum/levelling.h"
+#include "levelling.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,6 +8,9 @@
 #include "datum_stages.h"
 #include "datum_status.h"
 #include "io/csv.h"
+#include "shape/analysis.h"
+#include "shape/deformation.h"
+#include "stations/stations.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -131,6 +134,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
   }
   datum = finishDatum(std::move(datum), options);
   datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis, {}, datum.covariance);
+  datum.stations = withParts(std::move(datum.stations), datum.analysis.out_of_plane.stations);
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;
 }

@@ -8,6 +8,7 @@
 
 #include "core/units.h"
 #include "io/up_axis.h"
+#include "locate/locate.h"
 
 namespace tank_datum {
 

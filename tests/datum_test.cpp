@@ -8,6 +8,7 @@
 #include "support/made_clouds.h"
 #include "support/refused.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum {
 namespace {
@@ -110,7 +111,7 @@ TEST(ExtractDatum, OfHalfATankIsPartialAndSaysWhatIsMissing) {
 
 TEST(ExtractDatum, TellsItsObserverEachStageInOrder) {
   std::vector<std::string> stages;
-  extractDatum(Scan::fromPoints(tankPoints()), {}, [&](const char* stage) { stages.push_back(stage); });
+  extractDatum(Scan::fromPoints(tankPoints()), {}, {[&](const char* stage) { stages.push_back(stage); }, {}, {}});
   const std::vector<std::string> first = {"locate",         "crop",          "setups", "normals",
                                           "region_growing", "centre_filter", "spline"};
   ASSERT_GE(stages.size(), first.size());
@@ -122,14 +123,15 @@ TEST(ExtractDatum, TakesItsNormalsFromTheStageGiven) {
   options.method = Method::Paper;
   options.threads = 1;
   std::size_t asked = 0;
-  const NormalStage upright = [&](const Points& points, const NormalOptions& normals, int threads) {
+  Callbacks callbacks;
+  callbacks.normals = [&](const Points& points, const NormalOptions& normals, int threads) {
     asked = points.size();
     EXPECT_EQ(threads, 1);
     Normals result = estimateNormals(points, normals, threads);
     for (auto& n : result.normals) n = Eigen::Vector3f::UnitZ();  // no crease
     return result;
   };
-  const Datum datum = extractDatum(Scan::fromPoints(tankPoints()), options, {}, upright);
+  const Datum datum = extractDatum(Scan::fromPoints(tankPoints()), options, callbacks);
   EXPECT_GT(asked, 10'000U);
   EXPECT_EQ(datum.status, Status::FitFailed) << datum.message;
   EXPECT_TRUE(datum.edge_points.empty());
@@ -140,7 +142,7 @@ TEST(ExtractDatum, OptionsReachTheirStages) {
   const auto with = [&](const std::function<void(DatumOptions&)>& change) {
     DatumOptions options;
     change(options);
-    return extractDatumOf(wholeTank().tank, scan, options);
+    return extractDatum(wholeTank().tank, scan, options);
   };
   const std::size_t edge = wholeTank().edge_points.size();
   EXPECT_GT(with([](auto& o) { o.normals.k = 40; }).edge_points.size(), edge);
@@ -149,12 +151,6 @@ TEST(ExtractDatum, OptionsReachTheirStages) {
   EXPECT_EQ(with([](auto& o) { o.spline.control_points = 50; }).curve.control_points.rows(), 50);
   EXPECT_EQ(with([](auto& o) { o.stations.count = 36; }).stations.size(), 36U);
   EXPECT_LT(with([](auto& o) { o.crop.reach = 0.02; }).edge_points.size(), edge);
-}
-
-TEST(ExtractDatum, SmallestRadiusDecidesWhetherThereIsATank) {
-  DatumOptions options;
-  options.locate.min_radius = 6.0;
-  EXPECT_EQ(extractDatum(Scan::fromPoints(tankPoints()), options).status, Status::NoTank);
 }
 
 TEST(ExtractDatum, OfAShellWithoutAFoundationFindsNoCrease) {
@@ -172,13 +168,13 @@ TEST(ExtractDatum, WithoutEdgePointsTheFitFails) {
   DatumOptions options;
   options.method = Method::Paper;
   options.growing.angle = 1.57;
-  const Datum datum = extractDatumOf(wholeTank().tank, Scan::fromPoints(tankPoints()), options);
+  const Datum datum = extractDatum(wholeTank().tank, Scan::fromPoints(tankPoints()), options);
   EXPECT_EQ(datum.status, Status::FitFailed) << datum.message;
   EXPECT_FALSE(datum.usable());
 }
 
 TEST(ExtractDatum, OfARingWithFewerPointsThanNeighboursHasTooFew) {
-  const Datum datum = extractDatumOf(wholeTank().tank, Scan::fromPoints({{kRadius, 0, 0.5}, {0, kRadius, 0.5}}), {});
+  const Datum datum = extractDatum(wholeTank().tank, Scan::fromPoints({{kRadius, 0, 0.5}, {0, kRadius, 0.5}}), {});
   EXPECT_EQ(datum.status, Status::TooFewPoints) << datum.message;
 }
 

@@ -1,16 +1,17 @@
-#include "tank_datum/levelling.h"
+
+#include "levelling.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/units.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/report/report.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;
 
 std::string refusal(const std::string& text) {
   try {

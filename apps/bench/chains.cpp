@@ -10,8 +10,10 @@
 #include <memory>
 
 #include "background_records.h"
+#include "core/parallel.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/core/parallel.h"
+#include "tank_datum/edge/find_edge_points.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum::bench {
 namespace {
@@ -102,7 +104,7 @@ ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& o
   meter.begin("open");
   const Scan scan = Scan::open(paths);
   BackgroundRecords records(paths, options.threads != 1, checksums);
-  datum = extractDatum(scan, options, [&meter](const char* stage) { meter.begin(stage); });
+  datum = extractDatum(scan, options, {[&meter](const char* stage) { meter.begin(stage); }, {}, {}});
   meter.begin("hash");
   records.take();
   meter.end();

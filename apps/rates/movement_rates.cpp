@@ -7,8 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "core/parallel.h"
 #include "core/units.h"
-#include "tank_datum/core/parallel.h"
+#include "tank_datum/movement/movement.h"
 
 namespace tank_datum::rates {
 namespace {

@@ -7,21 +7,23 @@
 #include <random>
 #include <vector>
 
+#include "core/normal95.h"
+#include "core/parallel.h"
+#include "core/units.h"
+#include "shape/analysis.h"
+#include "shape/deformation.h"
 #include "shape/levelness.h"
-#include "tank_datum/core/normal95.h"
-#include "tank_datum/core/parallel.h"
-#include "tank_datum/shape/analysis.h"
+#include "shape/second_differences.h"
+#include "shape/settlement_arcs.h"
+#include "stations/stations.h"
 
 namespace tank_datum::rates {
 namespace {
 
-constexpr double kTurn = 6.28318530717958647692;
-constexpr double kDegree = kTurn / 360.0;
 constexpr double kRadius = 30.0;
 constexpr int kHighest = 15;  ///< of the waves: half-waves of 20 ft
 
 using Waves = std::vector<double>;  ///< coefficients 1, a1, b1, a2, ...
-
 AnalysisOptions optionsOf() {
   AnalysisOptions options;
   options.facts = {16.0, 235.0, 206000.0, "open", "ringwall", Service::InService};
@@ -38,7 +40,7 @@ double heightAt(const Waves& waves, double azimuth) {
 }
 
 Waves drawnWaves(const ShapeTrial& trial, std::mt19937_64& generator) {
-  std::uniform_real_distribution<double> phase(0.0, kTurn);
+  std::uniform_real_distribution<double> phase(0.0, kTwoPi);
   Waves waves(2 * kHighest + 1, 0.0);
   const auto put = [&](int n, double amplitude) {
     const double at = phase(generator);
@@ -88,6 +90,7 @@ void disturb(std::vector<Station>& stations, const ShapeTrial& trial, std::mt199
 
 Analysis analysed(std::vector<Station>& stations, Tilt& tilt, const AnalysisOptions& options) {
   tilt = fitTilt(stations, {0.0, 0.0}, StationOptions());
+  stations = withParts(stations, standingsTo(tilt, stations, {0.0, 0.0}));
   return analyse(stations, tilt, kRadius, options);
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "core/units.h"
+
 namespace tank_datum::synth {
 
 /// splitmix64's mixing step (Steele, Lea, Flood 2014): every input bit reaches every output bit.
@@ -39,7 +41,7 @@ class Random {
       return spare_;
     }
     const double length = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    const double angle = 6.283185307179586 * uniform();
+    const double angle = kTwoPi * uniform();
     spare_ = length * std::sin(angle);
     has_spare_ = true;
     return length * std::cos(angle);

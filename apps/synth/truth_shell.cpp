@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tank_datum/fit/circle.h"
+#include "fit/circle.h"
 
 namespace tank_datum::synth {
 namespace {

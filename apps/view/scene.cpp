@@ -6,8 +6,9 @@
 #include <sstream>
 
 #include "core/units.h"
+#include "shape/deformation.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/shape/deformation.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum::view {
 namespace {

@@ -6,7 +6,6 @@
 #include "io/json_file.h"
 #include "search/voxel_sample.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/report/report.h"
 #include "view/stations_file.h"
 
 namespace tank_datum::view {

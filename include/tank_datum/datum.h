@@ -8,19 +8,15 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/edge/centre_filter.h"
-#include "tank_datum/edge/region_growing.h"
-#include "tank_datum/fit/spline.h"
-#include "tank_datum/foot/refine.h"
+#include "tank_datum/edge/edge_points.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/foot/refined.h"
 #include "tank_datum/io/scan.h"
-#include "tank_datum/locate/crop.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 #include "tank_datum/search/normals.h"
 #include "tank_datum/setups/setups.h"
 #include "tank_datum/shape/analysis.h"
-#include "tank_datum/shape/deformation.h"
 #include "tank_datum/shell/shell_survey.h"
-#include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
 #include "tank_datum/trust/tank_tests.h"
 
@@ -103,35 +99,36 @@ struct Datum {
   bool hasStations() const { return usable() || status == Status::Doubtful; }
 };
 
-/// Told the name of each stage as it begins.
-using StageObserver = std::function<void(const char* stage)>;
-
-/// The stage that gives the ring's points for the search their neighbours and normals.
-using NormalStage = std::function<Normals(const Points& points, const NormalOptions& options, int threads)>;
-
-/// The whole chain: locate, crop, normals, region growing, centre filter, spline, refine, deformation, shell.
-/// Returns the picked tank's datum; what the data lack is said by its status.
-/// @param normal_stage  for a caller who has a search tree or normals already; empty: estimateNormals
-/// @throws Error  a refused option, a file that cannot be read
-Datum extractDatum(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {},
-                   const NormalStage& normal_stage = {});
+/// What a caller may hang into the chain; each may be empty. What one of them throws ends the chain.
+struct Callbacks {
+  std::function<void(const char* name)> stage;                ///< told the name of each stage as it begins
+  std::function<void(const std::vector<Tank>& tanks)> tanks;  ///< told what was found, before the long rest
+  /// Gives the ring's points for the search their neighbours and normals; empty: estimateNormals.
+  std::function<Normals(const Points& points, const NormalOptions& options, int threads)> normals;
+};
 
 /// The tanks of a scan, best first; or the one that options.tank gives.
 /// @throws Error  a refused option, a file that cannot be read
-std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
+std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks = {});
 
-/// The rest of the chain for tanks already found: the picked one, or every one.
-Datum extractDatumAmong(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
-                        const StageObserver& observer = {}, const NormalStage& normal_stage = {});
-std::vector<Datum> extractDatumsOf(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
-                                   const StageObserver& observer = {});
+/// The datum of one of a scan's tanks: crop, setups, normals, region growing, centre filter, spline, refine,
+/// deformation, shell, checks. What the data lack is said by its status.
+/// @param tank  one that findTanks gave; Tank() for a scan without one, which gives the reason
+/// @throws Error  a refused option, a file that cannot be read
+Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& options, const Callbacks& callbacks = {});
 
-/// The datum of every tank in the scan, best first; one without a tank when there is none.
-std::vector<Datum> extractDatums(const Scan& scan, const DatumOptions& options, const StageObserver& observer = {});
+/// The same for the tank that options.pick counts among those found, levelled if options.level asks for it.
+Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks = {});
 
-/// The same for a tank already located in the scan.
-Datum extractDatumOf(const Tank& tank, const Scan& scan, const DatumOptions& options,
-                     const StageObserver& observer = {}, const NormalStage& normal_stage = {});
+/// The datum of stations whose elevations a levelling survey gives, described and judged as that of a scan: about the
+/// centre (0, 0).
+/// @throws Error (Option) a refused option; elevations further apart than a tenth of the diameter
+Datum datumOfLevelling(std::vector<Station> stations, double diameter, const DatumOptions& options);
+
+/// Reads a table of such stations, columns azimuth_deg, elevation and, where known, sigma.
+/// @param diameter  of the tank [m]
+/// @throws Error  the file cannot be read, or is refused
+Datum readLevelling(const std::string& path, double metres_per_unit, double diameter, const DatumOptions& options);
 
 /// What in a result looks like a mistake of units or of what was typed in; they stand in its notes too.
 std::vector<std::string> warningsOf(const Datum& datum);

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.h"
 #include "tank_datum/core/default_init_allocator.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 

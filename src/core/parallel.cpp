@@ -1,4 +1,4 @@
-#include "tank_datum/core/parallel.h"
+#include "core/parallel.h"
 
 #include <omp.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tank_datum/core/normal95.h"
+#include "core/normal95.h"
 
 namespace tank_datum {
 

@@ -1,11 +1,11 @@
-#include "tank_datum/edge/centre_filter.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "core/units.h"
+#include "fit/circle.h"
+#include "tank_datum/edge/find_edge_points.h"
 
 namespace tank_datum {
 namespace {

@@ -1,9 +1,8 @@
-#include "tank_datum/edge/region_growing.h"
-
 #include <atomic>
 #include <cmath>
 
-#include "tank_datum/core/parallel.h"
+#include "core/parallel.h"
+#include "tank_datum/edge/find_edge_points.h"
 
 namespace tank_datum {
 

@@ -1,4 +1,4 @@
-#include "tank_datum/fit/circle.h"
+#include "fit/circle.h"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/refusal.h"
-#include "tank_datum/fit/spline.h"
+#include "fit/spline.h"
 
 namespace tank_datum {
 namespace {

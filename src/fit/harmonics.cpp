@@ -1,4 +1,4 @@
-#include "tank_datum/fit/harmonics.h"
+#include "fit/harmonics.h"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
-#include "tank_datum/fit/harmonics.h"
+#include "fit/harmonics.h"
 
 namespace tank_datum {
 namespace {

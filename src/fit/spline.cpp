@@ -1,4 +1,4 @@
-#include "tank_datum/fit/spline.h"
+#include "fit/spline.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/statistics.h"
+#include "foot/foot_profile.h"
 #include "foot/lowest_layer.h"
 
 namespace tank_datum {

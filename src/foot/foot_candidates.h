@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tank_datum/foot/foot_profile.h"
+#include "foot/foot_profile.h"
 
 namespace tank_datum {
 

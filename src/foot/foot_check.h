@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "foot/foot_fit.h"
-#include "tank_datum/foot/foot_profile.h"
+#include "foot/foot_profile.h"
 
 namespace tank_datum {
 

@@ -2,16 +2,21 @@
 #include <array>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
 #include "foot/foot_choice.h"
+#include "foot/foot_profile.h"
 #include "foot/foot_state.h"
-#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 namespace {
+
+/// Where the foundation begins: beyond the weld and the shell's noise [m].
+double nearestOf(const FootScales& scales) { return std::max(scales.weld, 3.0 * scales.shell_noise); }
 
 /// Whether a window's rows of points fill the section beside the shell well enough to tell its stretches apart.
 bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, double near) {
@@ -27,10 +32,10 @@ bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, do
 }
 
 /// The stretches in the window about a station that is wide enough to tell them apart, a few degrees at most.
-std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, double height,
-                                        const FootScales& scales) {
+std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, double height) {
   constexpr double kWidest = 5.0 * kPi / 180.0;  // half the arc that a sparse station may look at
-  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
+  const FootScales& scales = foot.scales;
+  const double near = nearestOf(scales);
   for (;; half = std::min(1.6 * half, kWidest)) {
     const auto points = foot.ring.around(foot.directions[station], half, height, foot.reach);
     if (half >= kWidest || isFilled(points, scales, near)) return findCandidates(points, scales);
@@ -69,8 +74,9 @@ std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
 
 /// Of a scan so noisy that surfaces at different heights cannot be told apart: the elevation of each station's points
 /// nearest to the shell.
-std::vector<double> nearestToShell(Foot& foot, double near) {
+FootElevations nearestToShell(const Foot& foot) {
   constexpr std::size_t kFew = 5;
+  const double near = nearestOf(foot.scales);
   std::vector<double> guesses(foot.directions.size(), kUnknown);
   forEachIndex(guesses.size(), 0, [&](std::size_t i) {
     std::vector<double> heights;
@@ -82,47 +88,48 @@ std::vector<double> nearestToShell(Foot& foot, double near) {
     }
     if (heights.size() >= kFew) guesses[i] = median(heights);
   });
-  foot.datum = filledUp(runningMedian(guesses, 3));
-  foot.believed.assign(guesses.size(), true);
-  return foot.datum;
+  const std::vector<double> filled = filledUp(runningMedian(guesses, 3));
+  return {filled, filled, std::vector<bool>(guesses.size(), true)};
+}
+
+/// The elevation of every station whose place has a stretch that the shell stands on; NaN elsewhere.
+std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
+  constexpr std::size_t kMostPlaces = 360;
+  const std::size_t count = foot.directions.size(), stride = (count + kMostPlaces - 1) / kMostPlaces;
+  const std::size_t places = (count + stride - 1) / stride;
+  std::vector<std::vector<FootCandidate>> candidates(places);
+  forEachIndex(places, 0, [&](std::size_t k) {
+    const double height = tank.foot(foot.directions[k * stride]), half = foot.half_step * static_cast<double>(stride);
+    candidates[k] = candidatesAt(foot, k * stride, half, height);
+  });
+  const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
+  const auto choice = chooseRoundRing(candidates, arc, foot.reach);
+  std::vector<double> guesses(count, kUnknown);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = std::min(places - 1, i / stride);
+    if (!choice[k]) continue;
+    guesses[i] = guessAt(foot.points[i], candidates[k][*choice[k]].height, nearestOf(foot.scales), foot.reach);
+  }
+  return guesses;
 }
 
 }  // namespace
 
-bool isResolved(const Foot& foot, const FootScales& scales) {
+bool isResolved(const Foot& foot) {
   constexpr double kResolved = 0.01;  // noise over the reach of the section; a lip and its ringwall are 0.02 apart
-  return scales.shell_noise <= kResolved * foot.reach;
+  return foot.scales.shell_noise <= kResolved * foot.reach;
 }
 
-std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& scales) {
-  constexpr std::size_t kMostPlaces = 360;
-  const std::size_t count = foot.directions.size(), stride = (count + kMostPlaces - 1) / kMostPlaces;
-  const std::size_t places = (count + stride - 1) / stride;
-  foot.points.resize(count);
-  forEachIndex(count, 0, [&](std::size_t i) {
-    const double direction = foot.directions[i];
-    foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), foot.reach);
-  });
-  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
-  if (!isResolved(foot, scales)) return nearestToShell(foot, near);
-  std::vector<std::vector<FootCandidate>> candidates(places);
-  forEachIndex(places, 0, [&](std::size_t k) {
-    const double height = tank.foot(foot.directions[k * stride]), half = foot.half_step * static_cast<double>(stride);
-    candidates[k] = candidatesAt(foot, k * stride, half, height, scales);
-  });
-  const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
-  const auto choice = chooseRoundRing(candidates, arc, foot.reach);
-  std::vector<double> datum(count, kUnknown);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t k = std::min(places - 1, i / stride);
-    if (choice[k]) datum[i] = guessAt(foot.points[i], candidates[k][*choice[k]].height, near, foot.reach);
+FootElevations firstElevations(const Foot& foot, const Tank& tank) {
+  if (!isResolved(foot)) return nearestToShell(foot);
+  FootElevations first;
+  first.known = guessRoundRing(foot, tank);
+  first.seen = closeTo(first.known, 2.0 * foot.half_step);
+  first.filled = filledUp(runningMedian(first.known, 3));
+  for (std::size_t i = 0; i < first.known.size(); ++i) {
+    if (std::isfinite(first.known[i])) first.known[i] = first.filled[i];
   }
-  foot.believed = closeTo(datum, 2.0 * foot.half_step);
-  foot.datum = filledUp(runningMedian(datum, 3));
-  for (std::size_t i = 0; i < count; ++i) {
-    if (std::isfinite(datum[i])) datum[i] = foot.datum[i];
-  }
-  return datum;
+  return first;
 }
 
 }  // namespace tank_datum

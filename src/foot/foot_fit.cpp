@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "fit/surface_rows.h"
-#include "tank_datum/core/parallel.h"
+#include "foot/foot_profile.h"
 
 namespace tank_datum {
 
@@ -77,13 +78,9 @@ double selectionError(const SurfaceRows& rows, double from, double to) {
   return std::abs(products / squares) * spread * std::exp(-0.5 * to_end * to_end);
 }
 
-}  // namespace
-
-FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
-                const FootPrior& prior) {
-  constexpr double kSteepestSettlement = 0.01;  // of the datum along the shell [m/m]
-  constexpr double kPooled = 10.0;  // how many points the noise of the whole ring counts for beside a station's own
-  FootFit fit;
+/// The points on the surface that a fit looks at, up to where the surface or what is seen of it ends.
+/// @param to  where that is [m]
+SurfaceRows rowsOnSurface(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double& to) {
   const auto on_surface = [&](const FootPoint& p) {
     return p.d >= profile.band_from && p.d <= profile.edge &&
            std::abs(p.z - start - profile.slope * p.d) <= 8.0 * profile.noise + profile.blur;
@@ -92,12 +89,24 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
   for (const FootPoint& p : points) {
     if (on_surface(p)) seen_to = std::max(seen_to, p.d);
   }
-  const double to = std::min(profile.band_to, seen_to - profile.blur);
+  to = std::min(profile.band_to, seen_to - profile.blur);
   SurfaceRows rows;
   rows.reserve(points.size());
   for (const FootPoint& p : points) {
     if (p.d <= to && on_surface(p)) rows.add(p.d, p.t, p.z);
   }
+  return rows;
+}
+
+}  // namespace
+
+FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
+                      const FootPrior& prior) {
+  constexpr double kSteepestSettlement = 0.01;  // of the datum along the shell [m/m]
+  constexpr double kPooled = 10.0;  // how many points the noise of the whole ring counts for beside a station's own
+  FootFit fit;
+  double to = 0;
+  SurfaceRows rows = rowsOnSurface(points, profile, start, to);
   fit.points = rows.size();
   if (rows.size() < 4) return fit;
   rows.close();
@@ -106,11 +115,11 @@ FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile
   Eigen::Matrix4d inverse;
   for (int iteration = 0; iteration < 8; ++iteration) {
     auto [normal, rhs, used] = rows.equations();
-    const auto belief = [&](double sigma) { return noise * noise / (sigma * sigma); };
-    normal(1, 1) += belief(prior.sigma_slope);
-    rhs[1] += belief(prior.sigma_slope) * slope;
-    normal(2, 2) += belief(kSteepestSettlement);
-    normal(3, 3) += belief(prior.sigma_bend);
+    const auto priorWeight = [&](double sigma) { return noise * noise / (sigma * sigma); };
+    normal(1, 1) += priorWeight(prior.sigma_slope);
+    rhs[1] += priorWeight(prior.sigma_slope) * slope;
+    normal(2, 2) += priorWeight(kSteepestSettlement);
+    normal(3, 3) += priorWeight(prior.sigma_bend);
     if (used < 3.0) return fit;
     inverse = normal.inverse();
     solution = inverse * rhs;

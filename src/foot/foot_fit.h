@@ -5,12 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/units.h"
+#include "foot/foot_profile.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
 #include "tank_datum/core/default_init_allocator.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/harmonics.h"
-#include "tank_datum/foot/foot_profile.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 
@@ -46,8 +47,7 @@ class FootRing {
   /// Calls visit(point) for each of them.
   template <typename Visit>
   void visitAround(double azimuth, double half_width, double z, double height, Visit&& visit) const {
-    constexpr double kTurn = 6.283185307179586;
-    for (const double shift : {-kTurn, 0.0, kTurn}) {
+    for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
       const auto [begin, end] = between(azimuth + shift - half_width, azimuth + shift + half_width);
       for (std::size_t i = begin; i < end; ++i) {
         const Entry& e = entries_[i];
@@ -71,7 +71,7 @@ class FootRing {
 /// sigma.
 /// @param start  elevation of the surface at the shell, to a few noises [m]
 /// @return not valid for fewer than four points
-FootFit fitFoot(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
-                const FootPrior& prior);
+FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
+                      const FootPrior& prior);
 
 }  // namespace tank_datum

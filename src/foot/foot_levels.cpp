@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
+#include "core/statistics.h"
 #include "core/units.h"
+#include "foot/foot_profile.h"
 #include "foot/foot_state.h"
-#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -19,13 +21,13 @@ struct Stretch {
   std::size_t middle() const { return first + count / 2; }
 };
 
-std::vector<std::size_t> pointsPerStation(const Foot& foot, const FootSections& sections) {
+std::vector<std::size_t> pointsPerStation(const Foot& foot, const FootPass& pass) {
   constexpr std::size_t kMany = 8;
-  std::vector<std::size_t> counts(foot.fits.size(), 0);
+  std::vector<std::size_t> counts(pass.fits.size(), 0);
   forEachIndex(counts.size(), 0, [&](std::size_t i) {
-    if (!foot.fits[i].valid()) return;
-    const FootProfile& profile = sections.at(i);
-    const double level = foot.fits[i].z, within = 8.0 * profile.noise + profile.blur;
+    if (!pass.fits[i].valid()) return;
+    const FootProfile& profile = pass.sections.at(i);
+    const double level = pass.fits[i].z, within = 8.0 * profile.noise + profile.blur;
     std::size_t left = 0, right = 0;
     for (const FootPoint& p : foot.points[i]) {
       const bool in_band = p.d >= profile.band_from && p.d <= profile.band_to;
@@ -71,18 +73,18 @@ std::vector<Stretch> stretchesOf(const Foot& foot, const std::vector<std::size_t
 }
 
 /// The surface at a stretch's middle station, from the stretch's own points.
-FootFit fitStretch(const Foot& foot, const FootSections& sections, const FootPriors& priors, const Stretch& stretch) {
+FootFit fitStretch(const Foot& foot, const FootPass& pass, const Stretch& stretch) {
   const std::size_t at = stretch.middle();
-  const FootProfile& profile = sections.at(at);
+  const FootProfile& profile = pass.sections.at(at);
   // of an even number of stations the middle one stands half a step beside the middle
   const double step = std::remainder(foot.directions[1] - foot.directions[0], kTwoPi);
   const double beside = stretch.count % 2 == 0 ? 0.5 * step : 0.0;
-  const double half = static_cast<double>(stretch.count) * foot.half_step, z = foot.fits[at].z;
+  const double half = static_cast<double>(stretch.count) * foot.half_step, z = pass.fits[at].z;
   std::vector<FootPoint> points = foot.ring.around(foot.directions[at] - beside, half, z, foot.reach);
   for (FootPoint& p : points) p.t -= beside * foot.radius;
-  FootPrior prior = priors.at(at);
-  if (priors.settled) prior.sigma_slope = kSettled;
-  return fitFoot(points, profile, z + profile.offset, priors.slope[at], prior);
+  FootPrior prior = pass.priors.at(at);
+  if (pass.priors.settled) prior.sigma_slope = kSettled;
+  return fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
 }
 
 /// Of each station the stretch that it belongs to, where that could be fitted.
@@ -92,14 +94,13 @@ struct OwnFits {
   std::vector<double> levels, sigmas;  ///< of middle stations, else NaN [m]
 };
 
-OwnFits fitStretches(const Foot& foot, const FootSections& sections, const FootPriors& priors,
-                     const std::vector<std::size_t>& counts) {
-  const std::size_t count = foot.fits.size();
+OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<std::size_t>& counts) {
+  const std::size_t count = pass.fits.size();
   const std::vector<Stretch> stretches = stretchesOf(foot, counts);
   OwnFits own{std::vector<FootFit>(stretches.size()), std::vector<const FootFit*>(count, nullptr),
               std::vector<double>(count, kUnknown), std::vector<double>(count, kUnknown)};
   forEachIndex(stretches.size(), 0, [&](std::size_t k) {
-    if (foot.fits[stretches[k].middle()].valid()) own.fits[k] = fitStretch(foot, sections, priors, stretches[k]);
+    if (pass.fits[stretches[k].middle()].valid()) own.fits[k] = fitStretch(foot, pass, stretches[k]);
   });
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     if (!own.fits[k].valid()) continue;
@@ -110,23 +111,50 @@ OwnFits fitStretches(const Foot& foot, const FootSections& sections, const FootP
   return own;
 }
 
+/// What blends do to the section's level, as the arcs show it; common to all stations [m].
+double misfitOf(const FootSections& sections) {
+  if (sections.arcs.empty()) return sections.whole.misfit;
+  std::vector<double> misfits;
+  for (const FootProfile& arc : sections.arcs) misfits.push_back(arc.misfit);
+  return median(misfits);
+}
+
+/// The process with what all of its stations share in its sigmas.
+RingProcess withShared(RingProcess process, const std::vector<double>& shared) {
+  for (std::size_t i = 0; i < shared.size(); ++i) process.sigma[i] = std::hypot(process.sigma[i], shared[i]);
+  return process;
+}
+
+/// Of each station the standard error that no count of points lessens: by the slope that is settled, and by blends.
+std::vector<double> sharedSigmas(const FootPass& pass) {
+  const double misfit = misfitOf(pass.sections);
+  std::vector<double> shared;
+  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
+    const FootFit& fit = pass.fits[i];
+    const double slope = pass.priors.settled && fit.valid() ? fit.middle * pass.priors.sigma_slope[i] : 0.0;
+    shared.push_back(std::hypot(slope, misfit));
+  }
+  return shared;
+}
+
 }  // namespace
 
-RingProcess levelStations(Foot& foot, const FootSections& sections, const FootPriors& priors, double misfit) {
-  const std::vector<std::size_t> counts = pointsPerStation(foot, sections);
-  const OwnFits own = fitStretches(foot, sections, priors, counts);
-  RingProcess process = followRing(own.levels, own.sigmas, kDip * foot.reach);
-  if (!process.valid()) return process;
-  for (std::size_t i = 0; i < foot.fits.size(); ++i) {
-    FootFit& fit = foot.fits[i];
-    const double shared = priors.settled && fit.valid() ? fit.middle * priors.sigma_slope[i] : 0.0;
-    process.sigma[i] = std::hypot(process.sigma[i], std::hypot(shared, misfit));
+FootLevels levelStations(const Foot& foot, const FootPass& pass) {
+  const std::vector<std::size_t> counts = pointsPerStation(foot, pass);
+  const OwnFits own = fitStretches(foot, pass, counts);
+  FootLevels levels{pass.fits, followRing(own.levels, own.sigmas, kDip * foot.reach)};
+  if (!levels.process.valid()) return levels;
+  const std::vector<double> shared = sharedSigmas(pass);
+  levels.process = withShared(std::move(levels.process), shared);
+  const RingProcess& process = levels.process;
+  for (std::size_t i = 0; i < levels.fits.size(); ++i) {
+    FootFit& fit = levels.fits[i];
     if (!fit.valid()) continue;
     if (own.of_station[i] == nullptr) {
       fit = {};
       continue;
     }
-    const double alone = std::hypot(std::hypot(own.sigmas[i], process.nugget), std::hypot(shared, misfit));
+    const double alone = std::hypot(std::hypot(own.sigmas[i], process.nugget), shared[i]);
     fit.half_width = foot.half_step;
     fit.points = counts[i];
     if (alone < foot.options.wanted_sigma) {
@@ -140,7 +168,7 @@ RingProcess levelStations(Foot& foot, const FootSections& sections, const FootPr
     fit.half_width *= std::clamp(gain * gain, 1.0, kMostHelp);
     fit.points = pointsWithin(counts, i, static_cast<std::size_t>(std::lround(0.5 * fit.half_width / foot.half_step)));
   }
-  return process;
+  return levels;
 }
 
 }  // namespace tank_datum

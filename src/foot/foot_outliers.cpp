@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "foot/foot_check.h"
+#include "foot/foot_profile.h"
 #include "foot/foot_state.h"
-#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -16,11 +17,11 @@ struct Support {
   bool between = false;
 };
 
-Support supportOf(const Foot& foot, std::size_t station, const FootProfile& profile) {
+Support supportOf(const Foot& foot, std::size_t station, double level, const FootProfile& profile) {
   const double step = 2.0 * foot.half_step * foot.radius, azimuth = foot.directions[station];
   Support support;
   bool left = false, right = false;
-  foot.ring.visitAround(azimuth, 2.0 * foot.half_step, foot.datum[station], foot.reach, [&](const FootPoint& p) {
+  foot.ring.visitAround(azimuth, 2.0 * foot.half_step, level, foot.reach, [&](const FootPoint& p) {
     if (p.d < profile.band_from || p.d > profile.band_to) return;
     support.own += std::abs(p.t) <= 0.5 * step;
     (p.t < 0.0 ? left : right) = true;
@@ -31,10 +32,11 @@ Support supportOf(const Foot& foot, std::size_t station, const FootProfile& prof
 
 /// A station is supported by points of its own; where the scan is so coarse that a stretch may be empty by chance, also
 /// by points within a step on either side.
-std::vector<bool> findSupport(const Foot& foot, const FootSections& sections) {
+std::vector<bool> findSupport(const Foot& foot, const FootElevations& elevations, const FootSections& sections) {
   constexpr double kPlenty = 20.0;
   std::vector<Support> supports(foot.directions.size());
-  forEachIndex(supports.size(), 0, [&](std::size_t i) { supports[i] = supportOf(foot, i, sections.at(i)); });
+  forEachIndex(supports.size(), 0,
+               [&](std::size_t i) { supports[i] = supportOf(foot, i, elevations.filled[i], sections.at(i)); });
   std::vector<double> counts;
   for (const Support& s : supports) {
     if (s.own > 0) counts.push_back(static_cast<double>(s.own));
@@ -47,25 +49,24 @@ std::vector<bool> findSupport(const Foot& foot, const FootSections& sections) {
 
 }  // namespace
 
-std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootSections& sections,
-                                const FootPriors& priors) {
-  const std::vector<bool> supported = findSupport(foot, sections);
-  std::vector<FootFit> kept = foot.fits;
+std::vector<bool> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass) {
+  const std::vector<bool> supported = findSupport(foot, elevations, pass.sections);
+  std::vector<FootFit> kept = pass.fits;
   forEachIndex(kept.size(), 0, [&](std::size_t i) {
-    if (!shell[i].seen() || !kept[i].valid() || !supported[i] ||
-        !isSameSurface(foot.points[i], kept[i], priors.slope[i], sections.at(i))) {
+    if (!foot.shell_seen[i] || !kept[i].valid() || !supported[i] ||
+        !isSameSurface(foot.points[i], kept[i], pass.priors.slope[i], pass.sections.at(i))) {
       kept[i] = {};
     }
   });
-  std::vector<bool> strange = findSteps(kept, 2.0 * foot.half_step * foot.radius);
-  for (std::size_t i = 0; i < kept.size(); ++i) strange[i] = strange[i] || !kept[i].valid();
-  return strange;
+  std::vector<bool> outliers = findSteps(kept, 2.0 * foot.half_step * foot.radius);
+  for (std::size_t i = 0; i < kept.size(); ++i) outliers[i] = outliers[i] || !kept[i].valid();
+  return outliers;
 }
 
-std::vector<double> withoutStrangers(const std::vector<double>& elevations, const std::vector<bool>& strange) {
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<bool>& outliers) {
   std::vector<double> kept = elevations;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (strange[i]) kept[i] = kUnknown;
+    if (outliers[i]) kept[i] = kUnknown;
   }
   const auto known = [](double z) { return std::isfinite(z); };
   return 2 * std::count_if(kept.begin(), kept.end(), known) > std::count_if(elevations.begin(), elevations.end(), known)

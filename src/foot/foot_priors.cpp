@@ -1,15 +1,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
+#include "fit/harmonics.h"
 #include "foot/foot_check.h"
 #include "foot/foot_state.h"
 #include "foot/slanting_beams.h"
 #include "stations/highest_wave.h"
-#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/foot/refined.h"
 
 namespace tank_datum {
 namespace {
@@ -24,32 +26,40 @@ struct Slopes {
   std::vector<double> steepness;  ///< tan of the rays' angle to the foundation
 };
 
-Slopes fitSlopes(const Foot& foot, const FootSections& sections, std::size_t windows, double half_window,
-                 double sigma_slope, double sigma_bend) {
+/// The windows that slopes are fitted in, and what is known of a slope before.
+struct SlopeWindows {
+  std::size_t count;
+  double half;         ///< of a window [rad]
+  double sigma_slope;  ///< [m/m]
+};
+
+Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
+                 const SlopeWindows& windows, double sigma_bend) {
   const std::size_t count = foot.directions.size();
   Slopes slopes;
-  slopes.stride = std::max<std::size_t>(1, count / windows);
+  slopes.stride = std::max<std::size_t>(1, count / windows.count);
   slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
   slopes.steepness.resize(slopes.fits.size());
   FootPrior prior;
-  prior.sigma_slope = sigma_slope;
+  prior.sigma_slope = windows.sigma_slope;
   prior.sigma_bend = sigma_bend;
   forEachIndex(slopes.fits.size(), 0, [&](std::size_t k) {
     const std::size_t i = k * slopes.stride;
-    if (!foot.believed[i]) return;
+    if (!elevations.seen[i]) return;
     const FootProfile& profile = sections.at(i);
-    const auto points = foot.ring.around(foot.directions[i], half_window, foot.datum[i], foot.reach);
-    slopes.fits[k] = fitFoot(points, profile, foot.datum[i] + profile.offset, profile.slope, prior);
-    slopes.steepness[k] = steepnessOf(points, profile, foot.datum[i] + profile.offset, foot.reach);
+    const double level = elevations.filled[i];
+    const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
+    slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, profile.slope, prior);
+    slopes.steepness[k] = steepnessOf(points, profile, level + profile.offset, foot.reach);
   });
   return slopes;
 }
 
 /// The slope of a wide foundation surface round the tank, from windows ten degrees wide.
-void learnWide(const Foot& foot, const FootSections& sections, FootPriors& priors) {
+void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
-  const Slopes found = fitSlopes(foot, sections, 36, kHalfWindow, kWideSlope, priors.sigma_bend);
+  const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope}, priors.sigma_bend);
   std::vector<double> azimuths, slopes, weights;
   for (std::size_t k = 0; k < found.fits.size(); ++k) {
     if (!found.fits[k].valid()) continue;
@@ -113,7 +123,7 @@ bool drawTogether(const std::vector<SeriesValue>& series, const Expected& expect
 }
 
 /// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
-void widen(std::vector<SeriesValue>& series) {
+void addCommonSigma(std::vector<SeriesValue>& series) {
   std::vector<FootFit> fits(series.size());
   for (std::size_t k = 0; k < series.size(); ++k) {
     if (std::isfinite(series[k].value)) fits[k].z = series[k].value, fits[k].sigma = series[k].sigma;
@@ -122,35 +132,53 @@ void widen(std::vector<SeriesValue>& series) {
   for (SeriesValue& v : series) v.sigma = std::hypot(v.sigma, common);
 }
 
-/// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
-void learnNarrow(const Foot& foot, const FootSections& sections, FootPriors& priors) {
+/// Slopes of a lip window by window, each with the lean that its slanting rays may feign.
+struct LipSlopes {
+  std::size_t stride = 1;  ///< stations between windows
+  std::vector<SeriesValue> series;
+  std::vector<double> lean;
+  double doubt = 0;  ///< the lean that range noise may feign, typical [m/m]
+};
+
+LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
+                    double sigma_bend) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
+  const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kLipSlope}, sigma_bend);
+  LipSlopes lips;
+  std::vector<double> feigned;
+  for (const FootFit& fit : found.fits) {
+    lips.series.push_back({kUnknown, kUnknown, 1.0});
+    if (!fit.valid()) continue;
+    feigned.push_back(feignedLean(fit, 0.25 * sections.whole.blur));
+    lips.series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
+  }
+  if (feigned.empty()) return {};
+  addCommonSigma(lips.series);
+  for (std::size_t k = 0; k < lips.series.size(); ++k) {
+    lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
+    lips.series[k].sigma = std::hypot(lips.series[k].sigma, lips.lean.back());
+  }
+  lips.stride = found.stride;
+  lips.doubt = median(feigned);
+  return lips;
+}
+
+/// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
+void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
   constexpr double kDoubt = 0.1, kOddDoubt = 0.6, kFeigned = 0.6;  // of the largest lean that range noise may feign
   constexpr std::size_t kWidest = 4;
-  const Slopes found = fitSlopes(foot, sections, 72, kHalfWindow, kLipSlope, priors.sigma_bend);
-  std::vector<SeriesValue> series;
-  std::vector<double> feigned, lean;
-  for (const FootFit& fit : found.fits) {
-    series.push_back({kUnknown, kUnknown, 1.0});
-    if (!fit.valid()) continue;
-    feigned.push_back(feignedLean(fit, 0.25 * sections.whole.blur));
-    series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
+  const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
+  if (lips.series.empty()) return;
+  std::vector<SeriesValue> smooth = smoothed(lips.series, kWidest);
+  const bool usual = drawTogether(lips.series, {sections.whole.slope, kFeigned * lips.doubt}, smooth);
+  for (std::size_t k = 0; k < smooth.size(); ++k) {
+    smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);
   }
-  if (feigned.empty()) return;
-  widen(series);
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
-    series[k].sigma = std::hypot(series[k].sigma, lean.back());
-  }
-  const double doubt = median(feigned);
-  std::vector<SeriesValue> smooth = smoothed(series, kWidest);
-  const bool usual = drawTogether(series, {sections.whole.slope, kFeigned * doubt}, smooth);
-  for (std::size_t k = 0; k < smooth.size(); ++k) smooth[k].sigma += liftOf(series[k].value, smooth[k].value, lean[k]);
-  const double least = std::hypot(kLeastSigma, (usual ? kDoubt : kOddDoubt) * doubt);
+  const double least = std::hypot(kLeastSigma, (usual ? kDoubt : kOddDoubt) * lips.doubt);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
-    const std::size_t k = i / found.stride, next = (k + 1) % smooth.size();
-    const double share = static_cast<double>(i - k * found.stride) / static_cast<double>(found.stride);
+    const std::size_t k = i / lips.stride, next = (k + 1) % smooth.size();
+    const double share = static_cast<double>(i - k * lips.stride) / static_cast<double>(lips.stride);
     const bool left = std::isfinite(smooth[k].value), right = std::isfinite(smooth[next].value);
     if (!left && !right) continue;
     const SeriesValue &a = smooth[left ? k : next], &b = smooth[right ? next : k];
@@ -169,14 +197,14 @@ FootPrior FootPriors::at(std::size_t station) const {
   return prior;
 }
 
-FootPriors learnPriors(const Foot& foot, const FootSections& sections) {
+FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const FootSections& sections) {
   const bool narrow = sections.whole.surface == Surface::AnnularPlate;
   FootPriors priors;
   priors.slope.assign(foot.directions.size(), sections.whole.slope);
   priors.sigma_slope.assign(foot.directions.size(), narrow ? kLipSlope : kWideSlope);
   priors.sigma_bend = kHighestWave / foot.radius;
   priors.settled = narrow;
-  narrow ? learnNarrow(foot, sections, priors) : learnWide(foot, sections, priors);
+  narrow ? learnNarrow(foot, elevations, sections, priors) : learnWide(foot, elevations, sections, priors);
   return priors;
 }
 

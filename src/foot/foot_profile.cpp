@@ -1,12 +1,12 @@
-#include "tank_datum/foot/foot_profile.h"
+#include "foot/foot_profile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "foot/lowest_layer.h"
-#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {

@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
+#include "foot/foot_profile.h"
 #include "foot/foot_state.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
@@ -29,8 +30,7 @@ std::vector<std::size_t> arcAround(const Foot& foot, std::size_t middle, const s
   return points >= kFewestPoints ? members : std::vector<std::size_t>{};
 }
 
-FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members, const std::vector<double>& datum,
-                      const FootScales& scales) {
+FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members, const std::vector<double>& datum) {
   std::size_t total = 0;
   for (const std::size_t i : members) total += foot.points[i].size();
   const std::size_t every = std::max<std::size_t>(1, total / kMostPoints);
@@ -41,7 +41,7 @@ FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members,
     for (std::size_t k = 0; k < foot.points[i].size(); k += every) points.back().push_back(foot.points[i][k]);
     levels.push_back(datum[i]);
   }
-  return stackProfile(points, levels, scales);
+  return stackProfile(points, levels, foot.scales);
 }
 
 /// Whether a section of an arc shows the surface that the whole ring's does: not a heap that lies on it, nor what lies
@@ -60,18 +60,18 @@ const FootProfile& FootSections::at(std::size_t station) const {
   return arcs.empty() ? whole : arcs[station * arcs.size() / stations];
 }
 
-FootSections stackSections(const Foot& foot, const std::vector<double>& datum, const FootScales& scales) {
+FootSections stackSections(const Foot& foot, const std::vector<double>& elevations) {
   FootSections sections;
   sections.stations = foot.directions.size();
-  sections.whole = stackProfile(foot.points, datum, scales);
+  sections.whole = stackProfile(foot.points, elevations, foot.scales);
   const FootProfile& whole = sections.whole;
   if (!whole.valid()) return sections;
   sections.arcs.resize(kArcs);
   forEachIndex(kArcs, 0, [&](std::size_t k) {
     const std::size_t middle = std::min(sections.stations - 1, (2 * k + 1) * sections.stations / (2 * kArcs));
-    const std::vector<std::size_t> members = arcAround(foot, middle, datum);
+    const std::vector<std::size_t> members = arcAround(foot, middle, elevations);
     FootProfile& arc = sections.arcs[k];
-    arc = members.empty() ? whole : sectionOf(foot, members, datum, scales);
+    arc = members.empty() ? whole : sectionOf(foot, members, elevations);
     if (!isAlike(arc, whole, foot.reach)) arc = whole;
     arc.band_from = std::max(arc.band_from, whole.band_from);
     if (arc.band_to <= arc.band_from) arc = whole;

@@ -4,34 +4,39 @@
 
 #include "fit/ring_process.h"
 #include "foot/foot_fit.h"
-#include "tank_datum/foot/refine.h"
+#include "foot/foot_profile.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 
-/// The foot as the passes see it; vectors are indexed by station.
+/// What the passes look at; none of them changes it. Vectors are indexed by station.
 struct Foot {
-  const FootRing& ring;
-  const RefineOptions& options;
+  FootRing ring;
+  RefineOptions options;
+  FootScales scales;
   double reach;                                ///< of the ring [m]
   double half_step;                            ///< half the angle between stations [rad]
   double radius;                               ///< of the shell, roughly [m]
   std::vector<double> directions;              ///< [rad]
   std::vector<std::vector<FootPoint>> points;  ///< of each station's own stretch
-  std::vector<double> datum;                   ///< elevation as known so far, filled up in gaps [m]
-  std::vector<bool> believed;                  ///< a surface that the shell may stand on was seen here or close by
-  std::vector<FootFit> fits;
+  std::vector<bool> shell_seen;                ///< whether the shell is seen at the station itself
+};
+
+/// The elevations that a pass begins with.
+struct FootElevations {
+  std::vector<double> known;   ///< to stack the section with; NaN where a station is to be left out [m]
+  std::vector<double> filled;  ///< as known so far, filled up in gaps [m]
+  std::vector<bool> seen;      ///< a surface that the shell may stand on was seen here or close by
 };
 
 /// Whether the scan is quiet enough to tell surfaces at different heights apart. Where it is not, as on tins on a table
 /// seen by a depth camera, each station goes by its own points.
-bool isResolved(const Foot& foot, const FootScales& scales);
+bool isResolved(const Foot& foot);
 
-/// Each station's own points, and a first elevation from the stretch that the shell stands on: chosen for the whole
-/// ring together, so that a bank over two thirds of the foot does not pass for it. Sparse stations look a few degrees
-/// around.
+/// A first elevation of each station, from the stretch that the shell stands on: chosen for the whole ring together, so
+/// that a bank over two thirds of the foot does not pass for it. Sparse stations look a few degrees around.
 /// @param tank  whose coarse foot the points are looked for around
-/// @return  the elevations where something was believed, else NaN [m]
-std::vector<double> lookFirst(Foot& foot, const Tank& tank, const FootScales& scales);
+FootElevations firstElevations(const Foot& foot, const Tank& tank);
 
 /// The section of the foot, stacked over the whole ring and over arcs of it.
 struct FootSections {
@@ -42,9 +47,10 @@ struct FootSections {
   const FootProfile& at(std::size_t station) const;
 };
 
-/// Stacks the stations' points relative to their datum, NaN where a station is to be left out. Where the surface ends
-/// near the shell, arcs are stacked too: an edge that does not follow the shell's lobes is sharp in a few degrees only.
-FootSections stackSections(const Foot& foot, const std::vector<double>& datum, const FootScales& scales);
+/// Stacks the stations' points relative to their elevation, NaN where a station is to be left out. Where the surface
+/// ends near the shell, arcs are stacked too: an edge that does not follow the shell's lobes is sharp in a few degrees
+/// only.
+FootSections stackSections(const Foot& foot, const std::vector<double>& elevations);
 
 /// What is known of the surface's slope at every station before its own points are looked at.
 struct FootPriors {
@@ -56,19 +62,28 @@ struct FootPriors {
 };
 
 /// The slope of a wide surface from the whole ring, that of a narrow one from arcs, each with what it leaves open.
-FootPriors learnPriors(const Foot& foot, const FootSections& sections);
+FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const FootSections& sections);
 
-/// The stations' elevations as the ring's own covariance lets neighbours help: each stretch's own fit, then what they
-/// follow all together. Stations whose stretch shows no point of the surface are valid no more.
-/// @param misfit  what blends do to the section's level, common to all [m]
-/// @return  not valid where too few were fitted; else the sigmas hold what stations share [m]
-RingProcess levelStations(Foot& foot, const FootSections& sections, const FootPriors& priors, double misfit);
+/// What one pass found.
+struct FootPass {
+  FootSections sections;
+  FootPriors priors;
+  std::vector<FootFit> fits;
+};
+
+/// The stations' elevations as the ring's own covariance lets neighbours help.
+struct FootLevels {
+  std::vector<FootFit> fits;  ///< stations whose stretch shows no point of the surface are not valid
+  RingProcess process;        ///< not valid where too few were fitted; else the sigmas hold what stations share [m]
+};
+
+/// Each stretch's own fit, then what they follow all together.
+FootLevels levelStations(const Foot& foot, const FootPass& pass);
 
 /// Stations whose fit has no support of its own, lies on something else, or steps off its neighbours.
-std::vector<bool> findStrangers(const Foot& foot, const std::vector<ShellLine>& shell, const FootSections& sections,
-                                const FootPriors& priors);
+std::vector<bool> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass);
 
-/// Elevations to stack the next section with: without strangers, unless they are most of what there is.
-std::vector<double> withoutStrangers(const std::vector<double>& elevations, const std::vector<bool>& strange);
+/// Elevations to stack the next section with: without outliers, unless they are most of what there is.
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<bool>& outliers);
 
 }  // namespace tank_datum

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/bucket_sort.h"
+#include "core/parallel.h"
 #include "core/units.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

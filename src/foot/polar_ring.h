@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "core/units.h"
 #include "tank_datum/core/default_init_allocator.h"
-#include "tank_datum/locate/crop.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/io/scan.h"
 
 namespace tank_datum {
 
@@ -26,8 +26,7 @@ class PolarRing {
   /// difference [rad].
   template <typename Visit>
   void around(double azimuth, double half_width, Visit&& visit) const {
-    constexpr double kTurn = 6.283185307179586;
-    for (const double shift : {-kTurn, 0.0, kTurn}) {
+    for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
       for (std::size_t i = firstFrom(azimuth + shift - half_width); i < points_.size(); ++i) {
         const double turn = points_[i].azimuth - shift - azimuth;
         if (turn > half_width) break;

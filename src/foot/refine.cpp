@@ -1,13 +1,15 @@
-#include "tank_datum/foot/refine.h"
+#include "foot/refine.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
 #include "foot/foot_check.h"
 #include "foot/foot_fit.h"
+#include "foot/foot_profile.h"
 #include "foot/foot_state.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_circle.h"
@@ -15,33 +17,70 @@
 #include "foot/shell_line.h"
 #include "foot/station_section.h"
 #include "stations/highest_wave.h"
-#include "tank_datum/core/parallel.h"
+#include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/harmonics.h"
 
 namespace tank_datum {
 namespace {
 
+/// As many times the stations asked for as follow the shell's lobes.
+StationOptions followingLobes(StationOptions options) {
+  constexpr int kLeastStations = 360;
+  options.count *= std::max(1, (kLeastStations + options.count - 1) / options.count);
+  return options;
+}
+
+std::vector<double> directionsOf(const StationOptions& options) {
+  std::vector<double> directions;
+  for (const Station& s : emptyStations(options)) directions.push_back(s.direction);
+  return directions;
+}
+
+/// What the passes look at, each station's own points among it.
+Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank, const RefineOptions& options,
+                const StationOptions& station_options) {
+  const double reach = shell.heights.to;
+  const double side = tank.side == Side::Outside ? 1.0 : -1.0;
+  const double weld = std::min(options.largest_weld, 0.05 * reach);
+  const FootScales scales{std::min(options.widest_band, reach), shell.noise(), weld};
+  Foot foot{FootRing(polar, modelShell(shell.lines, station_options), side, reach),
+            options,
+            scales,
+            reach,
+            kPi / station_options.count,
+            tank.circle.radius,
+            directionsOf(station_options),
+            {},
+            {}};
+  for (const ShellLine& line : shell.lines) foot.shell_seen.push_back(line.seen());
+  foot.points.resize(foot.directions.size());
+  forEachIndex(foot.points.size(), 0, [&](std::size_t i) {
+    const double direction = foot.directions[i];
+    foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), reach);
+  });
+  return foot;
+}
+
 /// Windows grow by borrowing from the neighbours until the standard error is what was asked for: that of the level,
 /// since the neighbours' points say no more about the slope than the prior does.
-FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& profile, const FootPriors& priors) {
+FootFit fitStation(const Foot& foot, std::size_t station, double level, const FootProfile& profile,
+                   const FootPriors& priors) {
   constexpr double kWidestAngle = 10.0 * kPi / 180.0;     // of a curve that a parabola still follows
   constexpr double kKnownSlope = 0.003, kSettled = 1e-4;  // [m/m]
   constexpr double kGoodEnough = 2e-4;                    // to find the surface with [m]
   const FootPrior prior = priors.at(station);
-  const double slope = priors.slope[station];
-  const double azimuth = foot.directions[station], datum = foot.datum[station];
+  const double slope = priors.slope[station], start = level + profile.offset;
   const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
-  FootPrior level = prior;
-  level.sigma_slope = priors.settled ? kSettled : std::min(prior.sigma_slope, kKnownSlope);
+  FootPrior known_slope = prior;
+  known_slope.sigma_slope = priors.settled ? kSettled : std::min(prior.sigma_slope, kKnownSlope);
   for (double half = foot.half_step;; half *= 1.4) {
-    const auto points = foot.ring.around(azimuth, half, datum, foot.reach);
-    FootFit fit = fitFoot(points, profile, datum + profile.offset, slope, level);
+    const auto points = foot.ring.around(foot.directions[station], half, level, foot.reach);
+    FootFit fit = fitFoundation(points, profile, start, slope, known_slope);
     if (fit.sigma < std::max(kGoodEnough, foot.options.wanted_sigma) || half > widest) {
       if (priors.settled) {
         fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
       } else {
-        fit = fitFoot(points, profile, datum + profile.offset, slope, prior);
+        fit = fitFoundation(points, profile, start, slope, prior);
       }
       fit.half_width = half;
       return fit;
@@ -49,140 +88,143 @@ FootFit fitStation(const Foot& foot, std::size_t station, const FootProfile& pro
   }
 }
 
-std::vector<FootFit> fitStations(const Foot& foot, const FootSections& sections, const FootPriors& priors) {
-  std::vector<FootFit> fits(foot.directions.size());
-  forEachIndex(fits.size(), 0, [&](std::size_t i) {
-    if (foot.believed[i]) fits[i] = fitStation(foot, i, sections.at(i), priors);
+/// Section, slopes and a fit of every station, from the elevations known so far.
+FootPass runPass(const Foot& foot, const FootElevations& elevations) {
+  FootPass pass;
+  pass.sections = stackSections(foot, elevations.known);
+  pass.priors = learnPriors(foot, elevations, pass.sections);
+  pass.fits.resize(foot.directions.size());
+  forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
+    if (elevations.seen[i]) {
+      pass.fits[i] = fitStation(foot, i, elevations.filled[i], pass.sections.at(i), pass.priors);
+    }
   });
-  return fits;
+  return pass;
 }
 
-/// What blends do to the section's level, as the arcs show it.
-double misfitOf(const FootSections& sections) {
-  if (sections.arcs.empty()) return sections.whole.misfit;
-  std::vector<double> misfits;
-  for (const FootProfile& arc : sections.arcs) misfits.push_back(arc.misfit);
-  return median(misfits);
+/// What a pass leaves to the next one.
+FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& outliers, const std::vector<bool>& seen) {
+  std::vector<double> elevations;
+  for (const FootFit& fit : pass.fits) elevations.push_back(fit.z);
+  return {withoutOutliers(elevations, outliers), filledUp(elevations), seen};
 }
 
-void fillStations(std::vector<Station>& stations, const Foot& foot, const std::vector<ShellLine>& shell,
-                  const Eigen::Vector2d& center) {
+/// The elevations of stations whose shell is not seen are not stacked.
+FootElevations whereShellIsSeen(FootElevations elevations, const Foot& foot) {
+  for (std::size_t i = 0; i < foot.shell_seen.size(); ++i) {
+    if (!foot.shell_seen[i]) elevations.known[i] = kUnknown;
+  }
+  return elevations;
+}
+
+/// A few passes, each with the elevations of the one before; outliers of the last have no fit.
+/// @param elevations  to begin with; those after the last pass
+FootPass runPasses(const Foot& foot, FootElevations& elevations) {
+  constexpr int kPasses = 3;  // the section sharpens as the elevations do; the third moves a few stations by 0.1 mm
+  FootPass pass;
+  std::vector<bool> outliers;
+  for (int i = 0; i < kPasses; ++i) {
+    pass = runPass(foot, elevations);
+    outliers = findOutliers(foot, elevations, pass);
+    elevations = elevationsAfter(pass, outliers, elevations.seen);
+  }
+  for (std::size_t i = 0; i < outliers.size(); ++i) {
+    if (outliers[i]) pass.fits[i] = {};
+  }
+  return pass;
+}
+
+/// What the report shows of each station; an outlier's points are shown without the line that was refused.
+std::vector<StationProfile> profilesOf(const Foot& foot, const FootElevations& elevations,
+                                       const std::vector<FootFit>& fits, const std::vector<ShellLine>& shell,
+                                       const ProfileBand& band) {
+  std::vector<StationProfile> profiles;
+  if (foot.options.profile_points == 0) return profiles;
+  profiles.resize(fits.size());
+  forEachIndex(profiles.size(), 0, [&](std::size_t i) {
+    const ProfileWindow window{foot.directions[i], foot.half_step, elevations.filled[i], foot.reach, band};
+    profiles[i] = profileOf(foot.ring, window, fits[i], shell[i], foot.options.profile_points);
+  });
+  return profiles;
+}
+
+/// Each station's fit of foundation and shell. Stations stand at their azimuths about the fitted centre, which is
+/// millimetres from the one the fits went round: the shell moves by that in radius, and its elevation by nothing that
+/// can be told.
+std::vector<StationDatum> stationsOf(const Foot& foot, const std::vector<FootFit>& fits,
+                                     const std::vector<ShellLine>& shell, const Eigen::Vector2d& from,
+                                     const Eigen::Vector2d& to) {
+  std::vector<StationDatum> stations(fits.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    Station& s = stations[i];
-    const FootFit& fit = foot.fits[i];
-    s.flag = fit.valid() ? StationFlag::Measured : StationFlag::Missing;
-    s.x = s.y = s.z = s.sigma_z = s.radius = s.sigma_radius = s.window = kUnknown;
+    StationDatum& s = stations[i];
+    const FootFit& fit = fits[i];
+    s.direction = foot.directions[i];
     s.n_shell = shell[i].points;
     s.n_foundation = fit.points;
     if (!fit.valid()) continue;
+    const Eigen::Vector2d outwards(std::cos(s.direction), std::sin(s.direction));
+    s.flag = StationFlag::Measured;
     s.z = fit.z;
     s.sigma_z = fit.sigma;
     s.window = 2.0 * fit.half_width;
-    s.radius = shell[i].radius;
+    s.radius = shell[i].radius - outwards.dot(to - from);
     s.sigma_radius = shell[i].sigma_radius;
-    s.x = center.x() + s.radius * std::cos(s.direction);
-    s.y = center.y() + s.radius * std::sin(s.direction);
-  }
-}
-
-/// What the report shows of each station; a stranger's points are shown without the line that was refused.
-std::vector<StationProfile> sectionsOf(const Foot& foot, const std::vector<ShellLine>& shell, double band_to,
-                                       double side) {
-  std::vector<StationProfile> sections;
-  if (foot.options.profile_points == 0) return sections;
-  sections.resize(foot.fits.size());
-  forEachIndex(sections.size(), 0, [&](std::size_t i) {
-    const ProfileWindow window{foot.directions[i], foot.half_step, foot.datum[i], foot.reach, band_to, side};
-    sections[i] = profileOf(foot.ring, window, foot.fits[i], shell[i], foot.options.profile_points);
-  });
-  return sections;
-}
-
-/// Stations stand at their azimuths about the fitted centre, which is millimetres from the one the fits went round: the
-/// shell moves by that in radius, and its elevation by nothing that can be told.
-void recentre(std::vector<Station>& stations, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  for (Station& s : stations) {
-    if (s.flag != StationFlag::Measured) continue;
-    const Eigen::Vector2d outwards(std::cos(s.direction), std::sin(s.direction));
-    s.radius -= outwards.dot(to - from);
     s.x = to.x() + s.radius * outwards.x();
     s.y = to.y() + s.radius * outwards.y();
   }
+  return stations;
+}
+
+/// The stations with the short gaps among them bridged: over the shell, and where there is one along the process.
+std::vector<StationDatum> withGapsBridged(std::vector<StationDatum> stations, const RingProcess& process,
+                                          const Circle& circle, double sigma_bend, const StationOptions& options) {
+  std::vector<bool> measured;
+  for (const StationDatum& s : stations) measured.push_back(s.flag == StationFlag::Measured);
+  const std::vector<StationFlag> flags = flagsOf(measured, options);
+  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].flag = flags[i];
+  stations = bridgeGaps(stations, circle.center, sigma_bend);
+  for (std::size_t i = 0; i < stations.size() && process.valid(); ++i) {
+    if (stations[i].flag != StationFlag::Interpolated) continue;
+    stations[i].z = process.value[i];
+    stations[i].sigma_z = std::max(stations[i].sigma_z, process.sigma[i]);
+  }
+  return stations;
+}
+
+/// Every n-th from the first on.
+template <typename T>
+std::vector<T> everyNth(const std::vector<T>& all, int n) {
+  std::vector<T> some;
+  for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(n)) some.push_back(all[i]);
+  return some;
 }
 
 }  // namespace
 
-Refined refineStations(std::vector<Station>& stations, const Ring& ring, const Tank& tank, const RefineOptions& options,
-                       const StationOptions& station_options) {
-  constexpr int kFewest = 360;  // stations that follow the shell's lobes; fewer are picked from as many
-  if (station_options.count < kFewest) {
-    const int every = (kFewest + station_options.count - 1) / station_options.count;
-    StationOptions fine_options = station_options;
-    fine_options.count *= every;
-    std::vector<Station> fine = emptyStations(fine_options);
-    Refined refined = refineStations(fine, ring, tank, options, fine_options);
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      const Station coarse = stations[i];
-      stations[i] = fine[i * static_cast<std::size_t>(every)];
-      stations[i].azimuth = coarse.azimuth;
-      stations[i].z_paper = coarse.z_paper;
-      if (!refined.sections.empty()) refined.sections[i] = refined.sections[i * static_cast<std::size_t>(every)];
-    }
-    if (!refined.sections.empty()) refined.sections.resize(stations.size());
-    return refined;
-  }
-  constexpr int kPasses = 3;  // the section sharpens as the elevations do; the third moves a few stations by 0.1 mm
-  Refined refined;
-  refined.circle = tank.circle;
+RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptions& options,
+                           const StationOptions& asked) {
+  const StationOptions station_options = followingLobes(asked);
+  RefinedFoot found;
+  found.refined.circle = tank.circle;
   const PolarRing polar(ring.points, tank.circle.center);
-  const ShellFits fits = fitShell(stations, polar, tank, ring.reach);
-  const auto& shell = fits.lines;
-  const double side = tank.side == Side::Outside ? 1.0 : -1.0, noise = fits.noise();
-  if (!(noise > 0.0)) return refined;  // no shell line anywhere
-  const FootRing foot_ring(polar, modelShell(shell, station_options), side, ring.reach);
-  Foot foot{foot_ring, options, ring.reach, kPi / station_options.count, tank.circle.radius, {}, {}, {}, {}, {}};
-  for (const Station& s : stations) foot.directions.push_back(s.direction);
-
-  const double weld = std::min(options.largest_weld, 0.05 * ring.reach);
-  const FootScales scales{std::min(options.widest_band, ring.reach), noise, weld};
-  std::vector<double> to_stack = lookFirst(foot, tank, scales);
-  for (std::size_t i = 0; i < shell.size(); ++i) {
-    if (!shell[i].seen()) to_stack[i] = kUnknown;
-  }
-  std::vector<bool> strange;
-  FootSections sections;
-  FootPriors priors;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    sections = stackSections(foot, to_stack, scales);
-    refined.profile = sections.whole;
-    priors = learnPriors(foot, sections);
-    foot.fits = fitStations(foot, sections, priors);
-    std::vector<double> elevations;
-    for (const FootFit& fit : foot.fits) elevations.push_back(fit.z);
-    strange = findStrangers(foot, shell, sections, priors);
-    to_stack = withoutStrangers(elevations, strange);
-    foot.datum = filledUp(elevations);
-  }
-  for (std::size_t i = 0; i < strange.size(); ++i) {
-    if (strange[i]) foot.fits[i] = {};
-  }
-  RingProcess process;
-  if (isResolved(foot, scales)) process = levelStations(foot, sections, priors, misfitOf(sections));
-  refined.sections = sectionsOf(foot, shell, refined.profile.band_to, side);
-  fillStations(stations, foot, shell, tank.circle.center);
-  const ShellCircle round = fitShellCircle(fits.lines, foot.directions, fits.from, fits.to, tank.circle, priorOf(tank));
-  refined.circle = round.circle;
-  refined.sigma_radius = round.sigma_radius;
-  recentre(stations, tank.circle.center, refined.circle.center);
-  std::vector<bool> measured;
-  for (const Station& s : stations) measured.push_back(s.flag == StationFlag::Measured);
-  flagGaps(stations, measured, station_options);
-  bridgeGaps(stations, refined.circle.center, kHighestWave / tank.circle.radius);
-  for (std::size_t i = 0; i < stations.size() && process.valid(); ++i) {
-    if (stations[i].flag == StationFlag::Interpolated)
-      stations[i].z = process.value[i], stations[i].sigma_z = std::max(stations[i].sigma_z, process.sigma[i]);
-  }
-  return refined;
+  const ShellFits shell = fitShellLines(directionsOf(station_options), polar, tank, ring.reach);
+  if (!(shell.noise() > 0.0)) return found;  // no shell line anywhere
+  const Foot foot = lookAtFoot(polar, shell, tank, options, station_options);
+  FootElevations elevations = whereShellIsSeen(firstElevations(foot, tank), foot);
+  const FootPass pass = runPasses(foot, elevations);
+  const FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
+  found.refined.profile = pass.sections.whole;
+  const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
+  const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
+  found.refined.circle = round.circle;
+  found.refined.sigma_radius = round.sigma_radius;
+  const auto stations = stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center);
+  const double sigma_bend = kHighestWave / tank.circle.radius;
+  const int every = station_options.count / asked.count;
+  found.stations =
+      everyNth(withGapsBridged(stations, levels.process, round.circle, sigma_bend, station_options), every);
+  found.refined.sections = everyNth(profilesOf(foot, elevations, levels.fits, shell.lines, band), every);
+  return found;
 }
 
 }  // namespace tank_datum

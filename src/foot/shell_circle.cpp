@@ -21,6 +21,36 @@ constexpr double kStray = 6.0;
 // The shell of a tank leans by less than one in a hundred; on a short arc lean and centre can hardly be told apart.
 constexpr double kLean = 0.01;
 
+/// The lines' radii at two heights as observations of the circle and its lean.
+struct Observations {
+  std::vector<Row> rows;
+  std::vector<double> radii;  ///< less that of the circle they are measured from [m]
+};
+
+Observations observationsOf(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
+                            const ShellHeights& heights, double radius) {
+  Observations all;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i].seen()) continue;
+    const double c = std::cos(azimuths[i]), s = std::sin(azimuths[i]);
+    for (const double h : {heights.from, heights.to}) {
+      all.rows.push_back((Row() << 1.0, c, s, h * c, h * s).finished());
+      all.radii.push_back(lines[i].at(0.0, h) - radius);
+    }
+  }
+  return all;
+}
+
+/// Adds what is known of the unknowns beforehand.
+/// @param sigma  of one observation
+void addPrior(const CirclePrior& prior, double sigma, Normal& normal) {
+  const std::array<double, 5> known{prior.sigma_radius, prior.sigma_center, prior.sigma_center, kLean, kLean};
+  for (int j = 0; j < 5; ++j) {
+    const double ratio = sigma / known[static_cast<std::size_t>(j)];
+    normal(j, j) += 2.0 * ratio * ratio;  // a line's two heights are one observation
+  }
+}
+
 }  // namespace
 
 CirclePrior priorOf(const Tank& tank) {
@@ -30,24 +60,14 @@ CirclePrior priorOf(const Tank& tank) {
   return {sigma, std::hypot(sigma, 0.5 * kLean * tank.height)};
 }
 
-ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths, double from,
-                           double to, const Circle& start, const CirclePrior& prior) {
-  std::vector<Row> rows;
-  std::vector<double> radii, left;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!lines[i].seen()) continue;
-    const double c = std::cos(azimuths[i]), s = std::sin(azimuths[i]);
-    for (const double h : {from, to}) {
-      rows.push_back((Row() << 1.0, c, s, h * c, h * s).finished());
-      radii.push_back(lines[i].at(0.0, h) - start.radius);
-    }
-  }
+ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
+                           const ShellHeights& heights, const Circle& start, const CirclePrior& prior) {
+  const auto [rows, radii] = observationsOf(lines, azimuths, heights, start.radius);
   ShellCircle result;
   result.circle = start;
   if (rows.size() < 10) return result;
-  std::vector<double> weights(rows.size(), 1.0);
+  std::vector<double> weights(rows.size(), 1.0), left = radii;
   Row solution = Row::Zero();
-  left = radii;
   for (int iteration = 0; iteration < 20; ++iteration) {
     const double sigma = std::max(robustSigma(left, median(left)), 1e-7);
     Normal normal = Normal::Zero();
@@ -56,11 +76,7 @@ ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vecto
       normal += weights[i] * rows[i] * rows[i].transpose();
       rhs += weights[i] * radii[i] * rows[i];
     }
-    const std::array<double, 5> known{prior.sigma_radius, prior.sigma_center, prior.sigma_center, kLean, kLean};
-    for (int j = 0; j < 5; ++j) {
-      const double ratio = sigma / known[static_cast<std::size_t>(j)];
-      normal(j, j) += 2.0 * ratio * ratio;  // a line's two heights are one observation
-    }
+    addPrior(prior, sigma, normal);
     const Normal inverse = normal.inverse();
     solution = inverse * rhs;
     for (std::size_t i = 0; i < rows.size(); ++i) {

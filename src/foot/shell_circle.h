@@ -5,8 +5,8 @@
 
 #include "foot/shell_line.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/circle.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 
@@ -28,10 +28,10 @@ CirclePrior priorOf(const Tank& tank);
 /// than the stations' own radii at the datum, extrapolated one by one. Robust; every station counts the same, however
 /// densely it was scanned.
 /// @param azimuths  of the lines [rad]
-/// @param from,to   heights above the datum between which the lines were fitted [m]
+/// @param heights   above the datum between which the lines were fitted
 /// @param start     the circle that the lines' radii are measured from the centre of
 /// @param prior     of that circle
-ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths, double from,
-                           double to, const Circle& start, const CirclePrior& prior);
+ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
+                           const ShellHeights& heights, const Circle& start, const CirclePrior& prior);
 
 }  // namespace tank_datum

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 double ShellFits::noise() const {
@@ -15,22 +15,21 @@ double ShellFits::noise() const {
   return median(noises);
 }
 
-ShellFits fitShell(const std::vector<Station>& stations, const PolarRing& ring, const Tank& tank, double reach) {
+ShellFits fitShellLines(const std::vector<double>& directions, const PolarRing& ring, const Tank& tank, double reach) {
   constexpr std::size_t kPlenty = 40;                 // points for four unknowns
   constexpr double kWidestShell = 5.0 * kPi / 180.0;  // half the arc that a sparse station may borrow points from
   const ShellOutline outline = outlineShell(ring, tank, reach);
   ShellFits shell;
-  shell.from = std::max(0.1 * reach, 4.0 * outline.noise);
-  shell.to = reach;
-  shell.lines.resize(stations.size());
-  const double step = kTwoPi / static_cast<double>(stations.size());
+  shell.heights = {std::max(0.1 * reach, 4.0 * outline.noise), reach};
+  shell.lines.resize(directions.size());
+  const double step = kTwoPi / static_cast<double>(directions.size());
   auto& lines = shell.lines;
-  forEachIndex(stations.size(), 0, [&](std::size_t i) {
-    const double azimuth = stations[i].direction;
+  forEachIndex(directions.size(), 0, [&](std::size_t i) {
+    const double azimuth = directions[i];
     for (double half = step; lines[i].points < kPlenty && half < kWidestShell; half *= 1.5) {
-      lines[i] = fitShellLine(ring, outline, azimuth, half, tank.foot(azimuth), shell.from, reach);
+      lines[i] = fitShellLine(ring, outline, {azimuth, half, tank.foot(azimuth), shell.heights});
     }
-    if (!lines[i].standsWithin(step * tank.circle.radius)) lines[i] = {};
+    if (!lines[i].isSupportedWithin(step * tank.circle.radius)) lines[i] = {};
   });
   return shell;
 }

@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "core/fast_floor.h"
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/surface_rows.h"
-#include "tank_datum/core/parallel.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 namespace {
@@ -65,7 +66,7 @@ ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep
 
 }  // namespace
 
-bool ShellLine::standsWithin(double step) const {
+bool ShellLine::isSupportedWithin(double step) const {
   constexpr double kCoarse = 1.25;  // between columns, in steps
   return before <= 0.5 * step || after <= 0.5 * step || before + after <= kCoarse * step;
 }
@@ -97,16 +98,16 @@ ShellOutline outlineBand(const PolarRing& ring, double radius) {
   return outline(ring, radius, [](const PolarPoint&) { return true; });
 }
 
-ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, double azimuth, double half_width,
-                       double foot, double from, double to) {
+ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const ShellWindow& window) {
   constexpr std::size_t kUnknowns = 4;
   ShellLine line;
-  const double start = outline.at(azimuth);
+  const double start = outline.at(window.azimuth);
   if (!std::isfinite(start)) return line;
   SurfaceRows rows;
-  ring.around(azimuth, half_width, [&](const PolarPoint& p, double turn) {
-    const double h = p.z - foot;
-    if (h >= from && h <= to && std::abs(p.radius - outline.at(p.azimuth)) < 6.0 * outline.noise) {
+  ring.around(window.azimuth, window.half_width, [&](const PolarPoint& p, double turn) {
+    const double h = p.z - window.foot;
+    if (h >= window.heights.from && h <= window.heights.to &&
+        std::abs(p.radius - outline.at(p.azimuth)) < 6.0 * outline.noise) {
       rows.add(h, turn * start, p.radius);
     }
   });

@@ -5,6 +5,7 @@
 
 #include "foot/polar_ring.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 
@@ -24,7 +25,7 @@ struct ShellLine {
   bool seen() const { return points > 0; }
   /// Whether the shell is seen within this step of azimuth [m] itself, or between two columns of points so close that
   /// the scan may just be that coarse; otherwise only the neighbours' shell is seen.
-  bool standsWithin(double step) const;
+  bool isSupportedWithin(double step) const;
   double at(double t, double h) const { return radius + turn_slope * t + bend * t * t + lean * h; }
 };
 
@@ -42,11 +43,21 @@ ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach)
 /// From all points: a band of a shell that nothing else meets.
 ShellOutline outlineBand(const PolarRing& ring, double radius);
 
-/// A robust local fit of the shell over +-half_width [rad] around an azimuth, above the weld.
-/// @param foot     elevation of the foot here [m]
-/// @param from,to  heights above the foot that are shell [m]
-ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, double azimuth, double half_width,
-                       double foot, double from, double to);
+/// Heights above the foot between which points are surely shell [m].
+struct ShellHeights {
+  double from = 0, to = 0;
+};
+
+/// The part of the shell that a line is fitted to.
+struct ShellWindow {
+  double azimuth;     ///< [rad]
+  double half_width;  ///< [rad]
+  double foot;        ///< elevation of the foot here [m]
+  ShellHeights heights;
+};
+
+/// A robust local fit of the shell in a window.
+ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const ShellWindow& window);
 
 /// The shell's radius at the foot, all round: the stations' lines, blended between neighbours.
 class ShellModel {

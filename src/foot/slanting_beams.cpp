@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foot/foot_profile.h"
+
 namespace tank_datum {
 
 double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "foot/foot_profile.h"
+
 namespace tank_datum {
 namespace {
 
@@ -35,7 +37,7 @@ StationProfile profileOf(const FootRing& ring, const ProfileWindow& window, cons
     profile.noise = fit.noise;
   }
   if (shell.seen()) {
-    profile.lean = window.side * shell.lean;
+    profile.lean = window.band.side * shell.lean;
     profile.shell_noise = shell.noise;
   }
   std::vector<FootPoint> points = ring.around(window.direction, window.half_step, window.base, window.reach);
@@ -47,7 +49,7 @@ StationProfile profileOf(const FootRing& ring, const ProfileWindow& window, cons
     // the surface's run along the shell is taken out, as the fit does, so that a wide window draws no smear
     const double z = p.z - window.base - (fit.valid() ? fit.along * p.t + fit.bend * p.t * p.t : 0.0);
     const SectionPoint at{static_cast<float>(p.d), static_cast<float>(z)};
-    parts[static_cast<std::size_t>(partOf(at, profile, window.band_to))].push_back(at);
+    parts[static_cast<std::size_t>(partOf(at, profile, window.band.to))].push_back(at);
   }
   for (const auto& part : parts)
     keepSome(part, std::max<std::size_t>(1, static_cast<std::size_t>(wanted) / 3), profile.points);

@@ -2,9 +2,15 @@
 
 #include "foot/foot_fit.h"
 #include "foot/shell_line.h"
-#include "tank_datum/foot/station_profile.h"
+#include "tank_datum/foot/refined.h"
 
 namespace tank_datum {
+
+/// What all sections of a tank share.
+struct ProfileBand {
+  double to;    ///< how far out the foundation's line was fitted [m]
+  double side;  ///< +1 when the foundation lies outside of the shell, -1 inside
+};
 
 /// Where a section is taken.
 struct ProfileWindow {
@@ -12,8 +18,7 @@ struct ProfileWindow {
   double half_step;  ///< half the angle its own points come from [rad]; a station with few takes its fit's window
   double base;       ///< elevation of the foot there [m]
   double reach;      ///< of the section in distance and height [m]
-  double band_to;    ///< how far out the foundation's line was fitted [m]
-  double side;       ///< +1 when the foundation lies outside of the shell, -1 inside
+  ProfileBand band;
 };
 
 /// The section at a station.

@@ -4,14 +4,13 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "io/input_file.h"
 #include "io/io_error.h"
+#include "io/pcd_lines.h"
 #include "io/pcd_size.h"
 
 namespace tank_datum {
@@ -20,107 +19,7 @@ namespace {
 constexpr std::size_t kLongestHeader = 64 * 1024;  // bytes
 constexpr std::uint64_t kLongestRow = 64 * 1024;   // bytes
 
-using Words = std::vector<std::string_view>;
-
-Words splitWords(std::string_view line) {
-  constexpr std::string_view kBlank = " \t\r\v\f";
-  Words words;
-  for (std::size_t at = line.find_first_not_of(kBlank); at < line.size(); at = line.find_first_not_of(kBlank, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
-
-/// The header's text, split into keyword and values.
-struct Lines {
-  std::string path;
-  std::map<std::string, Words, std::less<>> values;  ///< keywords in upper case
-  std::uint64_t data_offset = 0;
-
-  bool has(std::string_view key) const { return values.count(key) != 0; }
-
-  const Words& list(std::string_view key) const {
-    const auto found = values.find(key);
-    if (found == values.end()) throw fileError(std::string(key), path, "missing", "a line " + std::string(key));
-    return found->second;
-  }
-
-  std::string_view word(std::string_view key) const {
-    const Words& words = list(key);
-    if (words.size() != 1) {
-      throw fileError(std::string(key), path, std::to_string(words.size()) + " values", "one");
-    }
-    return words[0];
-  }
-
-  std::uint64_t number(std::string_view key, std::string_view text, std::uint64_t least) const {
-    std::uint64_t value = 0;
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (code != std::errc() || end != text.data() + text.size() || value < least) {
-      throw fileError(std::string(key), path, echo(text), "a whole number >= " + std::to_string(least));
-    }
-    return value;
-  }
-
-  std::optional<std::uint64_t> number(std::string_view key) const {
-    if (!has(key)) return std::nullopt;
-    return number(key, word(key), 0);
-  }
-};
-
-bool isKeyword(std::string_view word) {
-  constexpr std::array<std::string_view, 10> kKeywords = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
-                                                          "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
-  return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
-}
-
-std::string inCase(std::string_view word, int (*to_case)(int)) {
-  std::string changed(word);
-  for (char& c : changed) c = static_cast<char>(to_case(static_cast<unsigned char>(c)));
-  return changed;
-}
-
-/// Takes one line in; true when it is the last (DATA).
-bool addLine(std::string_view line, std::size_t line_number, Lines& lines) {
-  Words words = splitWords(line);
-  if (words.empty() || words[0][0] == '#') return false;
-  std::string key = inCase(words[0], std::toupper);
-  if (key == "COLUMNS") key = "FIELDS";
-  if (!isKeyword(key)) {
-    throw fileError("header line " + std::to_string(line_number), lines.path, "\"" + echo(line) + "\"",
-                    "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or DATA");
-  }
-  words.erase(words.begin());
-  if (!lines.values.emplace(key, std::move(words)).second) {
-    throw fileError(key, lines.path, "a second line " + std::to_string(line_number), "one line");
-  }
-  return key == "DATA";
-}
-
-Lines splitHeader(std::string_view text, const InputFile& file) {
-  Lines lines;
-  lines.path = file.path();
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
-  std::size_t begin = text.substr(0, kByteOrderMark.size()) == kByteOrderMark ? kByteOrderMark.size() : 0;
-  for (std::size_t number = 1; begin < text.size(); ++number) {
-    const std::size_t newline = text.find('\n', begin);
-    if (newline == text.npos && text.size() < file.size()) {
-      throw fileError("header", file.path(), "no DATA line in " + std::to_string(text.size()) + " bytes",
-                      "a PCD header");
-    }
-    const std::size_t end = std::min(newline, text.size());
-    const bool last = addLine(text.substr(begin, end - begin), number, lines);
-    begin = std::min(end + 1, text.size());
-    lines.data_offset = begin;
-    if (last) return lines;
-  }
-  throw fileError("header", file.path(), text.empty() ? "an empty file" : "no DATA line",
-                  "a PCD header that ends in a line DATA");
-}
-
-void checkVersion(const Lines& lines) {
+void checkVersion(const PcdLines& lines) {
   if (!lines.has("VERSION")) return;
   std::string_view version = lines.word("VERSION");
   if (version.substr(0, 1) == "v") version.remove_prefix(1);
@@ -130,7 +29,7 @@ void checkVersion(const Lines& lines) {
   }
 }
 
-std::int64_t parseCount(const Lines& lines, std::string_view text) {
+std::int64_t parseCount(const PcdLines& lines, std::string_view text) {
   std::int64_t count = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (code != std::errc() || end != text.data() + text.size()) {
@@ -139,7 +38,7 @@ std::int64_t parseCount(const Lines& lines, std::string_view text) {
   return count;
 }
 
-PcdColumn parseColumn(const Lines& lines, std::size_t i) {
+PcdColumn parseColumn(const PcdLines& lines, std::size_t i) {
   PcdColumn column;
   column.name = lines.list("FIELDS")[i];
   if (lines.has("COUNT")) column.count = parseCount(lines, lines.list("COUNT")[i]);
@@ -159,7 +58,7 @@ PcdColumn parseColumn(const Lines& lines, std::size_t i) {
 
 /// Puts a column behind the others. A negative COUNT leads back, and 0 nowhere; neither is a field. PCL's writer means
 /// by it that a message's fields do not stand in the order of their names.
-void addColumn(PcdColumn column, const Lines& lines, PcdHeader& header) {
+void addColumn(PcdColumn column, const PcdLines& lines, PcdHeader& header) {
   const auto before = static_cast<std::int64_t>(header.row_bytes), size = static_cast<std::int64_t>(column.size);
   const auto longest = static_cast<std::int64_t>(kLongestRow);
   if (column.count > (longest - before) / size || column.count < -before / size) {
@@ -174,7 +73,7 @@ void addColumn(PcdColumn column, const Lines& lines, PcdHeader& header) {
   header.columns.push_back(std::move(column));
 }
 
-void parseColumns(const Lines& lines, PcdHeader& header) {
+void parseColumns(const PcdLines& lines, PcdHeader& header) {
   const std::size_t fields = lines.list("FIELDS").size();
   for (const std::string_view key : {"SIZE", "TYPE", "COUNT"}) {
     if (key == "COUNT" && !lines.has(key)) continue;
@@ -204,7 +103,7 @@ std::optional<std::size_t> findColumn(const PcdHeader& header, char name, const 
   return found;
 }
 
-void findXyz(const Lines& lines, PcdHeader& header) {
+void findXyz(const PcdLines& lines, PcdHeader& header) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     auto column = findColumn(header, "xyz"[axis], lines.path);
     if (!column) column = findColumn(header, "XYZ"[axis], lines.path);
@@ -223,7 +122,7 @@ void findLabel(PcdHeader& header) {
 }
 
 /// Where the scanner stood. Zeros are what writers put who do not know.
-void parseViewpoint(const Lines& lines, PcdHeader& header) {
+void parseViewpoint(const PcdLines& lines, PcdHeader& header) {
   if (!lines.has("VIEWPOINT") || lines.list("VIEWPOINT").size() < 3) return;
   std::array<double, 3> place{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -234,7 +133,7 @@ void parseViewpoint(const Lines& lines, PcdHeader& header) {
   if (place != std::array<double, 3>{}) header.viewpoint = place;
 }
 
-void parsePoints(const Lines& lines, PcdHeader& header) {
+void parsePoints(const PcdLines& lines, PcdHeader& header) {
   const auto width = lines.number("WIDTH");
   const std::uint64_t height = lines.number("HEIGHT").value_or(1);
   const auto points = lines.number("POINTS");
@@ -247,7 +146,7 @@ void parsePoints(const Lines& lines, PcdHeader& header) {
   header.points = product;
 }
 
-void parseEncoding(const Lines& lines, PcdHeader& header) {
+void parseEncoding(const PcdLines& lines, PcdHeader& header) {
   const std::string word = inCase(lines.word("DATA"), std::tolower);
   if (word == "ascii") {
     header.encoding = PcdEncoding::Ascii;
@@ -265,7 +164,7 @@ void parseEncoding(const Lines& lines, PcdHeader& header) {
 PcdHeader readPcdHeader(const InputFile& file) {
   std::string text(std::min<std::uint64_t>(kLongestHeader, file.size()), '\0');
   text.resize(file.readSome(0, text.data(), text.size()));
-  const Lines lines = splitHeader(text, file);
+  const PcdLines lines = splitPcdHeader(text, file);
   PcdHeader header;
   header.data_offset = lines.data_offset;
   checkVersion(lines);

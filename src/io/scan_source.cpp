@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/parallel.h"
 #include "io/coordinates.h"
 #include "io/input_file.h"
 #include "io/pcd_header.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

@@ -1,49 +1,19 @@
-#include "tank_datum/limits/checks.h"
+#include "limits/checks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/clauses.h"
+#include "core/normal95.h"
 #include "core/statistics.h"
-#include "tank_datum/core/normal95.h"
+#include "limits/limit_tables.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
-
-using Table = std::vector<const Limit*>;
-const char* const kNoLimit = "the rule has no limit for such a tank";
-
-std::vector<Table> tablesOf(const std::vector<Limit>& limits) {
-  std::vector<Table> tables;
-  for (const Limit& limit : limits) {
-    const auto same = std::find_if(tables.begin(), tables.end(), [&](const Table& table) {
-      const Limit& first = *table.front();
-      return first.code == limit.code && first.clause == limit.clause && first.name == limit.name;
-    });
-    (same == tables.end() ? tables.emplace_back() : *same).push_back(&limit);
-  }
-  return tables;
-}
-
-/// The row for this tank, or why there is none.
-const Limit* rowFor(const Table& table, const TankFacts& facts, double diameter, std::string& reason) {
-  bool roof_needed = false, foundation_needed = false;
-  for (const Limit* limit : table) {
-    if (!limit->diameter.holds(diameter)) continue;
-    const bool roof = limit->roof.empty() || limit->roof == facts.roof;
-    const bool foundation = limit->foundation.empty() || limit->foundation == facts.foundation;
-    if (roof && foundation) return limit;
-    roof_needed = roof_needed || (!roof && facts.roof.empty());
-    foundation_needed = foundation_needed || (!foundation && facts.foundation.empty());
-  }
-  if (roof_needed) addClause(reason, "the type of roof is not given (option roof: open or fixed)");
-  if (foundation_needed)
-    addClause(reason, "the kind of foundation is not given (option foundation: ringwall or earth)");
-  if (reason.empty()) reason = kNoLimit;
-  return nullptr;
-}
 
 std::map<char, double> letters(const Measure& measure, const TankFacts& facts, double diameter) {
   std::map<char, double> all = {{'D', diameter},      {'H', facts.height},    {'Y', facts.yield},
@@ -76,10 +46,13 @@ Interval95 intervalOf(const Measure& measure) {
   return {measure.worst.value - half, measure.worst.value + half};
 }
 
-Verdict verdictOf(const Check& check, bool whole_ring) {
-  const Interval95 interval = check.interval.known() ? check.interval : Interval95{check.value, check.value};
-  if (interval.low > check.limit) return Verdict::Fail;
-  if (interval.high > check.limit || check.value > check.limit || !whole_ring) return Verdict::Undecided;
+/// The one rule by which a figure passes or fails.
+/// @param interval  of the value, 95 %; not known where the errors are not
+Verdict verdictOf(double value, Interval95 interval, double limit, bool whole_ring) {
+  if (!std::isfinite(limit)) return Verdict::NotEvaluated;
+  if (!interval.known()) interval = {value, value};
+  if (interval.low > limit) return Verdict::Fail;
+  if (interval.high > limit || value > limit || !whole_ring) return Verdict::Undecided;
   return Verdict::Pass;
 }
 
@@ -121,8 +94,8 @@ Check standing(Check check, const Limit& limit, const TankFacts& facts) {
   return check;
 }
 
-Check checkOf(const Table& table, const std::vector<Measure>& measures, const TankFacts& facts, double diameter) {
-  const Limit& first = *table.front();
+/// A check without a figure, as its table names it.
+Check namedAs(const Limit& first) {
   Check check;
   check.code = first.code;
   check.clause = first.clause;
@@ -131,6 +104,49 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
   check.unit = first.unit;
   check.trust = first.trust;
   check.citation = first.citation;
+  return check;
+}
+
+void takeFigure(const Measure& measure, Check& check) {
+  check.value = measure.worst.value;
+  check.interval = intervalOf(measure);
+  check.sigma = measure.interval.known() ? sigmaOf(check) : measure.worst.sigma;
+  check.azimuth = measure.worst.azimuth;
+}
+
+/// The limit for the figure, and the interval where that goes with the limit.
+void takeLimit(const Limit& limit, const Measure& measure, const TankFacts& facts, double diameter, Check& check) {
+  check.trust = limit.trust;
+  check.citation = limit.citation;
+  check.limit = limitAt(limit, measure, facts, diameter);
+  if (!measure.share || !std::isfinite(check.limit)) return;
+  const auto at_arc = [&](double arc) {
+    Measure other = measure;
+    other.arc = arc;
+    return limitAt(limit, other, facts, diameter);
+  };
+  const Interval95 shares = measure.share(at_arc);
+  check.interval = {check.limit * shares.low, check.limit * shares.high};
+  check.sigma = sigmaOf(check);
+}
+
+/// A check whose figure and limit are known.
+Check judged(Check check, const Limit& limit, const Measure& measure, const TankFacts& facts) {
+  addClause(check.note, whatIsNotGiven(limit, facts));
+  check.verdict = verdictOf(check.value, check.interval, check.limit, measure.whole_ring);
+  check = standing(std::move(check), limit, facts);
+  addClause(check.note, shareBeyond(measure, check.limit));
+  if (check.verdict == Verdict::Undecided) {
+    const bool hidden = !measure.whole_ring && !(check.interval.high > check.limit);
+    addClause(check.note, hidden ? "what was not seen could be worse" : "the limit lies within the 95 % interval");
+  }
+  addClause(check.note, measure.note);
+  return check;
+}
+
+Check checkOf(const LimitTable& table, const std::vector<Measure>& measures, const TankFacts& facts, double diameter) {
+  const Limit& first = *table.front();
+  Check check = namedAs(first);
   std::vector<const Measure*> candidates;
   for (const Measure& m : measures) {
     if (m.quantity == first.quantity) candidates.push_back(&m);
@@ -142,10 +158,7 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
     return standing(check, first, facts);
   }
   const Measure& measure = worstOf(candidates, limit ? *limit : first, facts, diameter);
-  check.value = measure.worst.value;
-  check.interval = intervalOf(measure);
-  check.sigma = measure.interval.known() ? sigmaOf(check) : measure.worst.sigma;
-  check.azimuth = measure.worst.azimuth;
+  takeFigure(measure, check);
   if (!measure.unavailable.empty()) {
     check.note = measure.unavailable;
     return standing(check, first, facts);
@@ -154,29 +167,8 @@ Check checkOf(const Table& table, const std::vector<Measure>& measures, const Ta
     check.verdict = check.note == kNoLimit ? Verdict::NotApplicable : Verdict::NotEvaluated;
     return standing(check, first, facts);
   }
-  check.trust = limit->trust;
-  check.citation = limit->citation;
-  check.limit = limitAt(*limit, measure, facts, diameter);
-  if (measure.share && std::isfinite(check.limit)) {
-    const auto at_arc = [&](double arc) {
-      Measure other = measure;
-      other.arc = arc;
-      return limitAt(*limit, other, facts, diameter);
-    };
-    const Interval95 shares = measure.share(at_arc);
-    check.interval = {check.limit * shares.low, check.limit * shares.high};
-    check.sigma = sigmaOf(check);
-  }
-  addClause(check.note, whatIsNotGiven(*limit, facts));
-  check.verdict = std::isfinite(check.limit) ? verdictOf(check, measure.whole_ring) : Verdict::NotEvaluated;
-  check = standing(check, *limit, facts);
-  addClause(check.note, shareBeyond(measure, check.limit));
-  if (check.verdict == Verdict::Undecided) {
-    const bool hidden = !measure.whole_ring && !(check.interval.high > check.limit);
-    addClause(check.note, hidden ? "what was not seen could be worse" : "the limit lies within the 95 % interval");
-  }
-  addClause(check.note, measure.note);
-  return check;
+  takeLimit(*limit, measure, facts, diameter, check);
+  return judged(std::move(check), *limit, measure, facts);
 }
 
 }  // namespace
@@ -188,8 +180,20 @@ const char* nameOf(Service service) {
 std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
                          double diameter) {
   std::vector<Check> checks;
-  for (const Table& table : tablesOf(limits)) checks.push_back(checkOf(table, measures, facts, diameter));
+  for (const LimitTable& table : tablesOf(limits)) checks.push_back(checkOf(table, measures, facts, diameter));
   return checks;
+}
+
+LimitComparison compare(const std::vector<Limit>& limits, const Measure& measure, const TankFacts& facts,
+                        double diameter) {
+  for (const LimitTable& table : tablesOf(limits)) {
+    std::string reason;
+    const Limit* limit = table.front()->quantity == measure.quantity ? rowFor(table, facts, diameter, reason) : nullptr;
+    if (!limit) continue;
+    const double at = limitAt(*limit, measure, facts, diameter);
+    return {at, verdictOf(measure.worst.value, intervalOf(measure), at, measure.whole_ring)};
+  }
+  return {};
 }
 
 }  // namespace tank_datum

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tank_datum/limits/checks.h"
+#include "limits/checks.h"
 
 namespace tank_datum {
 namespace {

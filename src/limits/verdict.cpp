@@ -1,4 +1,4 @@
-#include "tank_datum/limits/verdict.h"
+#include "tank_datum/limits/limits.h"
 
 namespace tank_datum {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "locate/wall_map.h"
-#include "tank_datum/fit/circle.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 

@@ -7,6 +7,7 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/circle.h"
 #include "locate/arc_meter.h"
 
 namespace tank_datum {

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "locate/wall_map.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 

@@ -1,4 +1,4 @@
-#include "tank_datum/locate/crop.h"
+#include "locate/crop.h"
 
 #include <algorithm>
 #include <cmath>

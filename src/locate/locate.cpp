@@ -1,25 +1,27 @@
-#include "tank_datum/locate/locate.h"
+#include "locate/locate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/circle.h"
+#include "fit/harmonics.h"
 #include "io/point_extent.h"
 #include "locate/circle_search.h"
+#include "locate/nested_tanks.h"
 #include "locate/ring_shape.h"
 #include "locate/stray_points.h"
 #include "locate/wall_map.h"
 #include "locate/wall_sector.h"
 #include "locate/walls_behind.h"
 #include "search/voxel_sample.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kMuchMore = 1.25;          // arc seen on a coarser rung that outweighs the finer rung's accuracy
 constexpr double kShortOfRingwall = 0.075;  // half of the way to the face of the narrowest ringwall [m]
 
 struct Sample {
@@ -83,7 +85,7 @@ double shareNearFoot(const Scan& scan, const Points& looked_at, const Tank& tank
 
 /// The foot against azimuth. Shells that end above a shadow outnumber, at times, those seen to their foot, but nothing
 /// of a shell lies below it: the fit starts from the lowest fifth, and takes what agrees with it.
-PeriodicFit fitFoot(const std::vector<double>& azimuths, const std::vector<double>& feet, double window) {
+PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window) {
   constexpr double kQuiet = 0.02;  // with a short arc the slope is what little data say, not an extrapolation
   PeriodicFit fit;
   fit.coefficients = Eigen::Vector3d(quantile(feet, 0.2), 0, 0);
@@ -102,7 +104,7 @@ PeriodicFit fitFoot(const std::vector<double>& azimuths, const std::vector<doubl
 
 /// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
 /// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
-Circle fitShell(const Sample& sample, const Circle& circle, const PeriodicFit& foot, double band) {
+Circle refineCircle(const Sample& sample, const Circle& circle, const PeriodicFit& foot, double band) {
   std::vector<Eigen::Vector2d> plan;
   for (const auto& p : sample.points) {
     const Eigen::Vector2d arm = p.head<2>() - circle.center;
@@ -149,8 +151,8 @@ Tank describe(const Sample& sample, const Circle& circle, double rms) {
     feet.erase(feet.begin() + static_cast<std::ptrdiff_t>(i));
     azimuths.erase(azimuths.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  if (!feet.empty()) tank.foot = fitFoot(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
-  if (tank.foot.valid()) tank.circle = fitShell(sample, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
+  if (!feet.empty()) tank.foot = fitFootHeights(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
+  if (tank.foot.valid()) tank.circle = refineCircle(sample, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
   return tank;
 }
 
@@ -187,48 +189,6 @@ Found tanksOf(const Sample& sample, const LocateOptions& options) {
     all.rejected.push_back({found.circle, found.coverage, reason});
   }
   return all;
-}
-
-/// Whether the stretches of height over which two shells are seen are mostly the same; a ringwall ends where its shell
-/// begins.
-bool standAtOneHeight(const Tank& a, const Tank& b) {
-  const double foot_a = a.foot.coefficients[0], foot_b = b.foot.coefficients[0];
-  const double shared = std::min(foot_a + a.height, foot_b + b.height) - std::max(foot_a, foot_b);
-  return shared > 0.5 * std::min(a.height, b.height);
-}
-
-/// The one of two nested circles that is no tank, or null when both may be.
-const Tank* impostor(const Tank& a, const Tank& b) {
-  const Tank& outer = a.circle.radius >= b.circle.radius ? a : b;
-  const Tank& inner = &outer == &a ? b : a;
-  const double apart = (outer.circle.center - inner.circle.center).norm();
-  if (apart > outer.circle.radius || !a.foot.valid() || !b.foot.valid()) return nullptr;
-  constexpr double kRingwallWidth = 0.6;  // the widest ringwall beyond the shell [m]
-  const double gap = outer.circle.radius - inner.circle.radius;
-  const double same = std::max(4.0 * outer.resolution, 0.02 * outer.circle.radius);
-  if (apart + gap <= same && standAtOneHeight(outer, inner)) {
-    // one shell found twice: on two rungs, or again from what its tolerance left over
-    const Tank& finer = outer.resolution < inner.resolution ? outer : inner;
-    const Tank& coarser = &finer == &outer ? inner : outer;
-    return coarser.coverage > kMuchMore * finer.coverage ? &finer : &coarser;
-  }
-  if (apart + gap <= kRingwallWidth && outer.foot.coefficients[0] < inner.foot.coefficients[0]) return &outer;
-  return outer.height < inner.height ? &outer : &inner;  // a bund wall round a tank, or a thing inside a tank
-}
-
-void dropNested(std::vector<Tank>& tanks) {
-  for (std::size_t i = 0; i < tanks.size(); ++i) {
-    for (std::size_t j = i + 1; j < tanks.size();) {
-      const Tank* out = impostor(tanks[i], tanks[j]);
-      if (!out) {
-        ++j;
-        continue;
-      }
-      if (out == &tanks[i]) std::swap(tanks[i], tanks[j]);
-      tanks.erase(tanks.begin() + static_cast<std::ptrdiff_t>(j));
-      j = i + 1;
-    }
-  }
 }
 
 }  // namespace

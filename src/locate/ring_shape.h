@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "core/parallel.h"
 #include "core/point_hash.h"
 #include "io/point_extent.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tank_datum/fit/circle.h"
+#include "tank_datum/fit/curves.h"
 #include "tank_datum/io/scan.h"
 
 namespace tank_datum {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "locate/wall_map.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 

@@ -1,15 +1,18 @@
-#include "tank_datum/movement/baseline.h"
+#include "movement/baseline.h"
 
 #include <cmath>
 #include <optional>
 
+#include "movement/movement.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 namespace {
 
 /// The options with tolerances that allow for a coarser circle.
-MovementOptions widened(MovementOptions options, double by) {
+MovementOptions looseTolerances(MovementOptions options, double by) {
   options.radius_difference += by;
   options.centre_distance += by;
   return options;
@@ -34,7 +37,7 @@ Baseline readBaseline(const std::string& path, const MovementOptions& options, c
                 std::string("the method of this survey, ") + nameOf(current.method));
   }
   requireErrors(epoch);
-  if (current.tank) requireSameTank(epoch, "option tank", *current.tank, widened(options, current.crop.reach));
+  if (current.tank) requireSameTank(epoch, "option tank", *current.tank, looseTolerances(options, current.crop.reach));
   return baseline;
 }
 
@@ -44,7 +47,8 @@ void requireAmong(const std::vector<Tank>& tanks, const Eigen::Vector3d& origin,
   for (const Tank& tank : tanks) {
     const Circle circle{tank.circle.center + origin.head<2>(), tank.circle.radius};
     try {
-      requireSameTank(baseline.epoch, "the tank in the scan", circle, widened(baseline.options, 2.0 * tank.resolution));
+      requireSameTank(baseline.epoch, "the tank in the scan", circle,
+                      looseTolerances(baseline.options, 2.0 * tank.resolution));
       return;
     } catch (const Error& error) {
       const double unlike = std::abs(circle.radius - baseline.epoch.circle.radius);

@@ -1,4 +1,4 @@
-#include "tank_datum/movement/epoch.h"
+#include "movement/epoch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@
 #include "io/json_file.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/datum.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {

@@ -1,15 +1,18 @@
-#include "tank_datum/movement/movement.h"
+#include "movement/movement.h"
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <sstream>
 
+#include "core/normal95.h"
 #include "core/refusal.h"
 #include "core/units.h"
 #include "movement/epoch_matching.h"
 #include "movement/movement_errors.h"
 #include "movement/movement_significance.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/datum.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 namespace {
@@ -29,7 +32,8 @@ std::string text(double value) {
 /// What one survey's lengths must be multiplied by, if a wrong unit explains the ratio; or nothing.
 std::string unitBehind(double ratio) {
   if (ratio < 1.0) ratio = 1.0 / ratio;
-  for (const auto& [factor, name] : {std::pair{1000.0, "mm and m"}, {304.8, "mm and ft"}, {1.0 / 0.3048, "ft and m"}}) {
+  for (const auto& [factor, name] :
+       {std::pair{1000.0, "mm and m"}, {1000.0 * kMetresPerFoot, "mm and ft"}, {1.0 / kMetresPerFoot, "ft and m"}}) {
     if (std::abs(ratio / factor - 1.0) < 0.01) return std::string(" (as ") + name + " taken for each other)";
   }
   return {};
@@ -87,6 +91,8 @@ void summarise(Movement& movement) {
 
 }  // namespace
 
+double StationMovement::lod95() const { return kNormal95 * sigma; }
+
 const char* nameOf(Removal removal) {
   return removal == Removal::Nothing ? "none" : removal == Removal::Mean ? "mean" : "tilt";
 }
@@ -115,6 +121,29 @@ void requireSameTank(const Epoch& baseline, const std::string& name, const Circl
   }
 }
 
+namespace {
+
+/// Refuses surveys of different tanks, kinds or without errors.
+void requireComparable(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  const Eigen::Vector2d center = current.levelled ? baseline.circle.center : current.circle.center;
+  requireSameTank(baseline, current.name, {center, current.circle.radius}, options);
+  requireSameKind(baseline, current);
+  requireErrors(baseline);
+  requireErrors(current);
+}
+
+/// The stations' movements with what is significant of them.
+void takeFound(const Significance& found, const std::vector<MatchedStation>& matched, Movement& movement) {
+  movement.threshold = found.threshold;
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    StationMovement& s = movement.stations[matched[i].station];
+    s.dz = matched[i].dz, s.sigma = found.sigmas[i], s.sigma_baseline = matched[i].sigma_baseline;
+    s.significant = found.moved[i];
+  }
+}
+
+}  // namespace
+
 Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
   requireValid(options);
   Movement movement;
@@ -127,11 +156,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
     movement.message = epoch->name + " holds no usable datum: " + epoch->status;
     return movement;
   }
-  const Eigen::Vector2d center = current.levelled ? baseline.circle.center : current.circle.center;
-  requireSameTank(baseline, current.name, {center, current.circle.radius}, options);
-  requireSameKind(baseline, current);
-  requireErrors(baseline);
-  requireErrors(current);
+  requireComparable(baseline, current, options);
   const AzimuthOffset offset =
       options.estimate_offset ? estimateOffset(baseline, current, options) : AzimuthOffset{options.azimuth_offset, 0.0};
   movement.azimuth_offset = offset.value;
@@ -152,12 +177,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   describeWhole(commonMotion(matched, options.registration_error, rim), current.circle.radius, movement);
   CommonPart(matched, options.removal, true).removeFrom(matched);
   const Significance found = findMoved(matched, {options.registration_error, rim, offset.sigma}, options);
-  movement.threshold = found.threshold;
-  for (std::size_t i = 0; i < matched.size(); ++i) {
-    StationMovement& s = movement.stations[matched[i].station];
-    s.dz = matched[i].dz, s.sigma = found.sigmas[i], s.sigma_baseline = matched[i].sigma_baseline;
-    s.significant = found.moved[i];
-  }
+  takeFound(found, matched, movement);
   summarise(movement);
   return movement;
 }

@@ -1,4 +1,4 @@
-#include "tank_datum/movement/trend.h"
+#include "movement/trend.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/normal95.h"
 #include "core/units.h"
 #include "movement/epoch_matching.h"
 #include "tank_datum/core/error.h"
@@ -91,6 +92,8 @@ void requireTimes(const std::vector<double>& times, std::size_t surveys) {
 }
 
 }  // namespace
+
+double StationHistory::lod95() const { return kNormal95 * sigma_rate; }
 
 std::vector<StationHistory> historiesOf(const std::vector<Movement>& movements, const std::vector<double>& times) {
   requireTimes(times, movements.size() + 1);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tank_datum/core/error.h"
-#include "tank_datum/fit/circle.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 

@@ -3,6 +3,7 @@
 #include "core/length_units.h"
 #include "setups/agreement.h"
 #include "tank_datum/limits/limits.h"
+#include "tank_datum/shape/analysis.h"
 
 namespace tank_datum {
 

@@ -12,7 +12,8 @@
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "io/up_axis.h"
-#include "tank_datum/movement/baseline.h"
+#include "movement/baseline.h"
+#include "movement/movement.h"
 
 namespace py = pybind11;
 
@@ -95,20 +96,17 @@ struct Job {
   }
 
   void extract(const Scan& scan, const std::optional<Baseline>& baseline) {
-    const auto tell = [this](const char* stage) {
+    Callbacks callbacks;
+    callbacks.stage = [this](const char* stage) {
       if (given_up) throw GivenUp();
       const std::lock_guard<std::mutex> lock(mutex);
       stages.emplace_back(stage);
       told.notify_one();
     };
-    const std::vector<Tank> tanks = findTanks(scan, options.datum, tell);
-    if (baseline) requireAmong(tanks, scan.origin(), *baseline);
-    result.datum = extractDatumAmong(tanks, scan, options.datum, tell);
-    if (options.datum.level && result.datum.lean.known()) {
-      DatumOptions upright = options.datum;
-      upright.level = false;
-      result.datum = extractDatum(levelled(scan, result.datum), upright, tell);
-    }
+    callbacks.tanks = [&](const std::vector<Tank>& tanks) {
+      if (baseline) requireAmong(tanks, scan.origin(), *baseline);
+    };
+    result.datum = extractDatum(scan, options.datum, callbacks);
     const auto wanted = [this] { return !options.no_checksum; };
     result.provenance = provenanceOf(recordInputs(points.paths, wanted), options.units, options.datum, result.datum);
     result.provenance.up = options.up;

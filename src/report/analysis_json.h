@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tank_datum/shape/analysis.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

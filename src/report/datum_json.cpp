@@ -9,8 +9,13 @@
 #include "report/movement_json.h"
 #include "report/setups_json.h"
 #include "report/shell_report.h"
+#include "shape/deformation.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/locate/tank.h"
 #include "tank_datum/report/report.h"
+#include "tank_datum/stations/stations.h"
+#include "tank_datum/trust/tank_tests.h"
 #include "tank_datum/version.h"
 
 namespace tank_datum {
@@ -147,7 +152,7 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
     json["covariance"] = covarianceSection(datum);
     json["stations"] = stationsSection(datum);
     if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
-    if (datum.shell.valid()) json["shell"] = shellJson(datum.shell);
+    if (datum.shell.valid()) json["shell"] = shellJson(datum.shell, datum.analysis.roundness);
   }
   // a path that is no UTF-8 must not lose the result
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "movement/movement.h"
 #include "options/option_json.h"
-#include "tank_datum/report/report.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

@@ -1,7 +1,8 @@
+#include "report/provenance.h"
+
 #include <utility>
 
 #include "io/sha256.h"
-#include "tank_datum/report/report.h"
 
 namespace tank_datum {
 

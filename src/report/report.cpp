@@ -11,6 +11,7 @@
 #include "report/setups_json.h"
 #include "report/shell_report.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {

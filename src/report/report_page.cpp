@@ -1,4 +1,4 @@
-#include "tank_datum/report/report_page.h"
+#include "report/report_page.h"
 
 #include <cerrno>
 #include <cstring>

@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json roundnessJson(const Roundness& r) {
+Json roundnessJson(const Roundness& r, const LimitComparison& tolerance) {
   return {{"height", r.height},
           {"radius", r.circle.radius},
           {"max_deviation", r.max_deviation},
@@ -20,8 +20,8 @@ Json roundnessJson(const Roundness& r) {
           {"sigma", number(r.sigma)},
           {"n", r.stations},
           {"widest_gap", r.widest_gap},
-          {"tolerance", r.tolerance},
-          {"verdict", nameOf(r.verdict)}};
+          {"tolerance", number(tolerance.limit)},
+          {"verdict", nameOf(tolerance.verdict)}};
 }
 
 Json plumbnessJson(const Plumbness& p) {
@@ -44,9 +44,11 @@ Json leanJson(const Lean& lean) {
 
 }  // namespace
 
-Json shellJson(const ShellSurvey& survey) {
+Json shellJson(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances) {
   Json roundness = Json::array(), plumbness = Json::array();
-  for (const Roundness& r : survey.roundness) roundness.push_back(roundnessJson(r));
+  for (std::size_t i = 0; i < survey.roundness.size(); ++i) {
+    roundness.push_back(roundnessJson(survey.roundness[i], i < tolerances.size() ? tolerances[i] : LimitComparison()));
+  }
   for (const Plumbness& p : survey.plumbness) plumbness.push_back(plumbnessJson(p));
   const Plumbness* worst = survey.worstPlumbness();
   const Plumbness unknown;

@@ -23,13 +23,18 @@ std::string text(double value) {
 }
 
 /// The foot's radii, or the lowest height's when the foot is not seen.
-std::string roundnessLine(const ShellSurvey& survey) {
+std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances) {
   const Roundness* r = survey.foot();
   if (!r && !survey.roundness.empty()) r = &survey.roundness.front();
   if (!r) return line("%-14s the shell is not seen round enough of the tank at any height", "roundness");
-  return line("%-14s %+.1f / %+.1f mm at %.2f m above the datum, worst at %.0f deg (tolerance %.0f mm: %s)",
-              "roundness", 1e3 * r->max_deviation, 1e3 * r->min_deviation, r->height, toDegrees(r->azimuth),
-              1e3 * r->tolerance, nameOf(r->verdict));
+  const auto at = static_cast<std::size_t>(r - survey.roundness.data());
+  char tolerance[80] = "no tolerance for it";
+  if (at < tolerances.size() && std::isfinite(tolerances[at].limit)) {
+    std::snprintf(tolerance, sizeof tolerance, "tolerance %g mm: %s", 1e3 * tolerances[at].limit,
+                  nameOf(tolerances[at].verdict));
+  }
+  return line("%-14s %+.1f / %+.1f mm at %.2f m above the datum, worst at %.0f deg (%s)", "roundness",
+              1e3 * r->max_deviation, 1e3 * r->min_deviation, r->height, toDegrees(r->azimuth), tolerance);
 }
 
 std::string plumbnessLine(const ShellSurvey& survey) {
@@ -57,9 +62,9 @@ std::string shellCsv(const ShellSurvey& survey) {
   return csv;
 }
 
-std::string shellSummary(const ShellSurvey& survey) {
+std::string shellSummary(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances) {
   if (!survey.valid()) return survey.message.empty() ? "" : line("%-14s %s", "shell", survey.message.c_str());
-  return roundnessLine(survey) + plumbnessLine(survey);
+  return roundnessLine(survey, tolerances) + plumbnessLine(survey);
 }
 
 }  // namespace tank_datum

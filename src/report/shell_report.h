@@ -2,18 +2,21 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
+#include "tank_datum/limits/limits.h"
 #include "tank_datum/shell/shell_survey.h"
 
 namespace tank_datum {
 
 /// The section "shell" of datum.json. Metres, degrees; unknown values null.
-nlohmann::ordered_json shellJson(const ShellSurvey& survey);
+/// @param tolerances  of the survey's roundness, height by height
+nlohmann::ordered_json shellJson(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances);
 
 /// shell.csv: the header line, then a row per height and azimuth where the shell is seen; unknown values are empty.
 std::string shellCsv(const ShellSurvey& survey);
 
 /// The summary's lines on the shell: roundness, plumbness, or why there is neither.
-std::string shellSummary(const ShellSurvey& survey);
+std::string shellSummary(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances);
 
 }  // namespace tank_datum

@@ -8,7 +8,10 @@
 #include "report/shell_report.h"
 #include "report/sparkline.h"
 #include "setups/setup_report.h"
+#include "tank_datum/limits/limits.h"
 #include "tank_datum/report/report.h"
+#include "tank_datum/shape/analysis.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -156,8 +159,8 @@ std::string summary(const Datum& datum, bool blocks) {
   const std::string lean = leanText(datum, {});
   if (!lean.empty()) text += line("lean", "%s", lean.c_str());
   return text + methodLines(datum) + tiltLine(datum) + localLine(datum.analysis.local_settlements) +
-         antipodalLine(datum.antipodal) + shellSummary(datum.shell) + checkLines(datum.analysis.checks) +
-         verdictLine(datum.analysis);
+         antipodalLine(datum.antipodal) + shellSummary(datum.shell, datum.analysis.roundness) +
+         checkLines(datum.analysis.checks) + verdictLine(datum.analysis);
 }
 
 }  // namespace tank_datum

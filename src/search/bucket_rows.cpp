@@ -1,8 +1,9 @@
 #include <limits>
 
+#include "core/parallel.h"
 #include "search/bucket_kernels.h"
+#include "search/bucket_tree.h"
 #include "search/bucket_walk.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 

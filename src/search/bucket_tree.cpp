@@ -1,10 +1,10 @@
-#include "tank_datum/search/bucket_tree.h"
+#include "search/bucket_tree.h"
 
 #include <algorithm>
 #include <limits>
 
+#include "core/parallel.h"
 #include "search/bucket_walk.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "tank_datum/search/bucket_tree.h"
+#include "search/bucket_tree.h"
 
 namespace tank_datum {
 

@@ -1,10 +1,9 @@
-#include "tank_datum/search/normals.h"
-
+#include "core/parallel.h"
 #include "fit/plane_normal.h"
+#include "search/bucket_tree.h"
 #include "search/pcl_normals.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/core/parallel.h"
-#include "tank_datum/search/bucket_tree.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum {
 namespace {

@@ -9,8 +9,8 @@
 #include <future>
 #include <pcl/features/impl/normal_3d.hpp>
 
+#include "core/parallel.h"
 #include "search/spatial_order.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

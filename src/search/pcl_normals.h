@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tank_datum/io/scan.h"
 #include "tank_datum/search/normals.h"
 
 namespace tank_datum {

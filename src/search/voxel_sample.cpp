@@ -7,6 +7,7 @@
 #include "core/bucket_sort.h"
 #include "core/fast_floor.h"
 #include "core/morton_code.h"
+#include "core/parallel.h"
 #include "core/point_hash.h"
 
 namespace tank_datum {

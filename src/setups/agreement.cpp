@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/parallel.h"
 #include "core/units.h"
 #include "setups/merged_scans.h"
 #include "setups/repeated_points.h"
@@ -11,7 +12,6 @@
 #include "setups/setup_ring.h"
 #include "setups/setup_views.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

@@ -5,8 +5,7 @@
 #include <string>
 
 #include "tank_datum/io/scan.h"
-#include "tank_datum/locate/crop.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 #include "tank_datum/setups/setups.h"
 
 namespace tank_datum {

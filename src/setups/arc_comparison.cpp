@@ -133,44 +133,50 @@ struct Equations {
   Eigen::VectorXd right;
 };
 
+/// Those of one bin, its own height eliminated; nothing where no point counts.
+Equations equationsOf(const Arc& arc, const Bin& bin) {
+  const auto count = static_cast<Eigen::Index>(arc.setups.size()), size = count + 2;
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd products = Eigen::VectorXd::Zero(size), mean = Eigen::VectorXd::Zero(size);
+  double weights = 0.0, mean_value = 0.0;
+  for (const ArcPoint& p : bin.points) {
+    const double w = tukeyWeight(arc.residual(bin, p) / bin.noise) / (bin.noise * bin.noise);
+    if (w == 0.0) continue;
+    // three of a row's entries are not zero
+    const Eigen::Index own = p.setup;
+    const double t = p.t, tt = p.t * p.t, v = p.value - bin.height;
+    squares(own, own) += w;
+    squares(own, count) += w * t;
+    squares(own, count + 1) += w * tt;
+    squares(count, count) += w * tt;
+    squares(count, count + 1) += w * t * tt;
+    squares(count + 1, count + 1) += w * tt * tt;
+    products[own] += w * v;
+    products[count] += w * t * v;
+    products[count + 1] += w * tt * v;
+    mean[own] += w;
+    mean[count] += w * t;
+    mean[count + 1] += w * tt;
+    mean_value += w * v;
+    weights += w;
+  }
+  if (!(weights > 0.0)) return {};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    squares(count, i) = squares(i, count);
+    squares(count + 1, i) = squares(i, count + 1);
+  }
+  squares(count + 1, count) = squares(count, count + 1);
+  return {squares - mean * mean.transpose() / weights, products - mean * (mean_value / weights)};
+}
+
 Equations equationsOf(const Arc& arc, const ArcPrior& prior) {
   const auto count = static_cast<Eigen::Index>(arc.setups.size()), size = count + 2;
   Equations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
-  Eigen::VectorXd row(size), mean(size);
   for (const Bin& bin : arc.bins) {
-    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(size, size);
-    Eigen::VectorXd products = Eigen::VectorXd::Zero(size);
-    mean.setZero();
-    double weights = 0.0, mean_value = 0.0;
-    for (const ArcPoint& p : bin.points) {
-      const double w = tukeyWeight(arc.residual(bin, p) / bin.noise) / (bin.noise * bin.noise);
-      if (w == 0.0) continue;
-      // three of a row's entries are not zero
-      const Eigen::Index own = p.setup;
-      const double t = p.t, tt = p.t * p.t, v = p.value - bin.height;
-      squares(own, own) += w;
-      squares(own, count) += w * t;
-      squares(own, count + 1) += w * tt;
-      squares(count, count) += w * tt;
-      squares(count, count + 1) += w * t * tt;
-      squares(count + 1, count + 1) += w * tt * tt;
-      products[own] += w * v;
-      products[count] += w * t * v;
-      products[count + 1] += w * tt * v;
-      mean[own] += w;
-      mean[count] += w * t;
-      mean[count + 1] += w * tt;
-      mean_value += w * v;
-      weights += w;
-    }
-    if (!(weights > 0.0)) continue;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      squares(count, i) = squares(i, count);
-      squares(count + 1, i) = squares(i, count + 1);
-    }
-    squares(count + 1, count) = squares(count, count + 1);
-    sum.matrix += squares - mean * mean.transpose() / weights;
-    sum.right += products - mean * (mean_value / weights);
+    const Equations own = equationsOf(arc, bin);
+    if (own.matrix.size() == 0) continue;
+    sum.matrix += own.matrix;
+    sum.right += own.right;
   }
   sum.matrix(count, count) += 1.0 / (prior.sigma_along * prior.sigma_along);
   sum.matrix(count + 1, count + 1) += 1.0 / (prior.sigma_bend * prior.sigma_bend);

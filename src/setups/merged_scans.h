@@ -3,8 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "tank_datum/locate/crop.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tank_datum/locate/crop.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 

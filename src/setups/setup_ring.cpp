@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

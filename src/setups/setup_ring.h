@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tank_datum/locate/crop.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 

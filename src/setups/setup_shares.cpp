@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "setups/merged_scans.h"
 #include "setups/setup_system.h"
+#include "stations/station_covariance.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -175,29 +176,28 @@ Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares&
   return rows.bottomRows(parameters - first).colwise().reverse();
 }
 
-StationCovariance shareSetupErrors(SetupAgreement& agreement, std::vector<Station>& stations, const SetupShares& shares,
-                                   double slope) {
-  StationCovariance covariance = independentCovariance(stations);
-  covariance.factors = agreement.unlabelled_discrepancy > 0.0
-                           ? mergedFactors(stations, mergedSigma(agreement.unlabelled_discrepancy))
-                           : setupFactors(agreement, shares, stations, slope);
+SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector<Station>& stations,
+                              const SetupShares& shares, double slope) {
+  SharedErrors shared;
+  shared.covariance = independentCovariance(stations);
+  shared.covariance.factors = agreement.unlabelled_discrepancy > 0.0
+                                  ? mergedFactors(stations, mergedSigma(agreement.unlabelled_discrepancy))
+                                  : setupFactors(agreement, shares, stations, slope);
+  shared.stations.resize(stations.size());
+  shared.seen.resize(agreement.setups.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    Station& station = stations[i];
-    if (!std::isfinite(station.z)) continue;
+    if (!std::isfinite(stations[i].z)) continue;
     const auto column = static_cast<Eigen::Index>(i);
-    station.sigma_setup = covariance.factors.col(column).norm();
-    station.sigma_z = std::hypot(station.sigma_z, station.sigma_setup);
+    shared.stations[i].sigma_setup = shared.covariance.factors.col(column).norm();
     std::size_t seen = 0;
     for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
       if (shares.foundation(column, static_cast<Eigen::Index>(s)) < kSeen) continue;
       ++seen;
-      if (station.flag != StationFlag::Measured) continue;
-      ++agreement.setups[s].stations;
-      agreement.setups[s].seen.push_back(i);
+      if (stations[i].flag == StationFlag::Measured) shared.seen[s].push_back(i);
     }
-    station.n_setups = seen;
+    shared.stations[i].n_setups = seen;
   }
-  return covariance;
+  return shared;
 }
 
 }  // namespace tank_datum

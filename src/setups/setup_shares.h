@@ -3,10 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "tank_datum/locate/crop.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 #include "tank_datum/setups/setups.h"
-#include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
@@ -35,9 +33,14 @@ SetupShares setupShares(const Ring& ring, const Tank& tank, const std::vector<St
 Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares& shares,
                              const std::vector<Station>& stations, double slope);
 
-/// Fills n_setups, sigma_setup and the total sigma_z of the stations, and how many stations each setup sees.
-/// @return the stations' covariance
-StationCovariance shareSetupErrors(SetupAgreement& agreement, std::vector<Station>& stations, const SetupShares& shares,
-                                   double slope);
+/// What the setups' errors mean for the stations.
+struct SharedErrors {
+  StationCovariance covariance;                ///< of the stations' elevations
+  std::vector<StationSetups> stations;         ///< of each that has an elevation
+  std::vector<std::vector<std::size_t>> seen;  ///< by each setup: numbers of measured stations, rising
+};
+
+SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector<Station>& stations,
+                              const SetupShares& shares, double slope);
 
 }  // namespace tank_datum

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/parallel.h"
 #include "core/units.h"
 #include "stations/highest_wave.h"
-#include "tank_datum/core/parallel.h"
 
 namespace tank_datum {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 

@@ -1,13 +1,19 @@
-#include "tank_datum/shape/analysis.h"
+#include "shape/analysis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "core/units.h"
+#include "limits/checks.h"
 #include "limits/survey_spacing.h"
+#include "shape/deformation.h"
 #include "shape/figures.h"
+#include "shape/out_of_plane.h"
 #include "shape/ring_fits.h"
+#include "shape/second_differences.h"
+#include "shape/settlement_arcs.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -93,13 +99,14 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
 
 }  // namespace
 
-Analysis analyse(std::vector<Station>& stations, const Tilt& tilt, double radius, const AnalysisOptions& options,
+Analysis analyse(const std::vector<Station>& measured, const Tilt& tilt, double radius, const AnalysisOptions& options,
                  const std::vector<Measure>& shell, const StationCovariance& covariance) {
   Analysis result;
-  const SimulatedSurveys surveys(stations, radius, covariance);
-  result.harmonics = harmonicsOf(stations, radius, surveys.model());
-  result.out_of_plane = fitOutOfPlane(stations, radius, surveys.model());
+  const SimulatedSurveys surveys(measured, radius, covariance);
+  result.harmonics = harmonicsOf(measured, radius, surveys.model());
+  result.out_of_plane = fitOutOfPlane(measured, radius, surveys.model());
   result.local_settlements = localSettlementsOf(surveys.model());
+  const std::vector<Station> stations = withParts(measured, result.out_of_plane.stations);
   result.second_differences = secondDifferencesOf(stations, radius, options.classic_points);
   result.arcs = settlementArcs(stations, radius);
   result.longest_gap = longestGap(stations, radius);

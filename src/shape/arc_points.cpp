@@ -5,6 +5,7 @@
 
 #include "core/units.h"
 #include "limits/survey_spacing.h"
+#include "stations/placed_value.h"
 
 namespace tank_datum {
 namespace {

@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "stations/ring_series.h"
-#include "tank_datum/shape/settlement_arcs.h"
+#include "tank_datum/shape/analysis.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <complex>
 
+#include "fit/harmonics.h"
+
 namespace tank_datum {
 namespace {
 

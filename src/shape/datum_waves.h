@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tank_datum/fit/harmonics.h"
+#include "tank_datum/fit/curves.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {

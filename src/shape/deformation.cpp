@@ -1,4 +1,4 @@
-#include "tank_datum/shape/deformation.h"
+#include "shape/deformation.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "shape/datum_waves.h"
 #include "shape/partial_ring_tilt.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -61,9 +62,8 @@ Antipodal antipodalOf(const std::vector<Station>& stations) {
 
 namespace {
 
-/// Residuals and the figures of the regression that go with a plane.
-void describePlane(std::vector<Station>& stations, const Eigen::Vector3d& plane, const Eigen::Vector2d& center,
-                   Tilt& tilt) {
+/// The figures of the regression that go with a plane.
+void describePlane(const std::vector<Station>& stations, const std::vector<StationTilt>& standings, Tilt& tilt) {
   const std::vector<double> weights = waveData(stations, 1).weights;
   double sum = 0, total_weight = 0, residual = 0, total = 0;
   auto weight = weights.begin();
@@ -73,12 +73,10 @@ void describePlane(std::vector<Station>& stations, const Eigen::Vector3d& plane,
     total_weight += *weight++;
   }
   weight = weights.begin();
-  for (Station& s : stations) {
-    if (!known(s)) continue;
-    s.z_tilt = plane[0] + plane[1] * (s.x - center.x()) + plane[2] * (s.y - center.y());
-    s.u = s.z - s.z_tilt;
-    if (s.flag != StationFlag::Measured) continue;
-    residual += *weight * s.u * s.u;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const Station& s = stations[i];
+    if (!known(s) || s.flag != StationFlag::Measured) continue;
+    residual += *weight * standings[i].u * standings[i].u;
     total += *weight++ * std::pow(s.z - sum / total_weight, 2);
   }
   const auto n = static_cast<double>(weights.size());
@@ -105,14 +103,27 @@ bool spanPlane(const std::vector<Station>& stations, const Eigen::Vector2d& cent
 
 }  // namespace
 
-Tilt fitTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options,
+std::vector<StationTilt> standingsTo(const Tilt& tilt, const std::vector<Station>& stations,
+                                     const Eigen::Vector2d& center) {
+  std::vector<StationTilt> standings;
+  for (const Station& s : stations) {
+    standings.emplace_back();
+    if (!tilt.valid() || !known(s)) continue;
+    StationTilt& standing = standings.back();
+    standing.z_tilt = tilt.mean + tilt.gradient.x() * (s.x - center.x()) + tilt.gradient.y() * (s.y - center.y());
+    standing.u = s.z - standing.z_tilt;
+  }
+  return standings;
+}
+
+Tilt fitTilt(const std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options,
              const StationCovariance& covariance) {
   Tilt tilt;
   if (!spanPlane(stations, center)) return tilt;
   const PlaneFit fit = fitPlane(stations, center, covariance);
   tilt.mean = fit.plane[0];
   tilt.gradient = fit.plane.tail<2>();
-  describePlane(stations, fit.plane, center, tilt);
+  describePlane(stations, standingsTo(tilt, stations, center), tilt);
   const double up = std::atan2(fit.plane[2], fit.plane[1]);
   const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
   tilt.direction = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);

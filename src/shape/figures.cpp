@@ -5,11 +5,14 @@
 #include <cstdio>
 #include <memory>
 
+#include "core/normal95.h"
 #include "shape/arc_points.h"
 #include "shape/level_rows.h"
 #include "shape/ring_fits.h"
+#include "shape/second_differences.h"
 #include "shape/survey_rows.h"
-#include "tank_datum/core/normal95.h"
+#include "tank_datum/limits/limits.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {

@@ -2,11 +2,12 @@
 
 #include <vector>
 
+#include "shape/second_differences.h"
 #include "shape/simulated_surveys.h"
 #include "stations/ring_rows.h"
 #include "stations/ring_series.h"
-#include "tank_datum/limits/checks.h"
-#include "tank_datum/shape/analysis.h"
+#include "tank_datum/limits/limits.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "stations/placed_value.h"
 
 namespace tank_datum {
 namespace {

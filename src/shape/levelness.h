@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "tank_datum/stations/placed_value.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {

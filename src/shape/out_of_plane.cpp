@@ -1,15 +1,17 @@
-#include "tank_datum/shape/out_of_plane.h"
+#include "shape/out_of_plane.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
+#include "fit/harmonics.h"
 #include "limits/survey_spacing.h"
 #include "shape/datum_waves.h"
 #include "shape/partial_ring_tilt.h"
 #include "shape/ring_fits.h"
 #include "tank_datum/core/unknown.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -89,21 +91,30 @@ PeriodicFit padded(const PeriodicFit& fit, Eigen::Index count) {
   return longer;
 }
 
-void describe(std::vector<Station>& stations, const PeriodicFit& fitted, const PeriodicFit& model, double radius,
-              OutOfPlane& result) {
+/// The regression at every station whose u is known.
+std::vector<StationBending> bendingOf(const std::vector<Station>& stations, const PeriodicFit& fitted,
+                                      const PeriodicFit& model, double radius) {
   const PeriodicFit fit = padded(fitted, model.coefficients.size());
-  for (Station& s : stations) {
+  std::vector<StationBending> bending(stations.size());
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const Station& s = stations[i];
     if (!std::isfinite(s.u)) continue;
     const Eigen::RowVectorXd bent = curvatureRow(s.azimuth, fit.order(), radius);
-    const Eigen::RowVectorXd bending = bendingRow(s.azimuth, fit.order());
-    s.u_fit = fit(s.azimuth) - s.z_tilt;
-    s.sigma_u_fit = sigmaOf(bending, fit, model);
-    s.curvature = bent * fit.coefficients;
-    s.sigma_curvature = sigmaOf(bent, fit, model);
-    if (std::abs(s.curvature) <= result.max_curvature) continue;
-    result.max_curvature = std::abs(s.curvature);
-    result.sigma_curvature = s.sigma_curvature;
-    result.max_curvature_azimuth = s.azimuth;
+    bending[i].u_fit = fit(s.azimuth) - s.z_tilt;
+    bending[i].sigma_u_fit = sigmaOf(bendingRow(s.azimuth, fit.order()), fit, model);
+    bending[i].curvature = bent * fit.coefficients;
+    bending[i].sigma_curvature = sigmaOf(bent, fit, model);
+  }
+  return bending;
+}
+
+void findLargestCurvature(const std::vector<Station>& stations, OutOfPlane& result) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const StationBending& here = result.stations[i];
+    if (!std::isfinite(stations[i].u) || std::abs(here.curvature) <= result.max_curvature) continue;
+    result.max_curvature = std::abs(here.curvature);
+    result.sigma_curvature = here.sigma_curvature;
+    result.max_curvature_azimuth = stations[i].azimuth;
   }
 }
 
@@ -117,11 +128,12 @@ std::string objection(const WaveData& data, double radius) {
   return {};
 }
 
-double rmsLeft(const std::vector<Station>& stations) {
+double rmsLeft(const std::vector<Station>& stations, const std::vector<StationBending>& bending) {
   double sum = 0, count = 0;
-  for (const Station& s : stations) {
-    if (s.flag != StationFlag::Measured) continue;
-    sum += (s.u - s.u_fit) * (s.u - s.u_fit);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (stations[i].flag != StationFlag::Measured) continue;
+    const double left = stations[i].u - bending[i].u_fit;
+    sum += left * left;
     count += 1;
   }
   return std::sqrt(sum / count);
@@ -155,12 +167,12 @@ std::vector<Harmonic> harmonicsOf(const std::vector<Station>& stations, double r
   return harmonics;
 }
 
-OutOfPlane fitOutOfPlane(std::vector<Station>& stations, double radius) {
+OutOfPlane fitOutOfPlane(const std::vector<Station>& stations, double radius) {
   const RingData data = ringData(stations, radius, {});
   return data.count() < 4 ? OutOfPlane() : fitOutOfPlane(stations, radius, RingModel(data));
 }
 
-OutOfPlane fitOutOfPlane(std::vector<Station>& stations, double radius, const RingModel& model) {
+OutOfPlane fitOutOfPlane(const std::vector<Station>& stations, double radius, const RingModel& model) {
   OutOfPlane result;
   for (const Station& s : stations) {
     if (!std::isfinite(s.u) || std::abs(s.u) <= result.max_u) continue;
@@ -180,8 +192,9 @@ OutOfPlane fitOutOfPlane(std::vector<Station>& stations, double radius, const Ri
   result.order = gap ? waves.order() : chosenOrder(adjusted_r2);
   const auto compared = std::min(static_cast<std::size_t>(result.order), adjusted_r2.size() - 1);
   result.adjusted_r2 = adjusted_r2[compared];
-  describe(stations, gap ? waves : fitWaves(data, result.order), waves, radius, result);
-  result.rms = rmsLeft(stations);
+  result.stations = bendingOf(stations, gap ? waves : fitWaves(data, result.order), waves, radius);
+  findLargestCurvature(stations, result);
+  result.rms = rmsLeft(stations, result.stations);
   return result;
 }
 

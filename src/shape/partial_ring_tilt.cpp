@@ -6,8 +6,8 @@
 
 #include "core/units.h"
 #include "shape/datum_waves.h"
+#include "shape/out_of_plane.h"
 #include "shape/ring_model.h"
-#include "tank_datum/shape/out_of_plane.h"
 
 namespace tank_datum {
 namespace {

@@ -1,6 +1,7 @@
 #include "shape/ring_data.h"
 
-#include "tank_datum/fit/harmonics.h"
+#include "fit/harmonics.h"
+#include "stations/station_covariance.h"
 
 namespace tank_datum {
 

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "tank_datum/stations/station_covariance.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {

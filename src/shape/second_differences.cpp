@@ -1,4 +1,4 @@
-#include "tank_datum/shape/second_differences.h"
+#include "shape/second_differences.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@
 #include "core/units.h"
 #include "limits/survey_spacing.h"
 #include "shape/survey_rows.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kFoot = 0.3048;
-constexpr double kClosest = 15.0 * kFoot;  // points nearer than this measure noise
-constexpr double kWidest = 32.0 * kFoot;   // the code's own
-constexpr double kSound = 22.0 * kFoot;    // beyond it curvature is missed
+constexpr double kClosest = 15.0 * kMetresPerFoot;  // points nearer than this measure noise
+constexpr double kWidest = 32.0 * kMetresPerFoot;   // the code's own
+constexpr double kSound = 22.0 * kMetresPerFoot;    // beyond it curvature is missed
 constexpr int kFewestPoints = 8;
 constexpr double kRounding = 1e-6;
 

@@ -1,9 +1,10 @@
-#include "tank_datum/shape/settlement_arcs.h"
+#include "shape/settlement_arcs.h"
 
 #include <cmath>
 
 #include "shape/arc_points.h"
 #include "stations/ring_series.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

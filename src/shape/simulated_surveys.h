@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "shape/ring_model.h"
-#include "tank_datum/stations/placed_value.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

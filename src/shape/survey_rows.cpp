@@ -9,7 +9,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kWidestSpacing = 32.0 * 0.3048;  ///< the code's own [m]
+constexpr double kWidestSpacing = 32.0 * kMetresPerFoot;  ///< the code's own [m]
 
 /// Three neighbouring survey points and the arcs between them [m].
 struct Triple {

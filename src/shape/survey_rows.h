@@ -1,7 +1,7 @@
 #pragma once
 
+#include "shape/second_differences.h"
 #include "stations/ring_rows.h"
-#include "tank_datum/shape/second_differences.h"
 
 namespace tank_datum {
 

@@ -6,6 +6,7 @@
 #include "core/approx_azimuth.h"
 #include "core/point_hash.h"
 #include "core/units.h"
+#include "locate/crop.h"
 
 namespace tank_datum {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tank_datum/locate/crop.h"
+#include "tank_datum/locate/tank.h"
 #include "tank_datum/shell/shell_survey.h"
 
 namespace tank_datum {

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
-#include "tank_datum/core/parallel.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 namespace {
@@ -28,16 +29,25 @@ double sigmaOf(const ShellLine& line, double usual_noise) {
   return line.sigma_radius * std::sqrt((points + kWorth * ratio * ratio) / (points + kWorth));
 }
 
+/// Where a cell of the shell is looked for.
+struct CellPlace {
+  double direction;  ///< [rad]
+  double z;          ///< [m]
+  double radius;     ///< of the shell, roughly [m]
+};
+
 /// Coarse stations look at a degree of the shell as fine ones do.
-ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, double direction, double z, double step,
-                  double radius, double half_band) {
-  const double own = std::min(step, kTwoPi / 360.0), widest = std::max(own, kWidestArc / radius);
-  const ShellLine wide = fitShellLine(ring, outline, direction, widest, z, -half_band, half_band);
+/// @param step  between stations [rad]
+ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const CellPlace& at, double step,
+                  double half_band) {
+  const double own = std::min(step, kTwoPi / 360.0), widest = std::max(own, kWidestArc / at.radius);
+  const ShellHeights band{-half_band, half_band};
+  const ShellLine wide = fitShellLine(ring, outline, {at.direction, widest, at.z, band});
   ShellCell cell;
   if (wide.points < kPlenty) return cell;
   for (double half = 0.5 * own;; half *= 1.5) {
-    const ShellLine line = fitShellLine(ring, outline, direction, half, z, -half_band, half_band);
-    const bool stands = line.standsWithin(own * radius) && std::abs(line.lean) < kSteepest;
+    const ShellLine line = fitShellLine(ring, outline, {at.direction, half, at.z, band});
+    const bool stands = line.isSupportedWithin(own * at.radius) && std::abs(line.lean) < kSteepest;
     if (line.points >= kPlenty && stands) {
       cell = {line.radius, sigmaOf(line, wide.noise), std::max(1.0, 2.0 * half / step), line.points};
     }
@@ -131,8 +141,8 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
     const ShellOutline outline = outlineBand(ring, circle.radius);
     rows[k].resize(stations.size());
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      rows[k][i] = fitCell(ring, outline, stations[i].direction, elevations[i] + bands.heights()[k], step,
-                           circle.radius, options.half_band);
+      rows[k][i] = fitCell(ring, outline, {stations[i].direction, elevations[i] + bands.heights()[k], circle.radius},
+                           step, options.half_band);
     }
     dropPoor(rows[k]);
   });

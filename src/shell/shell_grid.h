@@ -5,7 +5,7 @@
 
 #include "shell/shell_bands.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/circle.h"
+#include "tank_datum/fit/curves.h"
 #include "tank_datum/shell/shell_survey.h"
 #include "tank_datum/stations/stations.h"
 

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/units.h"
+#include "limits/checks.h"
 #include "limits/survey_spacing.h"
+#include "shell/shell_roundness.h"
 
 namespace tank_datum {
 namespace {
@@ -17,9 +20,9 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-Measure radiusMeasure(const char* quantity, const Roundness& r) {
+Measure radiusMeasure(const Roundness& r) {
   Measure measure;
-  measure.quantity = quantity;
+  measure.quantity = isAtFoot(r.height) ? "roundness_foot" : "roundness_above";
   measure.worst = {r.largest(), r.sigma, r.azimuth};
   measure.whole_ring = r.widest_gap <= kSurveySpacing;
   measure.note = formatted("%.2f m above the datum", r.height);
@@ -30,8 +33,8 @@ Measure radiusMeasure(const char* quantity, const Roundness& r) {
 
 std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& facts) {
   std::vector<Measure> measures;
-  if (const Roundness* foot = survey.foot()) measures.push_back(radiusMeasure("roundness_foot", *foot));
-  if (const Roundness* above = survey.worstAbove()) measures.push_back(radiusMeasure("roundness_above", *above));
+  if (const Roundness* foot = survey.foot()) measures.push_back(radiusMeasure(*foot));
+  if (const Roundness* above = survey.worstAbove()) measures.push_back(radiusMeasure(*above));
   if (const Plumbness* plumb = survey.worstPlumbness()) {
     Measure measure;
     measure.quantity = "plumbness";
@@ -41,6 +44,15 @@ std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& f
     measures.push_back(measure);
   }
   return measures;
+}
+
+std::vector<LimitComparison> compareRoundness(const ShellSurvey& survey, const std::vector<Limit>& limits,
+                                              const TankFacts& facts, double diameter) {
+  std::vector<LimitComparison> comparisons;
+  for (const Roundness& r : survey.roundness) {
+    comparisons.push_back(compare(limits, radiusMeasure(r), facts, diameter));
+  }
+  return comparisons;
 }
 
 }  // namespace tank_datum

@@ -6,8 +6,8 @@
 
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
+#include "fit/harmonics.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/harmonics.h"
 
 namespace tank_datum {
 namespace {

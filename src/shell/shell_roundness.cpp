@@ -4,11 +4,9 @@
 
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
-#include "limits/survey_spacing.h"
-#include "tank_datum/core/normal95.h"
+#include "fit/circle.h"
+#include "fit/harmonics.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/harmonics.h"
-#include "tank_datum/limits/limits.h"
 
 namespace tank_datum {
 namespace {
@@ -54,13 +52,6 @@ Circle circleThrough(const std::vector<ShellCell>& row, const std::vector<Statio
   return fitCircle(plan, {}, datum_circle);
 }
 
-/// Undecided where the tolerance lies within the 95 % interval, or where what passes was not all seen.
-Verdict verdictOf(const Roundness& r) {
-  if (r.largest() - kNormal95 * r.sigma > r.tolerance) return Verdict::Fail;
-  return r.largest() + kNormal95 * r.sigma <= r.tolerance && r.widest_gap <= kSurveySpacing ? Verdict::Pass
-                                                                                            : Verdict::Undecided;
-}
-
 /// Returns the station of the larger one.
 std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<double>& deviations,
                          const std::vector<Station>& stations, Roundness& roundness) {
@@ -88,14 +79,6 @@ std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<do
 
 bool isAtFoot(double height) { return height <= 0.305; }
 
-double radiusTolerance(double diameter, double height) {
-  const char* quantity = isAtFoot(height) ? "roundness_foot" : "roundness_above";
-  for (const Limit& limit : standardLimits()) {
-    if (limit.quantity == quantity && limit.diameter.holds(diameter)) return limit.formula.at({}).value();
-  }
-  return kUnknown;
-}
-
 Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
                       const Circle& datum_circle, std::vector<double>& deviations) {
   Roundness roundness;
@@ -116,8 +99,6 @@ Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const st
   const std::size_t worst = findExtremes(row, deviations, stations, roundness);
   const Eigen::Vector2d place = placeOf(datum_circle, stations[worst], row[worst].radius);
   roundness.sigma = std::hypot(roundness.sigma, circle.residual(place) - plainer.residual(place));
-  roundness.tolerance = radiusTolerance(2.0 * datum_circle.radius, height);
-  roundness.verdict = verdictOf(roundness);
   return roundness;
 }
 

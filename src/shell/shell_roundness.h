@@ -3,13 +3,11 @@
 #include <vector>
 
 #include "shell/shell_grid.h"
+#include "tank_datum/fit/curves.h"
 #include "tank_datum/shell/shell_survey.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
-
-/// The radius tolerance of API 650 7.5.3 (API 653 10.5.3) for a diameter, at a height above the bottom [m].
-double radiusTolerance(double diameter, double height);
 
 /// Whether a height counts as the one foot at which radii are measured.
 bool isAtFoot(double height);

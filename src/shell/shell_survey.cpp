@@ -1,11 +1,11 @@
-#include "tank_datum/shell/shell_survey.h"
+#include "shell/shell_survey.h"
 
 #include <cmath>
 #include <cstdio>
 
+#include "core/normal95.h"
 #include "shell/shell_plumbness.h"
 #include "shell/shell_roundness.h"
-#include "shell/shell_survey_impl.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -47,7 +47,7 @@ const Roundness* ShellSurvey::worstAbove() const {
 }
 
 const Plumbness* ShellSurvey::worstPlumbness() const {
-  const auto surely = [](const Plumbness& p) { return std::abs(p.offset) - 1.96 * p.sigma; };
+  const auto surely = [](const Plumbness& p) { return std::abs(p.offset) - kNormal95 * p.sigma; };
   const Plumbness* worst = nullptr;
   for (const Plumbness& p : plumbness) {
     if (!worst || surely(p) > surely(*worst)) worst = &p;

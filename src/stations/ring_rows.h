@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "stations/ring_series.h"
-#include "tank_datum/stations/placed_value.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

@@ -1,4 +1,4 @@
-#include "tank_datum/stations/station_covariance.h"
+#include "stations/station_covariance.h"
 
 #include <cmath>
 

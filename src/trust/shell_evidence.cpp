@@ -7,6 +7,7 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/circle.h"
 
 namespace tank_datum {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/circle.h"
-#include "tank_datum/locate/crop.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/locate/tank.h"
 #include "tank_datum/trust/tank_tests.h"
 
 namespace tank_datum {

@@ -1,4 +1,4 @@
-#include "tank_datum/trust/tank_tests.h"
+#include "trust/tank_tests.h"
 
 #include <algorithm>
 

@@ -110,19 +110,19 @@ std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, cons
   return tests;
 }
 
-std::size_t dropOffCircle(std::vector<Station>& stations, const Circle& circle, const ShellEvidence& shell) {
-  if (!shell.known() || !circle.valid()) return 0;
-  std::size_t dropped = 0;
-  for (Station& s : stations) {
+std::vector<std::size_t> stationsOffCircle(const std::vector<Station>& stations, const Circle& circle,
+                                           const ShellEvidence& shell) {
+  std::vector<std::size_t> off;
+  if (!shell.known() || !circle.valid()) return off;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const Station& s = stations[i];
     if (s.flag != StationFlag::Measured || !std::isfinite(s.radius)) continue;
     const double sigma = std::isfinite(s.sigma_radius) ? s.sigma_radius : 0.0;
     const double most =
         3.0 * std::hypot(std::max(kOutOfRoundness * circle.radius, shell.off_round), shell.noise, sigma);
-    if (std::abs(s.radius - circle.radius) <= most) continue;
-    s.flag = StationFlag::Missing;
-    ++dropped;
+    if (std::abs(s.radius - circle.radius) > most) off.push_back(i);
   }
-  return dropped;
+  return off;
 }
 
 }  // namespace tank_datum

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
-#include "tank_datum/shape/deformation.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/locate/tank.h"
+#include "tank_datum/shape/analysis.h"
 #include "tank_datum/stations/stations.h"
+#include "tank_datum/trust/tank_tests.h"
 #include "trust/shell_evidence.h"
 
 namespace tank_datum {
@@ -15,8 +19,8 @@ std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell)
 std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, const Level& level, const Tilt& tilt,
                                       const ShellEvidence& shell);
 
-/// Takes out the stations that do not lie on their shell, whose elevation is another thing's.
-/// @return how many
-std::size_t dropOffCircle(std::vector<Station>& stations, const Circle& circle, const ShellEvidence& shell);
+/// Numbers of the measured stations that do not lie on their shell, whose elevation is another thing's.
+std::vector<std::size_t> stationsOffCircle(const std::vector<Station>& stations, const Circle& circle,
+                                           const ShellEvidence& shell);
 
 }  // namespace tank_datum

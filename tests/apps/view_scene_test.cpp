@@ -84,7 +84,7 @@ TEST(Colouring, DistanceIsToTheLineBetweenStations) {
   EXPECT_EQ(c.low, 0.0);
   EXPECT_EQ(c.high, 1.0);
   // half way between stations 7 and 0: across the zero of directions
-  const double a = -22.5 * made_datums::kDegree, z = 0.5 * (octagon().stations[7].z + octagon().stations[0].z);
+  const double a = -22.5 * kDegree, z = 0.5 * (octagon().stations[7].z + octagon().stations[0].z);
   const Colouring wrap =
       colouringOf({{1 + 10 * std::cos(a), 2 + 10 * std::sin(a), z + 0.02}}, octagon(), Colour::Distance, 0.0);
   EXPECT_NEAR(wrap.values[0], 0.02, 1e-6);

@@ -2,7 +2,7 @@
 // library throws. Exits with 0 when each gives the tank that the scan holds: consumer SCAN RADIUS
 #include <pcl/search/kdtree.h>
 #include <tank_datum/core/error.h>
-#include <tank_datum/edge/region_growing.h>
+#include <tank_datum/edge/find_edge_points.h>
 #include <tank_datum/pcl/datum_filter.h>
 #include <tank_datum/pcl/pcl_stages.h>
 #include <tank_datum/report/report.h>
@@ -46,10 +46,10 @@ void checkStages(const Cloud::Ptr& cloud, double radius) {
   if (tanks.empty()) return;
   const auto edge = tank_datum::filterByCentre(*cloud, candidates, tanks[0].circle, tank_datum::CentreFilterOptions());
   check(std::abs(edge.circle.radius - radius) < 0.05, "the centre filter finds its circle");
-  auto stations = tank_datum::emptyStations(tank_datum::StationOptions());
-  const auto refined = tank_datum::refineStations<pcl::PointXYZ>(stations, cloud, tanks[0], tank_datum::RefineOptions(),
-                                                                 tank_datum::StationOptions());
-  check(std::abs(refined.circle.radius - radius) < 0.002, "refine finds its radius");
+  const auto foot = tank_datum::refineStations<pcl::PointXYZ>(cloud, tanks[0], tank_datum::RefineOptions(),
+                                                              tank_datum::StationOptions());
+  check(std::abs(foot.refined.circle.radius - radius) < 0.002, "refine finds its radius");
+  check(foot.stations.size() == 360, "and has its stations");
 }
 
 void checkFilter(const Cloud::Ptr& cloud) {

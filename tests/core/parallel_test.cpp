@@ -1,4 +1,5 @@
-#include "tank_datum/core/parallel.h"
+
+#include "core/parallel.h"
 
 #include <gtest/gtest.h>
 

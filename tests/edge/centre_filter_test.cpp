@@ -1,4 +1,3 @@
-#include "tank_datum/edge/centre_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,8 @@
 #include <random>
 
 #include "support/refused.h"
+#include "tank_datum/edge/find_edge_points.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 namespace {

@@ -1,4 +1,3 @@
-#include "tank_datum/edge/region_growing.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +6,15 @@
 #include <numeric>
 #include <random>
 
+#include "core/units.h"
 #include "support/refused.h"
+#include "tank_datum/edge/find_edge_points.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum {
 namespace {
 
 using Indices = std::vector<std::int32_t>;
-constexpr double kDegree = 0.017453292519943295;
 
 GrowingOptions above(double degrees) {
   GrowingOptions options;

@@ -1,4 +1,5 @@
-#include "tank_datum/fit/circle.h"
+
+#include "fit/circle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "tank_datum/fit/harmonics.h"
+
+#include "fit/harmonics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "tank_datum/fit/spline.h"
+
+#include "fit/spline.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 
 #include <array>
 
+#include "core/units.h"
+
 namespace tank_datum {
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;
 
 std::vector<double> quarters() { return {0.0, 90 * kDegree, 180 * kDegree, 270 * kDegree}; }
 

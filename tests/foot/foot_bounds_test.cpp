@@ -42,14 +42,14 @@ TEST(FindCandidates, SevenPointsMakeNoBin) {
   EXPECT_TRUE(findCandidates(points, kScales).empty());
 }
 
-TEST(FitFoot, ADatumMayRunOneInAHundredAlongTheShell) {
+TEST(FitFoundation, ADatumMayRunOneInAHundredAlongTheShell) {
   FootProfile pad;
   pad.band_from = 0.015, pad.band_to = pad.edge = 0.3, pad.blur = 0.006, pad.noise = 1e-5;
   FootPrior prior;
   prior.sigma_slope = 1e-4, prior.sigma_bend = 1e-6;
   std::vector<FootPoint> beside;
   for (int i = 0; i < 200; ++i) beside.push_back({0.2, 0.02 + 0.0013 * i, 0.0});
-  EXPECT_NEAR(fitFoot(beside, pad, 0.0, 0.0, prior).sigma, 0.01 * 0.2, 0.0001);
+  EXPECT_NEAR(fitFoundation(beside, pad, 0.0, 0.0, prior).sigma, 0.01 * 0.2, 0.0001);
 }
 
 /// The section through so many points in each of a hundred bins of 3 mm, without noise.
@@ -82,36 +82,34 @@ TEST(ProfileOf, PointsThirtyMillimetresOffTheFoundationAreSomethingElse) {
   const auto kept = [](double off) {
     MadeFoot made;
     for (int i = 0; i < 20; ++i) made.add(0.0, 0.15 + 0.001 * i, i % 2 == 0 ? 0.0 : off);
-    return profileOf(made.foot().ring, {0.0, 0.004, 0.0, kReach, 0.25, 1.0}, fitAt(0.0, 0.0001), {}, 3).points.size();
+    return profileOf(made.foot().ring, {0.0, 0.004, 0.0, kReach, {0.25, 1.0}}, fitAt(0.0, 0.0001), {}, 3).points.size();
   };
   EXPECT_EQ(kept(0.027), 1U) << "one of a kind";
   EXPECT_EQ(kept(0.033), 2U);
 }
 
 /// Whether a station without a point of its own, between others of so many, is taken for something else.
-bool isStrange(int count) {
+bool isOutlier(int count) {
   MadeFoot made;
   for (int s = 0; s < 360; ++s) {
     if (s != 50) made.addStation(s, count, 0.02, 0.28, [](double) { return 0.0; });
   }
   Foot& foot = made.foot();
-  foot.datum.assign(360, 0.0);
-  foot.fits.assign(360, fitAt(0.0, 0.0002));
-  foot.points.resize(360);
-  FootSections sections;
+  foot.points.assign(360, {});
+  const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
+  FootPass pass;
+  pass.fits.assign(360, fitAt(0.0, 0.0002));
+  FootSections& sections = pass.sections;
   sections.stations = 360;
   sections.whole.bin = 0.003, sections.whole.band_from = 0.015, sections.whole.noise = 0.0005;
   sections.whole.band_to = sections.whole.edge = 0.3;
-  FootPriors priors;
-  priors.slope.assign(360, 0.0);
-  ShellLine line;
-  line.points = 100;
-  return findStrangers(foot, std::vector<ShellLine>(360, line), sections, priors)[50];
+  pass.priors.slope.assign(360, 0.0);
+  return findOutliers(foot, elevations, pass)[50];
 }
 
-TEST(FindStrangers, WhereStationsHaveTwentyPointsOneWithoutAnyIsNotMeasured) {
-  EXPECT_FALSE(isStrange(16));
-  EXPECT_TRUE(isStrange(24));
+TEST(FindOutliers, WhereStationsHaveTwentyPointsOneWithoutAnyIsNotMeasured) {
+  EXPECT_FALSE(isOutlier(16));
+  EXPECT_TRUE(isOutlier(24));
 }
 
 }  // namespace

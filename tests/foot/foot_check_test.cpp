@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foot/foot_profile.h"
 #include "support/made_clouds.h"
 
 namespace tank_datum {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "foot/foot_profile.h"
+
 namespace tank_datum {
 namespace {
 

@@ -13,23 +13,23 @@ double level(double) { return 0.0; }
 double falling(double d) { return -0.05 * d; }
 
 std::vector<double> firstLook(MadeFoot& made, const FootScales& scales = kScales) {
-  return lookFirst(made.foot(scales), tankOfFoot(), scales);
+  return firstElevations(made.foot(scales), tankOfFoot()).known;
 }
 
-TEST(LookFirst, AScanWhoseNoiseIsAHundredthOfTheSectionTellsItsSurfacesApart) {
+TEST(FirstElevations, AScanWhoseNoiseIsAHundredthOfTheSectionTellsItsSurfacesApart) {
   MadeFoot made;
-  EXPECT_TRUE(isResolved(made.foot(), {0.3, 0.0048, 0.013}));
-  EXPECT_FALSE(isResolved(made.foot(), {0.3, 0.0052, 0.013}));
+  EXPECT_TRUE(isResolved(made.foot({0.3, 0.0048, 0.013})));
+  EXPECT_FALSE(isResolved(made.foot({0.3, 0.0052, 0.013})));
 }
 
-TEST(LookFirst, OneStationIsSeenFromFiveDegreesAndBelievedThreeFurther) {
+TEST(FirstElevations, OneStationIsSeenFromFiveDegreesAndBelievedThreeFurther) {
   MadeFoot made;
   made.addStation(100, 400, 0.014, 0.3, level);
-  Foot& foot = made.foot();
-  const std::vector<double> datum = lookFirst(foot, tankOfFoot(), kScales);
+  const FootElevations first = firstElevations(made.foot(), tankOfFoot());
+  const std::vector<double>& datum = first.known;
   EXPECT_EQ(std::count_if(datum.begin(), datum.end(), [](double z) { return std::isfinite(z); }), 11);
-  EXPECT_EQ(std::count(foot.believed.begin(), foot.believed.end(), true), 17);
-  EXPECT_TRUE(foot.believed[92] && foot.believed[108]);
+  EXPECT_EQ(std::count(first.seen.begin(), first.seen.end(), true), 17);
+  EXPECT_TRUE(first.seen[92] && first.seen[108]);
 }
 
 /// Whether one station, on which these cells of 6 mm hold so many points each, 0.1 m above all others, looks for
@@ -45,13 +45,13 @@ bool looksForItself(int cells, int count) {
   return std::isnan(firstLook(made)[100]);
 }
 
-TEST(LookFirst, AStationLooksForItselfWhereSevenCellsOfTenHoldTenPoints) {
+TEST(FirstElevations, AStationLooksForItselfWhereSevenCellsOfTenHoldTenPoints) {
   EXPECT_TRUE(looksForItself(7, 10));
   EXPECT_FALSE(looksForItself(6, 10));
   EXPECT_FALSE(looksForItself(7, 9));
 }
 
-TEST(LookFirst, AStationWithFiftyPointsTakesItsOwnElevationOneWithFewerThatOfTheLine) {
+TEST(FirstElevations, AStationWithFiftyPointsTakesItsOwnElevationOneWithFewerThatOfTheLine) {
   for (const int count : {55, 45}) {
     MadeFoot made;
     made.addAll(count, 0.014, 0.3, falling);
@@ -68,23 +68,23 @@ double nearest(int count, double raised, const FootScales& scales = kScales) {
   return firstLook(made, scales)[10];
 }
 
-TEST(LookFirst, AStationsElevationIsThatOfItsFiveNearestPointsOrMore) {
+TEST(FirstElevations, AStationsElevationIsThatOfItsFiveNearestPointsOrMore) {
   EXPECT_NEAR(nearest(5, 0.0), falling(0.03), 0.0002);
   EXPECT_LT(nearest(4, 0.0), falling(0.18));
 }
 
-TEST(LookFirst, PointsAHundredthOfTheReachTimesSixOffTheStretchAreAnotherThing) {
+TEST(FirstElevations, PointsAHundredthOfTheReachTimesSixOffTheStretchAreAnotherThing) {
   EXPECT_NEAR(nearest(12, 0.026), falling(0.03) + 0.026, 0.0005);
   EXPECT_LT(nearest(12, 0.036), falling(0.18));
 }
 
-TEST(LookFirst, WhereNoiseHidesTheSurfacesTheFiveNearestPointsTellTheElevation) {
+TEST(FirstElevations, WhereNoiseHidesTheSurfacesTheFiveNearestPointsTellTheElevation) {
   const FootScales noisy{0.3, 0.008, 0.013};
   EXPECT_NEAR(nearest(5, 0.1, noisy), falling(0.03) + 0.1, 0.0005);
   EXPECT_LT(nearest(4, 0.1, noisy), falling(0.18));
 }
 
-TEST(LookFirst, MoreThanThreeHundredAndSixtyStationsShareTheirStretches) {
+TEST(FirstElevations, MoreThanThreeHundredAndSixtyStationsShareTheirStretches) {
   for (const int stations : {360, 720}) {
     MadeFoot made(stations);
     for (int s = 0; s < stations; ++s) {

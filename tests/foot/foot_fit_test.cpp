@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/statistics.h"
+#include "foot/foot_profile.h"
 #include "support/made_clouds.h"
 
 namespace tank_datum {
@@ -51,7 +52,7 @@ std::vector<FootPoint> pointsOn(const Surface2& height, int count, double noise 
 }
 
 FootFit fitted(const std::vector<FootPoint>& points, const FootPrior& prior = priorOf(), double slope = 0.0) {
-  return fitFoot(points, padProfile(), 2.0, slope, prior);
+  return fitFoundation(points, padProfile(), 2.0, slope, prior);
 }
 
 TEST(FitFoot, OfAnExactPlaneIsItsElevationAtTheShell) {

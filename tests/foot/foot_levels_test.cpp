@@ -10,31 +10,31 @@ using namespace made_feet;
 /// A pad of 300 mm round the whole ring, its stations fitted at z = 0 and not settled yet.
 struct Ready {
   Foot& foot;
-  FootSections sections;
-  FootPriors priors;
+  FootPass pass;
 };
 
 Ready ready(MadeFoot& made, double noise = 0.0005) {
   Foot& foot = made.foot();
   const std::size_t count = foot.directions.size();
-  Ready result{foot, {}, {}};
-  FootProfile& pad = result.sections.whole;
+  Ready result{foot, {}};
+  FootProfile& pad = result.pass.sections.whole;
   pad.bin = 0.003, pad.band_from = 0.015, pad.band_to = pad.edge = 0.3;
   pad.blur = 0.006, pad.noise = noise, pad.surface = Surface::Foundation;
-  result.sections.stations = count;
-  result.priors.slope.assign(count, 0.0);
-  result.priors.sigma_slope.assign(count, 0.003);
-  result.priors.sigma_bend = 0.003;
+  result.pass.sections.stations = count;
+  result.pass.priors.slope.assign(count, 0.0);
+  result.pass.priors.sigma_slope.assign(count, 0.003);
+  result.pass.priors.sigma_bend = 0.003;
   FootFit fit;
   fit.z = 0.0, fit.sigma = 0.0002, fit.middle = 0.15;
-  foot.fits.assign(count, fit);
-  for (std::size_t i = 0; i < count; ++i) {
-    foot.points.push_back(foot.ring.around(foot.directions[i], foot.half_step, 0.0, foot.reach));
-  }
+  result.pass.fits.assign(count, fit);
   return result;
 }
 
-RingProcess level(Ready& r) { return levelStations(r.foot, r.sections, r.priors, 0.0); }
+RingProcess level(Ready& r) {
+  FootLevels levels = levelStations(r.foot, r.pass);
+  r.pass.fits = std::move(levels.fits);
+  return std::move(levels.process);
+}
 
 /// Stations of so many points each, `together` neighbours 2 mm higher than the next as many.
 Ready steps(MadeFoot& made, int count, int together) {
@@ -52,18 +52,18 @@ TEST(LevelStations, AStationOfEightPointsStandsAloneOneOfSevenIsFittedWithItsNei
   MadeFoot alone, together;
   Ready eight = steps(alone, 8, 1), seven = steps(together, 7, 1);
   level(eight), level(seven);
-  EXPECT_NEAR(eight.foot.fits[10].z, 0.002, 0.0002);
-  EXPECT_NEAR(eight.foot.fits[11].z, 0.0, 0.0002);
-  EXPECT_NEAR(seven.foot.fits[10].z, seven.foot.fits[11].z, 0.0005);
+  EXPECT_NEAR(eight.pass.fits[10].z, 0.002, 0.0002);
+  EXPECT_NEAR(eight.pass.fits[11].z, 0.0, 0.0002);
+  EXPECT_NEAR(seven.pass.fits[10].z, seven.pass.fits[11].z, 0.0005);
 }
 
 TEST(LevelStations, SparseStationsAreFittedTogetherOverFiveDegreesAtMost) {
   MadeFoot made;
   Ready sparse = steps(made, 1, 5);
   ASSERT_TRUE(level(sparse).valid());
-  EXPECT_NEAR(sparse.foot.fits[2].z, 0.002, 0.0003);
-  EXPECT_NEAR(sparse.foot.fits[7].z, 0.0, 0.0003);
-  EXPECT_NEAR(sparse.foot.fits[12].z, 0.002, 0.0003);
+  EXPECT_NEAR(sparse.pass.fits[2].z, 0.002, 0.0003);
+  EXPECT_NEAR(sparse.pass.fits[7].z, 0.0, 0.0003);
+  EXPECT_NEAR(sparse.pass.fits[12].z, 0.002, 0.0003);
 }
 
 TEST(LevelStations, WhereEightPointsLieOnOneSideOfAStationSomethingEndsAtIt) {
@@ -75,7 +75,7 @@ TEST(LevelStations, WhereEightPointsLieOnOneSideOfAStationSomethingEndsAtIt) {
     for (int i = 0; i < count; ++i) made.add((50 - 0.4) * made.step(), 0.03 + 0.03 * i, 0.0);
     Ready one_sided = ready(made);
     level(one_sided);
-    EXPECT_EQ(one_sided.foot.fits[50].valid(), count < 8) << count;
+    EXPECT_EQ(one_sided.pass.fits[50].valid(), count < 8) << count;
   }
 }
 
@@ -85,10 +85,10 @@ TEST(LevelStations, AStationLeansOnTwentyOthersAtMost) {
   std::normal_distribution<double> normal;
   made.addAll(10, 0.02, 0.28, [&](double) { return 0.02 * normal(random); });
   Ready noisy = ready(made, 0.02);
-  noisy.priors.sigma_slope.assign(360, 1e-4);
+  noisy.pass.priors.sigma_slope.assign(360, 1e-4);
   ASSERT_TRUE(level(noisy).valid());
   double widest = 0.0;
-  for (const FootFit& fit : noisy.foot.fits) widest = std::max(widest, fit.half_width / noisy.foot.half_step);
+  for (const FootFit& fit : noisy.pass.fits) widest = std::max(widest, fit.half_width / noisy.foot.half_step);
   EXPECT_NEAR(widest, 20.0, 1e-9);
 }
 
@@ -98,9 +98,9 @@ TEST(LevelStations, ASlopeThatIsSettledIsLearntNoFurtherThanATenthOfAMillimetreA
   made.options.wanted_sigma = 1.0;
   made.addAll(12, 0.02, 0.28, [](double d) { return 0.0002 * d; });
   Ready settled = ready(made, 2.7e-5);
-  settled.priors.settled = true;
+  settled.pass.priors.settled = true;
   level(settled);
-  const double middle = 0.15, left = settled.foot.fits[10].z / (0.0002 * middle);
+  const double middle = 0.15, left = settled.pass.fits[10].z / (0.0002 * middle);
   EXPECT_GT(left, 0.3);
   EXPECT_LT(left, 0.7);
 }

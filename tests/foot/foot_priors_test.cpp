@@ -11,16 +11,14 @@ using namespace made_feet;
 
 /// What is learnt of the slope where the section looks so.
 FootPriors learnt(MadeFoot& made, Surface surface, double blur = 0.004, double noise = 0.0005) {
-  Foot& foot = made.foot();
-  foot.datum.assign(360, 0.0);
-  foot.believed.assign(360, true);
+  const Foot& foot = made.foot();
   FootSections sections;
   FootProfile& whole = sections.whole;
   const bool lip = surface == Surface::AnnularPlate;
   whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = whole.edge = lip ? 0.06 : 0.3;
   whole.blur = blur, whole.noise = noise, whole.surface = surface;
   sections.stations = 360;
-  return learnPriors(foot, sections);
+  return learnPriors(foot, {{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)}, sections);
 }
 
 /// A foot whose foundation is seen at these azimuths alone [deg], sloping.

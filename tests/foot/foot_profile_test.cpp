@@ -1,4 +1,5 @@
-#include "tank_datum/foot/foot_profile.h"
+
+#include "foot/foot_profile.h"
 
 #include <gtest/gtest.h>
 

@@ -27,11 +27,7 @@ class Sections {
       made_.addStation(s, differs && other_points > 0 ? other_points : points, 0.005, 0.3,
                        [&](double d) { return section(d) + noise * normal_(random_); });
     }
-    Foot& foot = made_.foot();
-    for (std::size_t i = 0; i < 360; ++i) {
-      foot.points.push_back(foot.ring.around(foot.directions[i], foot.half_step, 0.0, foot.reach));
-    }
-    found = stackSections(foot, std::vector<double>(360, 0.0), kScales);
+    found = stackSections(made_.foot(), std::vector<double>(360, 0.0));
   }
 
   const FootProfile& there() const { return found.at(130); }

@@ -1,10 +1,11 @@
-#include "tank_datum/foot/refine.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "support/refined_scans.h"
+#include "tank_datum/foot/refined.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "core/units.h"
-#include "tank_datum/foot/refine.h"
+#include "foot/refine.h"
 
 namespace tank_datum {
 namespace {
@@ -36,10 +36,9 @@ double windowOf(const Ring& ring, const RefineOptions& options, int count = 360)
   tank.foot.coefficients = Eigen::Vector3d::Zero();
   StationOptions around;
   around.count = count;
-  std::vector<Station> stations = emptyStations(around);
-  refineStations(stations, ring, tank, options, around);
+  const std::vector<StationDatum> stations = refineStations(ring, tank, options, around).stations;
   std::vector<double> windows;
-  for (const Station& s : stations) {
+  for (const StationDatum& s : stations) {
     if (s.flag == StationFlag::Measured) windows.push_back(toDegrees(s.window));
   }
   EXPECT_GT(windows.size(), 0.9 * count);

@@ -55,30 +55,32 @@ TEST(FitShellLine, TwelvePointsTellItsFourUnknownsElevenDoNot) {
       const double a = 1.0 + 0.02 * (any(random) - 0.5);
       points.push_back({kRadius * std::cos(a), kRadius * std::sin(a), 0.1 + 0.4 * any(random)});
     }
-    return fitShellLine(PolarRing(points, {0.0, 0.0}), outline, 1.0, 0.02, 0.0, 0.05, kReach).seen();
+    return fitShellLine(PolarRing(points, {0.0, 0.0}), outline, {1.0, 0.02, 0.0, {0.05, kReach}}).seen();
   };
   EXPECT_TRUE(seen(12));
   EXPECT_FALSE(seen(11));
 }
 
-TEST(ShellLine, StandsWithinAStepWhoseColumnsAreUpToAQuarterFurtherApart) {
+TEST(ShellLine, IsSupportedWithinAStepWhoseColumnsAreUpToAQuarterFurtherApart) {
   ShellLine line;
   line.before = line.after = 0.60;
-  EXPECT_TRUE(line.standsWithin(1.0));
+  EXPECT_TRUE(line.isSupportedWithin(1.0));
   line.before = line.after = 0.65;
-  EXPECT_FALSE(line.standsWithin(1.0));
+  EXPECT_FALSE(line.isSupportedWithin(1.0));
 }
 
 std::size_t pointsOfALine(int per_degree) {
   const PolarRing ring(shellOf(360 * per_degree), {0.0, 0.0});
-  return fitShell(emptyStations({}), ring, madeTank(), kReach).lines[100].points;
+  std::vector<double> directions;
+  for (int i = 0; i < 360; ++i) directions.push_back(toRadians(i));
+  return fitShellLines(directions, ring, madeTank(), kReach).lines[100].points;
 }
 
-TEST(FitShell, AStationWidensItsWindowByHalvesUntilItHasFortyPoints) {
+TEST(FitShellLines, AStationWidensItsWindowByHalvesUntilItHasFortyPoints) {
   EXPECT_NEAR(static_cast<double>(pointsOfALine(15)), 45.0, 3.0);  // of a degree to either side: 30
 }
 
-TEST(FitShell, AStationBorrowsFromNoFurtherThanFiveDegrees) {
+TEST(FitShellLines, AStationBorrowsFromNoFurtherThanFiveDegrees) {
   EXPECT_NEAR(static_cast<double>(pointsOfALine(5)), 5.0 * 2.0 * 3.375, 2.0);  // a degree and a half, thrice, is 3.4
 }
 
@@ -91,7 +93,7 @@ TEST(ShellCircle, LinesSixSigmasOffAreNoShell) {
       lines[i].points = 10;
       azimuths.push_back(toRadians(static_cast<double>(i)));
     }
-    return fitShellCircle(lines, azimuths, 0.05, 0.5, {{0.0, 0.0}, kRadius}, {}).circle.radius;
+    return fitShellCircle(lines, azimuths, {0.05, 0.5}, {{0.0, 0.0}, kRadius}, {}).circle.radius;
   };
   const double without = radius(0.0);
   EXPECT_GT(radius(0.0065) - without, 0.0002);

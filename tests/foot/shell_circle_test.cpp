@@ -33,7 +33,7 @@ std::vector<double> degrees() {
 }
 
 ShellCircle fitted(const std::vector<ShellLine>& lines, const CirclePrior& prior = {}) {
-  return fitShellCircle(lines, degrees(), 0.05, 0.5, {{0, 0}, kRadius}, prior);
+  return fitShellCircle(lines, degrees(), {0.05, 0.5}, {{0, 0}, kRadius}, prior);
 }
 
 TEST(ShellCircle, OfExactLinesIsExact) {

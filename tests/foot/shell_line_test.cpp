@@ -50,7 +50,7 @@ Tank tankAtZero() {
 /// The line at an azimuth, from heights 0.05 to 0.5 m and a degree on either side.
 ShellLine lineAt(const Points& points, double azimuth, double from = 0.05, double half_width = kStep) {
   const PolarRing ring(points, {0, 0});
-  return fitShellLine(ring, outlineShell(ring, tankAtZero(), kReach), azimuth, half_width, 0.0, from, kReach);
+  return fitShellLine(ring, outlineShell(ring, tankAtZero(), kReach), {azimuth, half_width, 0.0, {from, kReach}});
 }
 
 TEST(ShellLine, IsAFormula) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "foot/foot_profile.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {

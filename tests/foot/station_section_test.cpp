@@ -34,7 +34,7 @@ FootRing ringOf(const Points& points) {
   return FootRing(PolarRing(points, {0.0, 0.0}), ShellModel(std::vector<ShellLine>(360, line), 0.0), 1.0, 0.5);
 }
 
-ProfileWindow window(double half_step = 0.004) { return {1.0, half_step, 2.0, 0.5, kBand, 1.0}; }
+ProfileWindow window(double half_step = 0.004) { return {1.0, half_step, 2.0, 0.5, {kBand, 1.0}}; }
 
 FootFit fitOfThePad() {
   FootFit fit;
@@ -86,7 +86,7 @@ TEST(ProfileOf, PointsLieOnItsLines) {
 
 TEST(ProfileOf, SeenFromInsideLeansTheOtherWay) {
   ProfileWindow inside = window();
-  inside.side = -1.0;
+  inside.band.side = -1.0;
   EXPECT_EQ(profileOf(ringOf(corner(50)), inside, fitOfThePad(), leaning(), 60).lean, -0.01);
 }
 

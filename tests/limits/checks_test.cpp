@@ -1,8 +1,10 @@
-#include "tank_datum/limits/checks.h"
+
+#include "limits/checks.h"
 
 #include <gtest/gtest.h>
 
 #include "support/refused.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -221,6 +223,12 @@ TEST(TankFacts, AreRefusedByName) {
   facts = {};
   facts.foundation = "sand";
   EXPECT_EQ(said(firstError(facts)), "foundation, sand, expected ringwall or earth");
+}
+
+TEST(Verdict, HasTheNamesOfTheFiles) {
+  EXPECT_STREQ(nameOf(Verdict::Pass), "pass");
+  EXPECT_STREQ(nameOf(Verdict::Fail), "fail");
+  EXPECT_STREQ(nameOf(Verdict::Undecided), "undecided");
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+
 #include "tank_datum/limits/limits.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-#include "tank_datum/locate/crop.h"
+
+#include "locate/crop.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,10 @@
 
 #include <cmath>
 
+#include "locate/locate.h"
 #include "support/refused.h"
 #include "support/scanned_tanks.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 namespace {

@@ -1,4 +1,5 @@
-#include "tank_datum/locate/locate.h"
+
+#include "locate/locate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "tank_datum/movement/baseline.h"
+
+#include "movement/baseline.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,10 @@
 
 #include "support/made_datums.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/foot/refined.h"
+#include "tank_datum/locate/tank.h"
+#include "tank_datum/report/report.h"
 
 namespace tank_datum {
 namespace {

@@ -2,14 +2,15 @@
 
 #include <cmath>
 
+#include "core/units.h"
+#include "levelling.h"
 #include "tank_datum/core/error.h"
-#include "tank_datum/levelling.h"
+#include "tank_datum/foot/refined.h"
 #include "tank_datum/movement/movement.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;
 
 double shapeAt(double direction) { return 1.0 + 0.006 * std::cos(2.0 * direction) + 0.004 * std::sin(3.0 * direction); }
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "core/units.h"
 #include "support/made_epochs.h"
 
 namespace tank_datum {
 namespace {
 
-using made_epochs::kDegree;
 using made_epochs::Survey;
 using made_epochs::with;
 

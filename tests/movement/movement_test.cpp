@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "core/units.h"
 #include "support/made_epochs.h"
 #include "support/refused.h"
 
 namespace tank_datum {
 namespace {
 
-using made_epochs::kDegree;
 using made_epochs::refusal;
 using made_epochs::Survey;
 using made_epochs::with;

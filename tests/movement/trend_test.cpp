@@ -1,15 +1,15 @@
-#include "tank_datum/movement/trend.h"
+
+#include "movement/trend.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/units.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;
 
 /// A comparison of `count` stations that moved by `dz`, 0.3 mm of error in each survey, its frame turned by `turned`.
 Movement moved(double dz, std::size_t count = 360, double turned = 0.0) {

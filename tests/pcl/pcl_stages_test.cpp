@@ -7,7 +7,8 @@
 #include <limits>
 
 #include "support/pcl_clouds.h"
-#include "tank_datum/edge/region_growing.h"
+#include "tank_datum/edge/find_edge_points.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum {
 namespace {
@@ -106,8 +107,7 @@ TEST(PclStages, TanksAndRefinedStationsAreInTheCloudsFrame) {
   EXPECT_NEAR((tanks[0].circle.center - kShift.head<2>()).norm(), 0.0, 0.02);
   EXPECT_NEAR(tanks[0].foot(1.0), kShift.z() + elevation(1.0), 0.05);
 
-  std::vector<Station> stations = emptyStations(StationOptions());
-  const Refined refined = refineStations<pcl::PointXYZ>(stations, tank(), tanks[0], RefineOptions(), StationOptions());
+  const auto [stations, refined] = refineStations<pcl::PointXYZ>(tank(), tanks[0], RefineOptions(), StationOptions());
   ASSERT_TRUE(refined.valid());
   EXPECT_NEAR((refined.circle.center - kShift.head<2>()).norm(), 0.0, 0.001);
   for (std::size_t i = 0; i < stations.size(); i += 10) {

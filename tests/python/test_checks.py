@@ -99,11 +99,17 @@ def test_limits_of_ones_own(run: Runner, synth: Synth, tmp_path: Path) -> None:
     header = next(
         line for line in run("--print-limits").stdout.splitlines() if line.startswith("code,")
     )
-    row = "Works,7,our tilt,tilt_slope,judge,0.001,,m/m,,,,verified,page 3"
-    file.write_text(f"{header}\n{row}\n")
+    rows = (
+        "Works,7,our tilt,tilt_slope,judge,0.001,,m/m,,,,verified,page 3",
+        "Works,8,our radius,roundness_foot,judge,0.0001,,m,,,,verified,page 3",
+    )
+    file.write_text("\n".join((header, *rows)) + "\n")
     assert run(synth(**LARGE), "-o", tmp_path / "out", "--limits", file).returncode == 0
     datum = read_datum(tmp_path / "out")
-    assert [(c["code"], c["verdict"]) for c in datum["checks"]] == [("Works", "fail")]
+    tilt, radius = datum["checks"]
+    assert [(c["code"], c["verdict"]) for c in (tilt, radius)][0] == ("Works", "fail")
+    foot = datum["shell"]["roundness"][0]
+    assert (foot["tolerance"], foot["verdict"]) == (0.0001, radius["verdict"])
     assert datum["options"]["analysis"]["limits"] == str(file)
 
 

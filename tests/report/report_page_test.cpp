@@ -1,4 +1,5 @@
-#include "tank_datum/report/report_page.h"
+
+#include "report/report_page.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,8 @@
 #include "support/made_datums.h"
 #include "support/pcd_files.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/foot/refined.h"
+#include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
 namespace {

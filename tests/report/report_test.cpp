@@ -1,3 +1,4 @@
+
 #include "tank_datum/report/report.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,8 @@
 
 #include "support/made_datums.h"
 #include "support/pcd_files.h"
+#include "tank_datum/foot/refined.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {

@@ -10,7 +10,6 @@ namespace tank_datum {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using made_datums::kDegree;
 
 /// Two heights of which one has a circle, two stations seen at both.
 ShellSurvey survey() {
@@ -18,8 +17,7 @@ ShellSurvey survey() {
   made.points = {{0.0, 0.3, 10.001, 0.001, 0.0, 0.00025, 150}, {kDegree, 1.3, 10.003, NAN, 0.0025, 0.00045, 60}};
   Roundness r;
   r.height = 0.3, r.circle = {{0, 0}, 10.0}, r.max_deviation = 0.0125, r.min_deviation = -0.02;
-  r.azimuth = 120 * kDegree, r.sigma = 0.0001, r.stations = 359, r.widest_gap = 0.35, r.tolerance = 0.019;
-  r.verdict = Verdict::Fail;
+  r.azimuth = 120 * kDegree, r.sigma = 0.0001, r.stations = 359, r.widest_gap = 0.35;
   made.roundness = {r};
   made.plumbness = {{0.0, 0.0, 1.0, -0.004, 0.0003, -0.0041, NAN},
                     {kDegree, kDegree, 1.0, 0.0025, 0.0003, 0.0025, 0.0001}};
@@ -27,8 +25,10 @@ ShellSurvey survey() {
   return made;
 }
 
+const std::vector<LimitComparison> kFails = {{0.019, Verdict::Fail}};
+
 TEST(ShellJson, HasTheAgreedKeys) {
-  const Json json = shellJson(survey());
+  const Json json = shellJson(survey(), kFails);
   EXPECT_EQ(json["roundness"], Json::parse(R"([{"height": 0.3, "radius": 10.0, "max_deviation": 0.0125,
     "min_deviation": -0.02, "azimuth_deg": 120.0, "sigma": 0.0001, "n": 359, "widest_gap": 0.35, "tolerance": 0.019,
     "verdict": "fail"}])"));
@@ -48,7 +48,7 @@ TEST(ShellJson, OfOneHeightHasNoPlumbness) {
   ShellSurvey one = survey();
   one.plumbness.clear();
   one.lean = {};
-  const Json json = shellJson(one);
+  const Json json = shellJson(one, kFails);
   EXPECT_TRUE(json["plumbness"].is_array() && json["plumbness"].empty());
   EXPECT_TRUE(json["plumbness_max"].is_null());
   EXPECT_TRUE(json["plumbness_azimuth_deg"].is_null());
@@ -59,7 +59,9 @@ TEST(ShellJson, IsASectionOfAUsableDatumOnly) {
   Datum datum = made_datums::octagon();
   EXPECT_FALSE(Json::parse(datumJson(datum, made_datums::provenance())).contains("shell"));
   datum.shell = survey();
-  EXPECT_EQ(Json::parse(datumJson(datum, made_datums::provenance()))["shell"], shellJson(survey()));
+  datum.analysis.roundness = kFails;
+  EXPECT_EQ(Json::parse(datumJson(datum, made_datums::provenance()))["shell"], shellJson(survey(), kFails));
+  EXPECT_TRUE(shellJson(survey(), {})["roundness"][0]["tolerance"].is_null());
 }
 
 TEST(ShellCsv, IsARowPerHeightAndStationUnknownEmpty) {
@@ -71,17 +73,20 @@ TEST(ShellCsv, IsARowPerHeightAndStationUnknownEmpty) {
 }
 
 TEST(ShellSummary, SaysTheWorstOrWhyThereIsNone) {
-  EXPECT_EQ(shellSummary(survey()),
+  EXPECT_EQ(shellSummary(survey(), kFails),
             "roundness      +12.5 / -20.0 mm at 0.30 m above the datum, worst at 120 deg (tolerance 19 mm: fail)\n"
             "plumbness      -4.0 mm over 1.0 m of height at 0 deg; the tank leans 5.0 mm towards 53 deg\n");
+  EXPECT_NE(shellSummary(survey(), {{0.0001, Verdict::Undecided}}).find("(tolerance 0.1 mm: undecided)"),
+            std::string::npos);
+  EXPECT_NE(shellSummary(survey(), {{}}).find("worst at 120 deg (no tolerance for it)"), std::string::npos);
   ShellSurvey none;
-  EXPECT_EQ(shellSummary(none), "");
+  EXPECT_EQ(shellSummary(none, {}), "");
   none.message = "the scan holds no shell 0.3 m or more above the datum";
-  EXPECT_EQ(shellSummary(none), "shell          the scan holds no shell 0.3 m or more above the datum\n");
+  EXPECT_EQ(shellSummary(none, {}), "shell          the scan holds no shell 0.3 m or more above the datum\n");
   ShellSurvey part = survey();
   part.roundness.clear();
   part.plumbness.clear();
-  EXPECT_EQ(shellSummary(part),
+  EXPECT_EQ(shellSummary(part, {}),
             "roundness      the shell is not seen round enough of the tank at any height\n"
             "plumbness      the shell is seen at one height only\n");
 }

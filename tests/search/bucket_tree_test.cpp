@@ -1,4 +1,5 @@
-#include "tank_datum/search/bucket_tree.h"
+
+#include "search/bucket_tree.h"
 
 #include <gtest/gtest.h>
 #include <pcl/kdtree/kdtree_flann.h>

@@ -1,4 +1,3 @@
-#include "tank_datum/search/normals.h"
 
 #include <gtest/gtest.h>
 #include <pcl/features/normal_3d.h>
@@ -12,6 +11,7 @@
 
 #include "support/refused.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/search/estimate_normals.h"
 
 namespace tank_datum {
 namespace {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "io/pcd_writer.h"
+#include "locate/crop.h"
 #include "setups/setup_report.h"
 #include "support/scanned_tanks.h"
 #include "tank_datum/core/error.h"

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/units.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 namespace {

@@ -78,8 +78,8 @@ TEST(ShareSetupErrors, ASetupSeesAStationFromOneHundredthOfItsPoints) {
   for (const double share : {0.008, 0.012}) {
     auto stations = stationsRound(36, 0.01);
     SetupAgreement agreement = agreementOf(0.002);
-    shareSetupErrors(agreement, stations, sharesOf(36, share), 0.0);
-    EXPECT_EQ(stations[5].n_setups, share > 0.01 ? 2U : 1U);
+    const auto parts = shareSetupErrors(agreement, stations, sharesOf(36, share), 0.0).stations;
+    EXPECT_EQ(parts[5].n_setups, share > 0.01 ? 2U : 1U);
   }
 }
 
@@ -95,8 +95,7 @@ double mergedError(double of_one) {
   SetupAgreement agreement;
   agreement.unlabelled_discrepancy = std::sqrt(2.0) * of_one;
   SetupShares shares;
-  shareSetupErrors(agreement, stations, shares, 0.0);
-  return stations[5].sigma_setup;
+  return shareSetupErrors(agreement, stations, shares, 0.0).stations[5].sigma_setup;
 }
 
 TEST(ShareSetupErrors, OfMergedScansAreAsUncertainAsAVarianceFromFiveDifferences) {

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "stations/station_covariance.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -98,13 +100,13 @@ TEST(SetupShares, ErrorsOfSetupsAreSharedByTheirStations) {
   stations[10].z = stations[10].sigma_z = std::nan("");
   SetupAgreement agreement = madeAgreement();
   const SetupShares shares = setupShares(madeRing(), madeTank(), stations, {0.0, 0.0}, kBand);
-  const StationCovariance covariance = shareSetupErrors(agreement, stations, shares, 0.0);
-  EXPECT_NEAR(stations[90].sigma_setup, 0.002, 1e-9);
-  EXPECT_NEAR(stations[90].sigma_z, std::hypot(0.002, 0.0003), 1e-9);
-  EXPECT_EQ(stations[90].n_setups, 1U);
-  EXPECT_EQ(stations[190].n_setups, 2U);
-  EXPECT_NEAR(stations[190].sigma_setup, 0.002 / std::sqrt(2.0), 2e-5);
-  EXPECT_FALSE(stations[10].n_setups);
+  const auto [covariance, parts, seen] = shareSetupErrors(agreement, stations, shares, 0.0);
+  EXPECT_NEAR(parts[90].sigma_setup, 0.002, 1e-9);
+  EXPECT_NEAR(covariance.sigma(90), std::hypot(0.002, 0.0003), 1e-9);
+  EXPECT_EQ(parts[90].n_setups, 1U);
+  EXPECT_EQ(parts[190].n_setups, 2U);
+  EXPECT_NEAR(parts[190].sigma_setup, 0.002 / std::sqrt(2.0), 2e-5);
+  EXPECT_FALSE(parts[10].n_setups);
   const Eigen::MatrixXd dense = covariance.dense({80, 90, 270, 190});
   EXPECT_NEAR(dense(0, 1), 4e-6, 1e-9);  // one setup
   EXPECT_NEAR(dense(0, 2), 0.0, 1e-9);   // another
@@ -113,7 +115,7 @@ TEST(SetupShares, ErrorsOfSetupsAreSharedByTheirStations) {
   EXPECT_EQ(covariance.factors.rows(), 2);
   EXPECT_EQ(covariance.factors.col(10).norm(), 0.0);
   EXPECT_TRUE(fits(covariance, stations));
-  EXPECT_EQ(agreement.setups[0].stations, 200U);  // 0 ... 200 without station 10, the last seen by half of its window
+  EXPECT_EQ(seen[0].size(), 200U);  // 0 ... 200 without station 10, the last seen by half of its window
 }
 
 TEST(SetupShares, ATiltMovesStationsByTheirDistanceFromTheScanner) {
@@ -123,10 +125,10 @@ TEST(SetupShares, ATiltMovesStationsByTheirDistanceFromTheScanner) {
   agreement.covariance(1, 1) = 1e-8;
   agreement.setups[0].origin = {20.0, 0.0, 1.5};
   const SetupShares shares = setupShares(madeRing(), madeTank(), stations, {0.0, 0.0}, kBand);
-  shareSetupErrors(agreement, stations, shares, 0.0);
-  EXPECT_NEAR(stations[90].sigma_setup, 1e-4 * 20.0, 1e-7);
-  EXPECT_NEAR(stations[0].sigma_setup, 1e-4 * 10.0, 6e-4);
-  EXPECT_NEAR(stations[270].sigma_setup, 0.0, 1e-12);
+  const auto parts = shareSetupErrors(agreement, stations, shares, 0.0).stations;
+  EXPECT_NEAR(parts[90].sigma_setup, 1e-4 * 20.0, 1e-7);
+  EXPECT_NEAR(parts[0].sigma_setup, 1e-4 * 10.0, 6e-4);
+  EXPECT_NEAR(parts[270].sigma_setup, 0.0, 1e-12);
 }
 
 TEST(SetupShares, OnASlopingFoundationAShiftInPlanMovesOnlyWhatTheShellDoesNotShare) {
@@ -149,11 +151,12 @@ TEST(SetupShares, OneSetupSharesNothing) {
   SetupAgreement agreement;
   agreement.setups.resize(1);
   const SetupShares shares = setupShares(ring, madeTank(), stations, {0.0, 0.0}, kBand);
-  const StationCovariance covariance = shareSetupErrors(agreement, stations, shares, 0.0);
+  const auto [covariance, parts, seen] = shareSetupErrors(agreement, stations, shares, 0.0);
   EXPECT_EQ(covariance.factors.rows(), 0);
-  EXPECT_EQ(stations[5].sigma_setup, 0.0);
-  EXPECT_EQ(stations[5].sigma_z, 0.0003);
-  EXPECT_EQ(stations[5].n_setups, 1U);
+  EXPECT_EQ(parts[5].sigma_setup, 0.0);
+  EXPECT_EQ(covariance.sigma(5), 0.0003);
+  EXPECT_EQ(seen.size(), 1U);
+  EXPECT_EQ(parts[5].n_setups, 1U);
 }
 
 }  // namespace

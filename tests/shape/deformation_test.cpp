@@ -1,14 +1,20 @@
-#include "tank_datum/shape/deformation.h"
+
+#include "shape/deformation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "core/units.h"
+#include "stations/stations.h"
+#include "support/made_surveys.h"
+
 namespace tank_datum {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
+using made_surveys::takeTilt;
+
 constexpr double kTurn = 6.283185307179586;
 const Eigen::Vector2d kCenter(50.0, -20.0);
 
@@ -40,7 +46,7 @@ TEST(FitTilt, OfSixteenStationsOfThePemyPaper) {  // STANDARDS 4.1, elevations i
   auto stations = survey(
       {-1.10, -1.42, -1.70, -1.73, -1.84, -1.63, -1.50, -0.80, 0.00, -0.54, -0.97, -0.90, -0.80, -1.05, -1.20, -1.17},
       60.0);
-  const Tilt tilt = fitTilt(stations, kCenter, {});
+  const Tilt tilt = takeTilt(stations, kCenter, {});
   EXPECT_NEAR(tilt.mean, -1.1469, 5e-5);
   EXPECT_NEAR(60 * tilt.gradient.x(), -0.3318, 5e-5);
   EXPECT_NEAR(60 * tilt.gradient.y(), -0.4083, 5e-5);
@@ -53,7 +59,7 @@ TEST(FitTilt, OfSixteenStationsOfThePemyPaper) {  // STANDARDS 4.1, elevations i
 TEST(FitTilt, OfFourteenStationsOfAnInspectionReport) {  // STANDARDS 4.2
   auto stations =
       survey({1.050, 1.030, 1.040, 0.980, 0.940, 0.940, 0.980, 1.040, 1.060, 1.065, 1.090, 1.120, 1.090, 1.060}, 21.03);
-  const Tilt tilt = fitTilt(stations, kCenter, {});
+  const Tilt tilt = takeTilt(stations, kCenter, {});
   EXPECT_NEAR(21.03 * tilt.slope(), 0.07005, 5e-6);
   EXPECT_NEAR(tilt.r2, 0.862, 5e-4);
 }
@@ -84,7 +90,7 @@ TEST(FitTilt, BesideAGapKnowsWhatWavesMayHide) {
     double sigma = 0.0;
     for (int run = 0; run < 50; ++run) {
       auto stations = seenOver(arc, random);
-      const Tilt tilt = fitTilt(stations, kCenter, {});
+      const Tilt tilt = takeTilt(stations, kCenter, {});
       const Eigen::Vector2d along = tilt.gradient.normalized();
       within += std::abs(along.dot(tilt.gradient - truth)) <= 2.0 * tilt.sigma_slope;
       sigma += tilt.sigma_slope / 50;
@@ -97,7 +103,7 @@ TEST(FitTilt, BesideAGapKnowsWhatWavesMayHide) {
 
 TEST(FitTilt, OfFewStationsAllRoundIsThePlainRegression) {
   auto eight = survey({1.05, 1.03, 1.04, 0.98, 0.94, 0.95, 0.98, 1.04}, 10.0);
-  const Tilt tilt = fitTilt(eight, kCenter, {});
+  const Tilt tilt = takeTilt(eight, kCenter, {});
   double x = 0.0;
   for (const Station& s : eight) x += s.z * (s.x - kCenter.x()) / (4.0 * 100.0);
   EXPECT_NEAR(tilt.gradient.x(), x, 1e-12);
@@ -105,7 +111,7 @@ TEST(FitTilt, OfFewStationsAllRoundIsThePlainRegression) {
 
 TEST(FitTilt, FindsAnExactPlane) {
   auto stations = survey(wave(36, tilted), 10.0);
-  const Tilt tilt = fitTilt(stations, kCenter, {});
+  const Tilt tilt = takeTilt(stations, kCenter, {});
   ASSERT_TRUE(tilt.valid());
   EXPECT_NEAR(tilt.mean, 2.0, 1e-12);
   EXPECT_NEAR(tilt.slope(), 0.005, 1e-12);
@@ -121,7 +127,7 @@ TEST(FitTilt, FindsAnExactPlane) {
 
 TEST(FitTilt, LeavesHigherWavesToU) {
   auto stations = survey(wave(72, [](double a) { return tilted(a) + 0.01 * std::cos(3 * a); }), 10.0);
-  EXPECT_NEAR(fitTilt(stations, kCenter, {}).slope(), 0.005, 1e-12);
+  EXPECT_NEAR(takeTilt(stations, kCenter, {}).slope(), 0.005, 1e-12);
   for (const Station& s : stations) EXPECT_NEAR(s.u, 0.01 * std::cos(3 * s.direction), 1e-12);
 }
 
@@ -132,8 +138,8 @@ TEST(FitTilt, DirectionIsCountedAsTheStationsAre) {
   std::vector<double> z;
   for (const Station& s : emptyStations(north)) z.push_back(0.02 * std::cos(s.direction));  // high in the east
   auto stations = survey(z, 10.0, north);
-  EXPECT_NEAR(fitTilt(stations, kCenter, north).direction, 90 * kDegree, 1e-9);
-  EXPECT_NEAR(std::remainder(fitTilt(stations, kCenter, {}).direction, kTurn), 0.0, 1e-9);
+  EXPECT_NEAR(takeTilt(stations, kCenter, north).direction, 90 * kDegree, 1e-9);
+  EXPECT_NEAR(std::remainder(takeTilt(stations, kCenter, {}).direction, kTurn), 0.0, 1e-9);
 }
 
 TEST(FitTilt, UsesMeasuredStationsOnlyAndDescribesInterpolatedOnes) {
@@ -142,7 +148,7 @@ TEST(FitTilt, UsesMeasuredStationsOnlyAndDescribesInterpolatedOnes) {
   stations[5].z += 1.0;
   stations[9].flag = StationFlag::Missing;
   stations[9].z = NAN;
-  EXPECT_NEAR(fitTilt(stations, kCenter, {}).slope(), 0.005, 1e-12);
+  EXPECT_NEAR(takeTilt(stations, kCenter, {}).slope(), 0.005, 1e-12);
   EXPECT_NEAR(stations[5].u, 1.0, 1e-12);
   EXPECT_TRUE(std::isnan(stations[9].u));
   EXPECT_TRUE(std::isnan(stations[9].z_tilt));
@@ -156,7 +162,7 @@ TEST(FitTilt, StandardErrorForetellsItsScatter) {
     std::vector<double> z = wave(36, tilted);
     for (double& v : z) v += 0.01 * uniform();
     auto stations = survey(z, 10.0);
-    const Tilt tilt = fitTilt(stations, kCenter, {});
+    const Tilt tilt = takeTilt(stations, kCenter, {});
     squares += std::pow(tilt.slope() - 0.005, 2) / 500;
     foretold += tilt.sigma_slope / 500;
   }
@@ -167,19 +173,19 @@ TEST(FitTilt, NeedsFourMeasuredStations) {
   std::vector<double> z(12, NAN);
   z[0] = z[4] = z[8] = 1.0;
   auto three = survey(z, 10.0);
-  EXPECT_FALSE(fitTilt(three, kCenter, {}).valid());
+  EXPECT_FALSE(takeTilt(three, kCenter, {}).valid());
   EXPECT_TRUE(std::isnan(three[0].u));
   z[2] = 1.1;
   auto four = survey(z, 10.0);
-  EXPECT_TRUE(fitTilt(four, kCenter, {}).valid());
+  EXPECT_TRUE(takeTilt(four, kCenter, {}).valid());
   std::vector<Station> none;
-  EXPECT_FALSE(fitTilt(none, kCenter, {}).valid());
+  EXPECT_FALSE(takeTilt(none, kCenter, {}).valid());
 }
 
 TEST(FitTilt, OfALevelDatumHasNoSlopeAndNoSignificance) {
   for (const double level : {0.0, 0.1, 100.3}) {
     auto stations = survey(std::vector<double>(360, level), 10.0);
-    const Tilt tilt = fitTilt(stations, kCenter, {});
+    const Tilt tilt = takeTilt(stations, kCenter, {});
     EXPECT_NEAR(tilt.slope(), 0.0, 1e-12);
     EXPECT_FALSE(tilt.r2 < 0.0 || tilt.r2 > 1.0) << level << " " << tilt.r2;
     EXPECT_FALSE(tilt.p_value < 0.5 || tilt.p_value > 1.0) << level << " " << tilt.p_value;
@@ -190,7 +196,7 @@ TEST(FitTilt, ExplainsNothingOfAnOval) {
   for (int order = 2; order < 9; ++order) {
     auto stations = survey(wave(360, [](double) { return 0.3; }), 10.0);
     for (Station& s : stations) s.z += 0.01 * std::cos(order * s.direction);
-    const Tilt tilt = fitTilt(stations, kCenter, {});
+    const Tilt tilt = takeTilt(stations, kCenter, {});
     EXPECT_GE(tilt.r2, 0.0) << order;
     EXPECT_LT(tilt.r2, 1e-9) << order;
     EXPECT_LE(tilt.p_value, 1.0) << order;

@@ -4,13 +4,14 @@
 
 #include <cmath>
 
+#include "core/units.h"
+#include "shape/deformation.h"
+#include "stations/stations.h"
 #include "support/made_surveys.h"
-#include "tank_datum/shape/deformation.h"
 
 namespace tank_datum {
 namespace {
 
-using made_surveys::kDegree;
 using made_surveys::survey;
 
 TEST(LevelOf, KnowsHighestLowestMeanAndTheirAzimuths) {

@@ -1,7 +1,9 @@
-#include "tank_datum/shape/out_of_plane.h"
+
+#include "shape/out_of_plane.h"
 
 #include <gtest/gtest.h>
 
+#include "stations/stations.h"
 #include "support/made_surveys.h"
 
 namespace tank_datum {
@@ -18,6 +20,13 @@ double sixWaves(double a) {
 
 void blank(std::vector<double>& z, std::size_t first, std::size_t count) {
   for (std::size_t i = first; i < first + count; ++i) z[i % z.size()] = NAN;
+}
+
+/// The regression, put into the stations.
+OutOfPlane takeBending(std::vector<Station>& stations, double radius) {
+  const OutOfPlane fit = fitOutOfPlane(stations, radius);
+  stations = withParts(stations, fit.stations);
+  return fit;
 }
 
 TEST(HarmonicsOf, FindsExactWavesWhateverTheNumberOfStations) {
@@ -80,7 +89,7 @@ TEST(HarmonicsOf, SigmaGrowsWithTheCorrelationOfNeighbours) {
 
 TEST(FitOutOfPlane, FindsTheCurvatureOfAWave) {
   auto stations = survey(wave(360, [](double a) { return 1.0 + 0.02 * std::cos(a) + 0.006 * std::cos(3 * a); }), 30.0);
-  const OutOfPlane fit = fitOutOfPlane(stations, 30.0);
+  const OutOfPlane fit = takeBending(stations, 30.0);
   ASSERT_TRUE(fit.valid()) << fit.message;
   EXPECT_GE(fit.order, 4);
   EXPECT_NEAR(fit.max_u, 0.006, 1e-9);
@@ -98,7 +107,7 @@ TEST(FitOutOfPlane, RefusesWavesThatAGapHides) {
     std::vector<double> z = wave(360, sixWaves);
     blank(z, 60, gap);
     auto stations = survey(z, 30.0);
-    const OutOfPlane fit = fitOutOfPlane(stations, 30.0);
+    const OutOfPlane fit = takeBending(stations, 30.0);
     EXPECT_EQ(std::isfinite(stations[0].curvature), fit.valid());
     EXPECT_GT(fit.max_u, 0.0);
     return fit;
@@ -114,7 +123,7 @@ TEST(FitOutOfPlane, OfOneWaveAlonePassesOverTheOrdersBelowIt) {
   for (const int n : {6, 7, 8, 12}) {
     const auto bent = [n](double a) { return 0.010 * std::cos(n * a); };
     auto stations = survey(noisy(wave(360, bent), 0.0002, 5), 30.0, 0.0002);
-    const OutOfPlane fit = fitOutOfPlane(stations, 30.0);
+    const OutOfPlane fit = takeBending(stations, 30.0);
     EXPECT_GE(fit.order, n);
     EXPECT_LE(fit.order, 15);
     EXPECT_NEAR(fit.max_curvature / (0.010 * n * n / 900.0), 1.0, 0.05) << n;
@@ -135,7 +144,7 @@ TEST(FitOutOfPlane, StandardErrorOfTheCurvatureForetellsItsScatter) {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     auto stations =
         survey(noisy(wave(360, [](double a) { return 0.005 * std::cos(2 * a); }), 0.001, seed), 30.0, 0.001);
-    fitOutOfPlane(stations, 30.0);
+    takeBending(stations, 30.0);
     const Station& s = stations[45];
     squares += std::pow(s.curvature - 0.0, 2) / 100;  // 4 / 900 * cos(90 deg)
     foretold += s.sigma_curvature * s.sigma_curvature / 100;

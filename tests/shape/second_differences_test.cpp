@@ -1,10 +1,12 @@
-#include "tank_datum/shape/second_differences.h"
+
+#include "shape/second_differences.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "support/made_surveys.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {

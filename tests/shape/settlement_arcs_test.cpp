@@ -1,9 +1,10 @@
-#include "tank_datum/shape/settlement_arcs.h"
+
+#include "shape/settlement_arcs.h"
 
 #include <gtest/gtest.h>
 
+#include "shape/out_of_plane.h"
 #include "support/made_surveys.h"
-#include "tank_datum/shape/out_of_plane.h"
 
 namespace tank_datum {
 namespace {
@@ -24,7 +25,9 @@ TEST(SettlementArcs, OfAWaveAreItsHalves) {
 
 TEST(SettlementArcs, OfDenseStationsAreThoseOfTheRegression) {
   auto stations = survey(noisy(wave(360, [](double a) { return 0.01 * std::cos(2 * a); }), 0.001, 3), 30.0, 0.001);
-  ASSERT_TRUE(fitOutOfPlane(stations, 30.0).valid());
+  const OutOfPlane fit = fitOutOfPlane(stations, 30.0);
+  ASSERT_TRUE(fit.valid());
+  stations = withParts(stations, fit.stations);
   const auto arcs = settlementArcs(stations, 30.0);
   ASSERT_EQ(arcs.size(), 4U);
   for (const SettlementArc& arc : arcs) EXPECT_NEAR(arc.largest.value, 0.01, 7e-4);

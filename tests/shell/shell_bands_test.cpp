@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "locate/crop.h"
 #include "support/made_shells.h"
 
 namespace tank_datum {

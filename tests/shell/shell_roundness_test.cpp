@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shell/shell_measures.h"
 #include "support/made_shells.h"
 
 namespace tank_datum {
@@ -21,12 +22,21 @@ Roundness roundOf(const std::vector<ShellCell>& row, double height = 0.3, double
   return roundnessOf(row, height, stations(), {kCentre, radius}, deviations);
 }
 
+LimitComparison besideLimits(const Roundness& r, const std::vector<Limit>& limits = standardLimits(),
+                             double diameter = 2.0 * kRadius) {
+  ShellSurvey survey;
+  survey.roundness = {r};
+  return compareRoundness(survey, limits, {}, diameter).at(0);
+}
+
+Verdict verdictOf(const Roundness& r) { return besideLimits(r).verdict; }
+
 TEST(Roundness, OfACircleIsNothing) {
   const Roundness r = roundOf(cells([](double) { return kRadius + 0.004; }));
   EXPECT_NEAR(r.circle.radius, kRadius + 0.004, 1e-9);
   EXPECT_NEAR(r.largest(), 0.0, 1e-9);
   EXPECT_EQ(r.stations, 360U);
-  EXPECT_EQ(r.verdict, Verdict::Pass);
+  EXPECT_EQ(verdictOf(r), Verdict::Pass);
 }
 
 TEST(Roundness, AShiftedCircleIsRound) {
@@ -46,7 +56,7 @@ TEST(Roundness, OfAnOvalIsItsAmplitudeAtItsAxes) {
   EXPECT_NEAR(r.max_deviation, 0.012, 2e-5);
   EXPECT_NEAR(r.min_deviation, -0.012, 2e-5);
   EXPECT_NEAR(std::remainder(r.azimuth - 0.5, kTurn / 4), 0.0, kTurn / 360);
-  EXPECT_EQ(r.verdict, Verdict::Pass);
+  EXPECT_EQ(verdictOf(r), Verdict::Pass);
 }
 
 TEST(Roundness, TheWorstPlaceIsTheLargerOfInAndOut) {
@@ -57,7 +67,7 @@ TEST(Roundness, TheWorstPlaceIsTheLargerOfInAndOut) {
   EXPECT_NEAR(r.azimuth, 4.0, kTurn / 360);
   EXPECT_LT(r.max_deviation, 0.01);
   EXPECT_EQ(r.largest(), -r.min_deviation);
-  EXPECT_EQ(r.verdict, Verdict::Fail);
+  EXPECT_EQ(verdictOf(r), Verdict::Fail);
 }
 
 TEST(Roundness, AGapTakesNothingOfAnOvalAway) {
@@ -91,9 +101,9 @@ TEST(Roundness, LessThanHalfOfTheShellGivesNoCircle) {
 TEST(Roundness, WhatPassesButWasNotAllSeenIsUndecided) {
   auto row = cells([](double) { return kRadius; });
   for (std::size_t i = 0; i < 40; ++i) row[i] = {};  // 7 m
-  EXPECT_EQ(roundOf(row).verdict, Verdict::Undecided);
+  EXPECT_EQ(verdictOf(roundOf(row)), Verdict::Undecided);
   for (std::size_t i = 0; i < 40; i += 20) row[i] = {kRadius, 1e-4, 1.0, 100};
-  EXPECT_EQ(roundOf(row).verdict, Verdict::Pass);
+  EXPECT_EQ(verdictOf(roundOf(row)), Verdict::Pass);
 }
 
 TEST(Roundness, ATooWideGapGivesNoCircle) {
@@ -107,23 +117,38 @@ TEST(Roundness, TheToleranceWithinTheIntervalIsUndecided) {
   const auto oval = [](double amplitude, double sigma) {
     return cells([=](double a) { return kRadius + amplitude * std::cos(2 * a); }, sigma);
   };
-  EXPECT_EQ(roundOf(oval(0.0187, 1e-4)).verdict, Verdict::Pass);
-  EXPECT_EQ(roundOf(oval(0.0193, 1e-4)).verdict, Verdict::Fail);
-  EXPECT_EQ(roundOf(oval(0.0187, 2e-3)).verdict, Verdict::Undecided);
-  EXPECT_EQ(roundOf(oval(0.0193, 2e-3)).verdict, Verdict::Undecided);
-  EXPECT_EQ(roundOf(oval(0.0193, 1e-4), 1.3).verdict, Verdict::Pass);  // three times as much higher up
+  EXPECT_EQ(verdictOf(roundOf(oval(0.0187, 1e-4))), Verdict::Pass);
+  EXPECT_EQ(verdictOf(roundOf(oval(0.0193, 1e-4))), Verdict::Fail);
+  EXPECT_EQ(verdictOf(roundOf(oval(0.0187, 2e-3))), Verdict::Undecided);
+  EXPECT_EQ(verdictOf(roundOf(oval(0.0193, 2e-3))), Verdict::Undecided);
+  EXPECT_EQ(verdictOf(roundOf(oval(0.0193, 1e-4), 1.3)), Verdict::Pass);  // three times as much higher up
 }
 
-TEST(RadiusTolerance, IsThatOfTheDiametersClass) {
-  EXPECT_EQ(radiusTolerance(11.99, 0.3), 0.013);
-  EXPECT_EQ(radiusTolerance(12.0, 0.3), 0.019);
-  EXPECT_EQ(radiusTolerance(44.99, 0.3), 0.019);
-  EXPECT_EQ(radiusTolerance(45.0, 0.3), 0.025);
-  EXPECT_EQ(radiusTolerance(74.99, 0.3), 0.025);
-  EXPECT_EQ(radiusTolerance(75.0, 0.3), 0.032);
-  EXPECT_DOUBLE_EQ(radiusTolerance(60.0, 1.3), 0.075);
+TEST(Roundness, ToleranceIsThatOfTheDiametersClass) {
+  const auto tolerance = [](double diameter, double height) {
+    Roundness r = roundOf(cells([](double) { return kRadius; }), height);
+    return besideLimits(r, standardLimits(), diameter).limit;
+  };
+  EXPECT_EQ(tolerance(11.99, 0.3), 0.013);
+  EXPECT_EQ(tolerance(12.0, 0.3), 0.019);
+  EXPECT_EQ(tolerance(44.99, 0.3), 0.019);
+  EXPECT_EQ(tolerance(45.0, 0.3), 0.025);
+  EXPECT_EQ(tolerance(74.99, 0.3), 0.025);
+  EXPECT_EQ(tolerance(75.0, 0.3), 0.032);
+  EXPECT_DOUBLE_EQ(tolerance(60.0, 1.3), 0.075);
   EXPECT_TRUE(isAtFoot(0.3));
   EXPECT_FALSE(isAtFoot(0.5));
+}
+
+TEST(Roundness, IsJudgedByTheLimitsGiven) {
+  std::vector<Limit> strict = standardLimits();
+  for (Limit& limit : strict) limit.at_most = 0.0001;
+  const Roundness r = roundOf(cells([](double a) { return kRadius + 0.0001 * std::cos(2 * a); }));
+  EXPECT_EQ(verdictOf(r), Verdict::Pass);
+  EXPECT_EQ(besideLimits(r, strict).limit, 0.0001);
+  EXPECT_EQ(besideLimits(r, strict).verdict, Verdict::Undecided);
+  EXPECT_EQ(besideLimits(r, {}).verdict, Verdict::NotEvaluated);
+  EXPECT_TRUE(std::isnan(besideLimits(r, {}).limit));
 }
 
 TEST(Roundness, DeviationsAreEachStationsOwn) {

@@ -156,11 +156,5 @@ TEST(ShellOptions, AreRefusedByName) {
   EXPECT_EQ(refused([](auto& o) { o.cell_points = 49; }), "shell.cell_points, 49, expected >= 50");
 }
 
-TEST(Verdict, HasTheNamesOfTheFiles) {
-  EXPECT_STREQ(nameOf(Verdict::Pass), "pass");
-  EXPECT_STREQ(nameOf(Verdict::Fail), "fail");
-  EXPECT_STREQ(nameOf(Verdict::Undecided), "undecided");
-}
-
 }  // namespace
 }  // namespace tank_datum

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <functional>
 
-#include "tank_datum/stations/stations.h"
+#include "core/units.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr double kRadius = 10.0;
 constexpr double kStep = kDegree * kRadius;  // arc between stations [m]
 const Eigen::Vector2d kCenter(3.0, -4.0);
@@ -18,9 +18,14 @@ using Curve = std::function<double(double)>;  // of the arc from the middle of t
 double level(double) { return 2.0; }
 double circular(double) { return kRadius; }
 
+std::vector<StationDatum> places() {
+  const std::vector<Station> stations = emptyStations({});
+  return {stations.begin(), stations.end()};
+}
+
 /// 360 stations measured on a curve, but for a gap of `length` stations from the first, bridged.
 struct Bridged {
-  std::vector<Station> stations = emptyStations({});
+  std::vector<StationDatum> stations = places();
   std::size_t first, length;
 
   Bridged(std::size_t from, std::size_t count, const Curve& height, double sigma_bend = 0.0, double sigma = 1e-4,
@@ -30,24 +35,25 @@ struct Bridged {
     for (std::size_t i = 0; i < 360; ++i) supported.push_back((i + 360 - first) % 360 >= length);
     for (std::size_t i = 0; i < 360; ++i) {
       if (!supported[i]) continue;
-      Station& s = stations[i];
+      StationDatum& s = stations[i];
       s.z = height(arc(i));
       s.radius = radius(arc(i));
       s.sigma_z = s.sigma_radius = sigma;
     }
-    flagGaps(stations, supported, {});
-    bridgeGaps(stations, kCenter, sigma_bend);
+    const std::vector<StationFlag> flags = flagsOf(supported, {});
+    for (std::size_t i = 0; i < 360; ++i) stations[i].flag = flags[i];
+    stations = bridgeGaps(stations, kCenter, sigma_bend);
   }
   double arc(std::size_t station) const {
     const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(length - 1);
     return kStep * std::remainder(static_cast<double>(station) - middle, 360.0);
   }
-  const Station& inGap(std::size_t i) const { return stations[(first + i) % 360]; }
+  const StationDatum& inGap(std::size_t i) const { return stations[(first + i) % 360]; }
 };
 
 TEST(BridgeGaps, OfALevelDatumIsLevel) {
   const Bridged bridged(100, 1, level);
-  const Station& s = bridged.inGap(0);
+  const StationDatum& s = bridged.inGap(0);
   EXPECT_EQ(s.flag, StationFlag::Interpolated);
   EXPECT_NEAR(s.z, 2.0, 1e-12);
   EXPECT_NEAR(s.radius, kRadius, 1e-12);
@@ -69,7 +75,7 @@ TEST(BridgeGaps, TheRadiusGoesOverTheGapTooAndThePlanFollowsIt) {
   const auto oval = [](double t) { return kRadius + 0.01 * t; };
   const Bridged bridged(100, 5, level, 0.0, 1e-4, oval);
   for (std::size_t i = 0; i < 5; ++i) {
-    const Station& s = bridged.inGap(i);
+    const StationDatum& s = bridged.inGap(i);
     EXPECT_NEAR(s.radius, oval(bridged.arc(100 + i)), 2e-4);  // the arc itself is counted at each station's own radius
     EXPECT_NEAR((Eigen::Vector2d(s.x, s.y) - kCenter).norm(), s.radius, 1e-12);
   }
@@ -102,27 +108,25 @@ TEST(BridgeGaps, WithoutABendSigmaIsThatOfTheStationsBeside) {  // which share m
 }
 
 TEST(BridgeGaps, AWorseStationCountsForLess) {
-  std::vector<Station> stations = Bridged(100, 3, level).stations;
+  std::vector<StationDatum> stations = Bridged(100, 3, level).stations;
   stations[104].z += 0.010;
   const auto bridgedWith = [&](double sigma) {
-    std::vector<Station> copy = stations;
+    std::vector<StationDatum> copy = stations;
     copy[104].sigma_z = sigma;
-    bridgeGaps(copy, kCenter, 0.0);
-    return copy[101].z - 2.0;
+    return bridgeGaps(copy, kCenter, 0.0)[101].z - 2.0;
   };
   EXPECT_GT(bridgedWith(1e-4), 3e-4);
   EXPECT_LT(bridgedWith(1e-2), 3e-6);
 }
 
 TEST(BridgeGaps, LeanOnStationsBesideTheGapOnly) {
-  std::vector<Station> stations = Bridged(100, 3, level).stations;
+  std::vector<StationDatum> stations = Bridged(100, 3, level).stations;
   stations[90].z += 0.010;   // eleventh from the middle
   stations[140].z += 1.000;  // far away
-  std::vector<Station> near = stations;
-  bridgeGaps(near, kCenter, 0.0);
+  const std::vector<StationDatum> near = bridgeGaps(stations, kCenter, 0.0);
   EXPECT_GT(std::abs(near[101].z - 2.0), 1e-5);
   stations[90].z = 2.0;
-  bridgeGaps(stations, kCenter, 0.0);
+  stations = bridgeGaps(stations, kCenter, 0.0);
   EXPECT_NEAR(stations[101].z, 2.0, 1e-9);
 }
 
@@ -138,10 +142,10 @@ TEST(BridgeGaps, ElevenDegreesStayMissingAndMeasuredStationsAreLeftAlone) {
 }
 
 TEST(BridgeGaps, ALoneStationBetweenTwoGapsCarriesBoth) {
-  std::vector<Station> stations = Bridged(100, 4, level).stations;
+  std::vector<StationDatum> stations = Bridged(100, 4, level).stations;
   stations[105].flag = stations[106].flag = StationFlag::Interpolated;  // 104 stands alone
-  for (Station& s : stations) s.z = s.flag == StationFlag::Measured ? s.z : NAN;
-  bridgeGaps(stations, kCenter, 0.003);
+  for (StationDatum& s : stations) s.z = s.flag == StationFlag::Measured ? s.z : NAN;
+  stations = bridgeGaps(stations, kCenter, 0.003);
   for (const std::size_t i : {100U, 103U, 105U, 106U}) {
     EXPECT_NEAR(stations[i].z, 2.0, 1e-9) << i;
     EXPECT_TRUE(std::isfinite(stations[i].sigma_z)) << i;

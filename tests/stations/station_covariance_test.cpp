@@ -1,4 +1,5 @@
-#include "tank_datum/stations/station_covariance.h"
+
+#include "stations/station_covariance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,18 @@
-#include "tank_datum/stations/stations.h"
+
+#include "stations/stations.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/units.h"
+#include "fit/spline.h"
 #include "support/refused.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr double kTurn = 6.283185307179586;
 const Eigen::Vector2d kCenter(3.0, -4.0);
 
@@ -24,7 +26,8 @@ std::vector<Station> withGap(std::size_t first, std::size_t length, const Statio
   std::vector<Station> stations = emptyStations(options);
   std::vector<bool> supported(stations.size(), true);
   for (std::size_t i = 0; i < length; ++i) supported[(first + i) % stations.size()] = false;
-  flagGaps(stations, supported, options);
+  const std::vector<StationFlag> flags = flagsOf(supported, options);
+  for (std::size_t i = 0; i < flags.size(); ++i) stations[i].flag = flags[i];
   return stations;
 }
 
@@ -48,8 +51,7 @@ struct Tank10 {
   }
   std::vector<Station> sample(const StationOptions& options = {}) const {
     std::vector<Station> stations = emptyStations(options);
-    samplePaperCurve(stations, curve, edge, options);
-    return stations;
+    return withParts(stations, samplePaperCurve(stations, curve, edge, options));
   }
 };
 
@@ -117,13 +119,12 @@ TEST(FlagGaps, GoRoundTheSeam) {
 }
 
 TEST(FlagGaps, TwoGapsAreJudgedEachByItsOwnLength) {
-  std::vector<Station> stations = emptyStations({});
   std::vector<bool> supported(360, true);
   for (std::size_t i = 10; i < 15; ++i) supported[i] = false;
   for (std::size_t i = 100; i < 130; ++i) supported[i] = false;
-  flagGaps(stations, supported, {});
-  EXPECT_EQ(countOf(stations, StationFlag::Interpolated), 5U);
-  EXPECT_EQ(countOf(stations, StationFlag::Missing), 30U);
+  const std::vector<StationFlag> flags = flagsOf(supported, {});
+  EXPECT_EQ(std::count(flags.begin(), flags.end(), StationFlag::Interpolated), 5);
+  EXPECT_EQ(std::count(flags.begin(), flags.end(), StationFlag::Missing), 30);
 }
 
 TEST(FlagGaps, AllSupportedAreMeasuredAndNoneSupportedAreMissing) {
@@ -148,8 +149,7 @@ TEST(FlagGaps, LongestBridgeIsAnOptionInRadians) {
 TEST(SamplePaperCurve, GivesTheCurveAtEveryStation) {
   for (const Station& s : Tank10().sample()) {
     EXPECT_EQ(s.flag, StationFlag::Measured);
-    EXPECT_NEAR(s.z_paper, Tank10::elevation(s.direction), 1e-5);
-    EXPECT_EQ(s.z, s.z_paper);
+    EXPECT_NEAR(s.z, Tank10::elevation(s.direction), 1e-5);
     EXPECT_NEAR(s.radius, 10.0, 1e-4);
     EXPECT_NEAR(s.x, kCenter.x() + 10 * std::cos(s.direction), 1e-4);
     EXPECT_NEAR(s.y, kCenter.y() + 10 * std::sin(s.direction), 1e-4);
@@ -175,7 +175,6 @@ TEST(SamplePaperCurve, FlagsWhereNoEdgePointsAre) {
   EXPECT_EQ(countOf(open, StationFlag::Measured), 180U);
   EXPECT_EQ(countOf(open, StationFlag::Missing), 180U);
   EXPECT_TRUE(std::isnan(open[270].z));
-  EXPECT_TRUE(std::isnan(open[270].z_paper));
   EXPECT_TRUE(std::isnan(open[270].x));
 }
 

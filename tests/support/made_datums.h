@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "core/units.h"
+#include "shape/deformation.h"
+#include "stations/stations.h"
+#include "tank_datum/foot/refined.h"
 #include "tank_datum/report/report.h"
 
 /// A result made by hand, for the tests of what is written.
 namespace tank_datum::made_datums {
-
-inline constexpr double kDegree = 0.017453292519943295;
 
 /// Eight stations of a 10 m tank far from the frame's zero: the sixth interpolated, the seventh missing.
 inline Datum octagon() {
@@ -37,6 +39,7 @@ inline Datum octagon() {
   datum.edge_points = {{11.0, 2.0, 0.51}, {1.0, 12.0, 0.52}};
   datum.level = levelOf(datum.stations);
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options);
+  datum.stations = withParts(datum.stations, standingsTo(datum.tilt, datum.stations, datum.circle.center));
   datum.antipodal = antipodalOf(datum.stations);
   return datum;
 }

@@ -8,13 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "core/units.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/movement/movement.h"
 
 /// Surveys whose shape and errors are known.
 namespace tank_datum::made_epochs {
-
-inline constexpr double kDegree = 0.017453292519943295;
 
 /// A survey of a 30 m tank: its shape, errors of `sigma` that stations share within `window`, and a dip.
 struct Survey {

@@ -38,15 +38,27 @@ class MadeFoot {
     for (int s = 0; s < stations_; ++s) addStation(s, count, from, to, height);
   }
 
-  /// The foot as the passes see it. Must outlive what is returned.
+  /// The foot as the passes see it, each station's own points among it. Must outlive what is returned.
   Foot& foot(const FootScales& scales = kScales) {
     ShellLine line;
     line.radius = kRadius;
     line.points = 100;
     line.noise = scales.shell_noise;
-    ring_.emplace(PolarRing(points_, {0.0, 0.0}), ShellModel(std::vector<ShellLine>(360, line), 0.0), 1.0, kReach);
-    foot_.emplace(Foot{*ring_, options, kReach, 0.5 * step(), kRadius, {}, {}, {}, {}, {}});
-    for (int s = 0; s < stations_; ++s) foot_->directions.push_back(s * step());
+    const ShellModel shell(std::vector<ShellLine>(360, line), 0.0);
+    foot_.emplace(Foot{FootRing(PolarRing(points_, {0.0, 0.0}), shell, 1.0, kReach),
+                       options,
+                       scales,
+                       kReach,
+                       0.5 * step(),
+                       kRadius,
+                       {},
+                       {},
+                       {}});
+    for (int s = 0; s < stations_; ++s) {
+      foot_->directions.push_back(s * step());
+      foot_->points.push_back(foot_->ring.around(foot_->directions.back(), foot_->half_step, 0.0, kReach));
+      foot_->shell_seen.push_back(true);
+    }
     return *foot_;
   }
 
@@ -55,7 +67,6 @@ class MadeFoot {
  private:
   int stations_;
   Points points_;
-  std::optional<FootRing> ring_;
   std::optional<Foot> foot_;
 };
 

@@ -4,7 +4,8 @@
 #include <functional>
 #include <random>
 
-#include "shell/shell_survey_impl.h"
+#include "shell/shell_survey.h"
+#include "stations/stations.h"
 #include "support/made_clouds.h"
 
 /// Shells whose radius at every azimuth and height is given by a formula, with the tank and stations that belong to

@@ -4,15 +4,22 @@
 #include <random>
 #include <vector>
 
+#include "core/units.h"
+#include "shape/deformation.h"
+#include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/shape/deformation.h"
-#include "tank_datum/stations/stations.h"
 
 /// Stations made by hand, for the tests of what their elevations mean.
 namespace tank_datum::made_surveys {
 
-inline constexpr double kDegree = 0.017453292519943295;
 inline constexpr double kTurn = 6.283185307179586;
+
+/// Their tilt, and the stations with their places to its plane.
+inline Tilt takeTilt(std::vector<Station>& stations, const Eigen::Vector2d& center, const StationOptions& options) {
+  const Tilt tilt = fitTilt(stations, center, options);
+  stations = withParts(stations, standingsTo(tilt, stations, center));
+  return tilt;
+}
 
 /// Measured stations about the origin with these elevations; NaN is missing. Their tilt is taken out.
 inline std::vector<Station> survey(const std::vector<double>& z, double radius, double sigma = kUnknown) {
@@ -29,7 +36,7 @@ inline std::vector<Station> survey(const std::vector<double>& z, double radius, 
     s.sigma_z = sigma;
     s.flag = StationFlag::Measured;
   }
-  fitTilt(stations, {0.0, 0.0}, options);
+  takeTilt(stations, {0.0, 0.0}, options);
   return stations;
 }
 

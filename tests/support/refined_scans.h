@@ -4,8 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "foot/refine.h"
+#include "locate/crop.h"
+#include "stations/stations.h"
 #include "support/scanned_tanks.h"
-#include "tank_datum/foot/refine.h"
 
 /// Scans refined and compared with their truth.
 namespace tank_datum::refined_scans {
@@ -33,8 +35,9 @@ inline Scanned run(const SceneOptions& scene, const Points& points, const Refine
   const Scan scan = Scan::fromPoints(points);
   const Tank tank = roughTank(scene, scan.origin());
   const Ring ring = cropRing(scan, tank, {});
-  result.stations = emptyStations(station_options);
-  result.refined = refineStations(result.stations, ring, tank, options, station_options);
+  const RefinedFoot foot = refineStations(ring, tank, options, station_options);
+  result.stations = withParts(emptyStations(station_options), foot.stations);
+  result.refined = foot.refined;
   result.refined.circle.center += scan.origin().head<2>();
   double squares = 0, within = 0;
   for (Station& s : result.stations) {

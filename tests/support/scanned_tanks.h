@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "support/synth_scenes.h"
-#include "tank_datum/locate/locate.h"
+#include "tank_datum/locate/tank.h"
 
 /// Small ray-cast scans with their truth, for the tests of locate and refine.
 namespace tank_datum::scanned_tanks {

@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "shape/deformation.h"
+#include "stations/stations.h"
+#include "trust/tank_tests.h"
 
 namespace tank_datum {
 namespace {
@@ -119,6 +122,7 @@ std::vector<Station> stationsOf(int measured, double slope, double wave) {
 std::vector<TankTest> testsOf(int measured, double slope, double wave) {
   std::vector<Station> stations = stationsOf(measured, slope, wave);
   const Tilt tilt = fitTilt(stations, {0.0, 0.0}, StationOptions());
+  stations = withParts(stations, standingsTo(tilt, stations, {0.0, 0.0}));
   return testsOfStations(stations, levelOf(stations), tilt, evidence());
 }
 
@@ -139,17 +143,17 @@ TEST(TestsOfStations, TheSameOfAnyTurn) {
   EXPECT_EQ(outcomeOf(testsOf(360, 0.03, 0.0), "waves"), TestOutcome::Pass);
 }
 
-TEST(DropOffCircle, StationsOnAnotherThing) {
+TEST(StationsOffCircle, AreOnAnotherThing) {
   std::vector<Station> stations = stationsOf(360, 0.0, 0.0);
   stations[10].radius = kRadius + 0.3;                                   // a pipe beside the shell
   stations[20].radius = kRadius - 0.055;                                 // 3 times 0.4 % of the radius are 60 mm
   stations[30].radius = kRadius + 0.3, stations[30].sigma_radius = 0.2;  // as badly known as that
-  EXPECT_EQ(dropOffCircle(stations, {{0.0, 0.0}, kRadius}, evidence()), 1U);
-  EXPECT_EQ(stations[10].flag, StationFlag::Missing);
-  EXPECT_EQ(stations[20].flag, StationFlag::Measured);
-  EXPECT_EQ(stations[30].flag, StationFlag::Measured);
+  const auto off = [&] { return stationsOffCircle(stations, {{0.0, 0.0}, kRadius}, evidence()); };
+  EXPECT_EQ(off(), (std::vector<std::size_t>{10}));
   stations[20].radius = kRadius - 0.065;
-  EXPECT_EQ(dropOffCircle(stations, {{0.0, 0.0}, kRadius}, evidence()), 1U);
+  EXPECT_EQ(off(), (std::vector<std::size_t>{10, 20}));
+  stations[10].flag = StationFlag::Missing;
+  EXPECT_EQ(off(), (std::vector<std::size_t>{20}));
 }
 
 TEST(FindingsOf, NamesTheWorstAlone) {

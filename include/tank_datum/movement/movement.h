@@ -1,16 +1,49 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
-#include "tank_datum/core/normal95.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/movement/epoch.h"
+#include "tank_datum/fit/curves.h"
 
 namespace TANK_DATUM_API tank_datum {
+
+struct Datum;
+enum class Method;
+
+/// A measured elevation of the datum.
+struct Elevation {
+  double azimuth = kUnknown;    ///< as the survey counts it [rad]
+  double direction = kUnknown;  ///< counter-clockwise from +x about the fitted centre [rad]
+  double z = kUnknown;          ///< in the scan's own frame [m]
+  double sigma_z = kUnknown;    ///< standard error [m]
+  double window = kUnknown;     ///< arc along which the points behind z lie; NaN: at the station alone [rad]
+};
+
+/// One survey of a tank, as far as surveys are compared.
+struct Epoch {
+  std::string name;                 ///< where it was read from
+  std::string status;               ///< "ok", "partial": usable
+  std::string method;               ///< what z is
+  std::string surface;              ///< the foundation surface that was intersected; else empty
+  Circle circle;                    ///< in the scan's own frame [m]
+  std::vector<Elevation> stations;  ///< every one in order; z is NaN where it was not measured
+  bool levelled = false;            ///< elevations typed in: its azimuths are about its own centre, (0, 0)
+
+  bool usable() const { return status == "ok" || status == "partial"; }
+  std::size_t judgeable() const;  ///< measured stations with a standard error
+};
+
+/// Reads a datum.json, or the one in a result folder. Its `input.kind` says whether it is of a levelling; without one
+/// it is of a scan.
+/// @throws Error (File) what cannot be read, or is no datum.json with its stations
+Epoch readEpoch(const std::string& path);
+
+/// The survey in a result, of a scan or of a levelling.
+Epoch epochOf(const Datum& datum, Method method, const std::string& name);
 
 /// What is taken from the differences before they are judged.
 enum class Removal {
@@ -36,18 +69,6 @@ struct MovementOptions {
 /// The first refused field, or nothing.
 std::optional<Refusal> firstError(const MovementOptions& options);
 
-/// @throws Error (Option) naming the first refused field
-void requireValid(const MovementOptions& options);
-
-/// Refuses a circle that is not that of the baseline's tank. The centre of a levelled baseline is not looked at.
-/// @throws Error (Option) naming radius or centre, and the units that may have been confused
-void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
-                     const MovementOptions& options);
-
-/// Refuses a survey none of whose stations has a standard error.
-/// @throws Error (Option) naming it and, of a levelling, the column that its table lacks
-void requireErrors(const Epoch& epoch);
-
 /// The movement of one station.
 struct StationMovement {
   double azimuth = kUnknown;         ///< as the current survey counts it [rad]
@@ -57,7 +78,7 @@ struct StationMovement {
   double sigma_baseline = kUnknown;  ///< the baseline's part of it [m]
   bool significant = false;          ///< moved: false anywhere on an unmoved tank in at most 5 % of comparisons
 
-  double lod95() const { return kNormal95 * sigma; }  ///< 95 % level of detection of this station alone [m]
+  double lod95() const;  ///< 95 % level of detection of this station alone [m]
 };
 
 /// Movement of a tank's datum between two surveys.
@@ -98,10 +119,25 @@ struct Movement {
 ///         without any standard error
 Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
 
-/// The `movement` of datum.json by itself. Metres, degrees; unknown values null.
-std::string movementJson(const Movement& movement);
+/// One place of the datum through all surveys.
+struct StationHistory {
+  double azimuth = kUnknown;             ///< as the last survey counts it [rad]
+  double direction = kUnknown;           ///< in the baseline's frame [rad]
+  std::vector<StationMovement> surveys;  ///< its movement at each survey after the baseline; dz NaN where unknown
+  double rate = kUnknown;                ///< least-squares slope of the elevation against time [m per unit of time]
+  double sigma_rate = kUnknown;          ///< its standard error, from the surveys' own
 
-/// The `movement` of datum.json's options by itself, without the baseline's name. Metres, degrees.
-std::string movementOptionsJson(const MovementOptions& options);
+  bool significant = false;  ///< of all places shown at once: some unmoved one is in at most 5 % of tanks
+
+  double lod95() const;  ///< 95 % level of detection of the rate, of this place alone
+};
+
+/// The movements since one baseline, place by place: at the stations of the last survey that was compared. Other
+/// surveys are interpolated between stations at most 2 degrees apart, as in compareEpochs; a place that a survey has
+/// not seen has a rate from the others, if two surveys are left.
+/// @param movements  in time order, of one baseline
+/// @param times      of the baseline and then of each survey, increasing: one more than movements
+/// @throws Error (Option) when the times are not that
+std::vector<StationHistory> historiesOf(const std::vector<Movement>& movements, const std::vector<double>& times);
 
 }  // namespace tank_datum

@@ -5,21 +5,21 @@
 #include <pcl/search/search.h>
 #include <pcl/types.h>
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
-#include "tank_datum/edge/centre_filter.h"
-#include "tank_datum/foot/refine.h"
+#include "tank_datum/edge/find_edge_points.h"
+#include "tank_datum/foot/refined.h"
 #include "tank_datum/io/scan.h"
-#include "tank_datum/locate/crop.h"
-#include "tank_datum/locate/locate.h"
-#include "tank_datum/pcl/pcl_search.h"
-#include "tank_datum/search/normals.h"
+#include "tank_datum/locate/tank.h"
+#include "tank_datum/search/estimate_normals.h"
 #include "tank_datum/stations/stations.h"
 
 /// @file
@@ -56,18 +56,45 @@ Points pointsOf(const pcl::PointCloud<PointT>& cloud) {
   return points;
 }
 
-/// A tank in a frame whose zero is elsewhere.
-/// @param shift  added to its coordinates [m]
-Tank movedBy(const Eigen::Vector3d& shift, const Tank& tank);
+/// Which of a scan's points these are, for a caller who holds the scan in memory and wants his own rows back.
+/// @param points  taken from the scan's blocks, bit for bit; of points with equal coordinates each gets a row of its
+/// own
+/// @return per point its place among the scan's finite points, counted from 0
+/// @throws std::logic_error for a point that is not the scan's
+std::vector<std::size_t> rowsOf(const Points& points, const Scan& scan);
 
-/// The tanks of a cloud in its own frame, best first; see locateTanks(const Scan&, ...).
+/// The k points of a cloud that a search finds nearest to one of them, and their squared distances; returns how many.
+using NearestOf = std::function<int(pcl::index_t point, int k, pcl::Indices& found, std::vector<float>& squared)>;
+
+/// Step 1 of the method through a search: the k nearest of every chosen point among the chosen points, in order of
+/// distance, which not every search of PCL keeps to. A search that holds more of the cloud is asked for more neighbours
+/// until k chosen ones are among them.
+/// @param search  over the cloud or at least its chosen points; asked from several threads at once
+/// @param size    of the cloud
+/// @param chosen  finite points of the cloud, each at most once
+/// @return chosen.size() rows of k places in `chosen`, nearest first
+/// @throws Error (Option) when the search finds fewer than k of them
+Neighbours findNeighbours(const NearestOf& search, std::size_t size, const pcl::Indices& chosen, int k,
+                          int threads = 0);
+
+/// The same through a search of PCL.
+template <typename PointT>
+Neighbours findNeighbours(const pcl::search::Search<PointT>& search, const pcl::PointCloud<PointT>& cloud,
+                          const pcl::Indices& chosen, int k, int threads = 0) {
+  const auto nearest = [&](pcl::index_t point, int count, pcl::Indices& found, std::vector<float>& squared) {
+    return search.nearestKSearch(cloud, point, count, found, squared);
+  };
+  return findNeighbours(nearest, cloud.size(), chosen, k, threads);
+}
+
+/// The tanks of a scan in its own frame, best first.
+std::vector<Tank> locateTanksOf(const Scan& scan, const LocateOptions& options);
+
+/// The tanks of a cloud in its own frame, best first.
 template <typename PointT>
 std::vector<Tank> locateTanks(const std::shared_ptr<const pcl::PointCloud<PointT>>& cloud,
                               const LocateOptions& options) {
-  const Scan scan = scanOf<PointT>(cloud);
-  std::vector<Tank> tanks = locateTanks(scan, options);
-  for (Tank& tank : tanks) tank = movedBy(scan.origin(), tank);
-  return tanks;
+  return locateTanksOf(scanOf<PointT>(cloud), options);
 }
 
 /// Neighbours and normals of a cloud; see estimateNormals(const Points&, ...).
@@ -101,22 +128,23 @@ EdgePoints filterByCentre(const pcl::PointCloud<PointT>& cloud, const std::vecto
   return filterByCentre(pointsOf(cloud), candidates, start, options);
 }
 
-/// Crops the ring of a tank out of a cloud and refines the stations on it; see refineStations(..., const Ring&, ...).
-/// @param tank  in the cloud's frame
+/// The stations of a datum, with what was refined for the tank as a whole.
+struct RefinedStations {
+  std::vector<Station> stations;
+  Refined refined;
+};
+
+/// Crops the ring of a tank out of a scan and fits the stations on it.
+/// @param tank  in the scan's own frame, as the result is
+RefinedStations refineStationsOf(const Scan& scan, const Tank& tank, const RefineOptions& options,
+                                 const StationOptions& station_options, const CropOptions& crop = {});
+
+/// The same of a cloud.
 template <typename PointT>
-Refined refineStations(std::vector<Station>& stations, const std::shared_ptr<const pcl::PointCloud<PointT>>& cloud,
-                       const Tank& tank, const RefineOptions& options, const StationOptions& station_options,
-                       const CropOptions& crop = {}) {
-  const Scan scan = scanOf<PointT>(cloud);
-  const Tank local = movedBy(-scan.origin(), tank);
-  Refined refined = refineStations(stations, cropRing(scan, local, crop), local, options, station_options);
-  for (Station& station : stations) {
-    station.x += scan.origin().x();
-    station.y += scan.origin().y();
-    station.z += scan.origin().z();
-  }
-  refined.circle.center += scan.origin().head<2>();
-  return refined;
+RefinedStations refineStations(const std::shared_ptr<const pcl::PointCloud<PointT>>& cloud, const Tank& tank,
+                               const RefineOptions& options, const StationOptions& station_options,
+                               const CropOptions& crop = {}) {
+  return refineStationsOf(scanOf<PointT>(cloud), tank, options, station_options, crop);
 }
 
 }  // namespace tank_datum

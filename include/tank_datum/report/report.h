@@ -37,10 +37,6 @@ struct Provenance {
 /// @throws Error (File) naming the file that cannot be read
 std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted = {});
 
-/// The hash of a levelling survey's file and its stations.
-/// @throws Error (File) naming it when it cannot be read
-InputRecord recordOfLevelling(const std::string& path, const Datum& datum);
-
 /// The record of a datum read from files.
 /// @param units  of the files, "m", "mm" or "ft"
 Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units, const DatumOptions& options,
@@ -60,5 +56,13 @@ std::string summary(const Datum& datum, bool blocks = false);
 /// folder.
 /// @throws Error (File) naming the path
 void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance);
+
+/// report.html: everything datum.json and stations.csv say, to look at; of refined results with sections, what each
+/// station was fitted to.
+std::string reportPage(const Datum& datum, const Provenance& provenance);
+
+/// Writes report.html into a folder.
+/// @throws Error (File) naming the path
+void writeReportPage(const std::string& folder, const std::string& page);
 
 }  // namespace tank_datum

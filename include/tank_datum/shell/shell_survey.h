@@ -10,8 +10,7 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/circle.h"
-#include "tank_datum/limits/verdict.h"
+#include "tank_datum/fit/curves.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -48,8 +47,6 @@ struct Roundness {
   double sigma = kUnknown;          ///< its standard error [m]
   std::size_t stations = 0;         ///< at which the shell is seen at this height
   double widest_gap = kUnknown;     ///< arc between two of them [m]
-  double tolerance = kUnknown;      ///< of the radius, API 650 7.5.3 and API 653 10.5.3 [m]
-  Verdict verdict = Verdict::Undecided;
 
   double largest() const { return std::max(max_deviation, -min_deviation); }  ///< [m]
 };

@@ -9,8 +9,6 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/edge/centre_filter.h"
-#include "tank_datum/fit/spline.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -33,43 +31,67 @@ enum class StationFlag {
 /// The name used in files: "measured", "interpolated", "missing".
 const char* nameOf(StationFlag flag);
 
-/// The datum at one azimuth.
-struct Station {
-  double azimuth = kUnknown;    ///< as the user counts it, from zero_azimuth in the chosen direction [rad]
+/// The datum at one azimuth, as the stages at the foot find it.
+struct StationDatum {
   double direction = kUnknown;  ///< counter-clockwise from +x [rad]
+  StationFlag flag = StationFlag::Missing;
   double x = kUnknown, y = kUnknown, z = kUnknown;    ///< relative to the scan's origin [m]
   double sigma_z = kUnknown;                          ///< standard error of z [m]
   double radius = kUnknown, sigma_radius = kUnknown;  ///< distance from the centre and its standard error [m]
   std::optional<std::size_t> n_shell, n_foundation;   ///< points behind z; none with the paper's method
   double window = kUnknown;                           ///< arc along which the points behind z lie [rad]
-  std::optional<std::size_t> n_setups;                ///< setups of the scanner that see it
-  double sigma_setup = kUnknown;                      ///< part of sigma_z that stations share through setups [m]
-  StationFlag flag = StationFlag::Missing;
-  double z_paper = kUnknown;                                ///< the paper's B-spline [m]
-  double z_tilt = kUnknown;                                 ///< the fitted plane here [m]
-  double u = kUnknown;                                      ///< z - z_tilt [m]
+};
+
+/// What the setups of the scanner have to do with a station.
+struct StationSetups {
+  std::optional<std::size_t> n_setups;  ///< setups that see it
+  double sigma_setup = kUnknown;        ///< part of sigma_z that stations share through setups [m]
+};
+
+/// Where a station stands to the fitted plane.
+struct StationTilt {
+  double z_tilt = kUnknown;  ///< elevation of the plane here [m]
+  double u = kUnknown;       ///< z - z_tilt [m]
+};
+
+/// The regression of a station's out-of-plane settlement.
+struct StationBending {
   double u_fit = kUnknown, sigma_u_fit = kUnknown;          ///< trigonometric regression of u, its standard error [m]
   double curvature = kUnknown, sigma_curvature = kUnknown;  ///< second derivative of its bending along the shell [1/m]
 };
 
-/// Stations with their azimuths and nothing else.
-std::vector<Station> emptyStations(const StationOptions& options);
+/// A row of the result: what every stage found at one azimuth, put together.
+struct Station : StationDatum, StationSetups, StationTilt, StationBending {
+  double azimuth = kUnknown;  ///< as the user counts it, from zero_azimuth in the chosen direction [rad]
+  double z_paper = kUnknown;  ///< the paper's B-spline [m]
+};
 
-/// Flags stations by a list of support: measured where supported, interpolated in gaps up to options.longest_bridge
-/// that have support on both sides, missing else.
-void flagGaps(std::vector<Station>& stations, const std::vector<bool>& supported, const StationOptions& options);
+/// Covariance of the stations' elevations z, in their order: C = diag(independent^2) + factors^T factors [m^2].
+/// A row of `factors` is one error that stations share, such as the height of a scanner's setup: what one standard
+/// deviation of it does to each station.
+struct StationCovariance {
+  Eigen::VectorXd independent;  ///< [n] standard error of each station's own [m]; NaN where it is not known
+  Eigen::MatrixXd factors;      ///< [m x n] shared errors, m = 0 when there are none [m]; 0 where a station is missing
 
-/// Gives the interpolated stations of a refined datum their z, radius and standard errors: a parabola through the
-/// measured stations around the gap, weighted by their standard errors. The error grows into the gap by what a curve
-/// of the bend sigma_bend may do there.
-/// @param center      about which the stations stand [m]
-/// @param sigma_bend  standard deviation of the datum's second derivative along the shell [1/m]
-void bridgeGaps(std::vector<Station>& stations, const Eigen::Vector2d& center, double sigma_bend);
+  bool empty() const { return independent.size() == 0; }
+  /// Standard error of one station's elevation, own and shared together [m].
+  double sigma(std::size_t station) const;
+  /// C of the stations named, in that order [m^2].
+  Eigen::MatrixXd dense(const std::vector<std::size_t>& stations) const;
+};
 
-/// Step 6 of the method: the spline's elevation at every station that has edge points within half a station's spacing
-/// or half a degree, whichever is more. Fills z_paper of measured and interpolated stations, their flags, and z,
-/// radius and sigmas from the curve.
-void samplePaperCurve(std::vector<Station>& stations, const ClosedSpline& curve, const EdgePoints& edge,
-                      const StationOptions& options);
+/// A quantity at a place round the tank.
+struct PlacedValue {
+  double value = kUnknown;    ///< [m], or [m/m] of a slope
+  double sigma = kUnknown;    ///< its standard error, unknown when the stations' are
+  double azimuth = kUnknown;  ///< [rad]
+};
+
+/// 95 % interval of a figure; unknown when the errors are.
+struct Interval95 {
+  double low = kUnknown, high = kUnknown;
+
+  bool known() const { return low <= high; }
+};
 
 }  // namespace tank_datum

@@ -38,10 +38,4 @@ struct ShellLean {
   Eigen::Vector3d axis() const { return Eigen::Vector3d(slope.x(), slope.y(), 1.0).normalized(); }
 };
 
-/// The worst outcome among tests; Pass without any.
-TestOutcome worstOf(const std::vector<TankTest>& tests);
-
-/// The findings of those tests that have the worst outcome, one after the other.
-std::string findingsOf(const std::vector<TankTest>& tests);
-
 }  // namespace tank_datum

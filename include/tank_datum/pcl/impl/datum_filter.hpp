@@ -9,9 +9,7 @@
 
 #include "tank_datum/core/error.h"
 #include "tank_datum/pcl/datum_filter.h"
-#include "tank_datum/pcl/pcl_search.h"
 #include "tank_datum/pcl/pcl_stages.h"
-#include "tank_datum/search/scan_rows.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -88,13 +86,13 @@ void DatumFilter<PointT>::runOn(const pcl::IndicesPtr& selection, std::vector<bo
     for (const std::size_t row : rowsOf(points, scan)) found.push_back(finite[row]);
     return found;
   };
-  NormalStage normals;
+  Callbacks callbacks;
   if (search_ || use_cloud_normals_) {
-    normals = [&](const Points& points, const NormalOptions& options, int threads) {
+    callbacks.normals = [&](const Points& points, const NormalOptions& options, int threads) {
       return normalsOf(points, sources(points), options, threads);
     };
   }
-  datum_ = extractDatum(scan, options_, {}, normals);
+  datum_ = extractDatum(scan, options_, callbacks);
   if (!datum_.usable()) return;
   for (const pcl::index_t i : sources(datum_.edge_points)) is_edge[static_cast<std::size_t>(i)] = true;
 }

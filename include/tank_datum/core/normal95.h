@@ -1,9 +1,0 @@
-#pragma once
-
-#include "tank_datum/core/export.h"
-
-namespace TANK_DATUM_API tank_datum {
-
-constexpr double kNormal95 = 1.959963984540054;  ///< two-sided 95 % point of the normal distribution
-
-}  // namespace tank_datum

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "tank_datum/limits/limits.h"
+
+namespace tank_datum {
+
+/// Every limit beside the figure it is for; rows of a table (one code, clause and name) make one check.
+/// A failure needs the whole 95 % interval beyond the limit; a pass value and interval within it, and that no gap hides
+/// a part of the ring.
+/// @param diameter  of the tank [m]
+std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
+                         double diameter);
+
+/// A figure beside the first limit for its quantity and such a tank.
+LimitComparison compare(const std::vector<Limit>& limits, const Measure& measure, const TankFacts& facts,
+                        double diameter);
+
+/// @param dense  more than 64 measured stations: the regression's curvature governs out-of-plane settlement; else
+///               Andreani's arcs, or where those cannot be judged the classic rule (ballot B.2.2.5 to B.2.2.8).
+///               Gives the checks their roles.
+Headline headlineOf(std::vector<Check>& checks, bool dense);
+
+}  // namespace tank_datum

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "shell/shell_bands.h"
+#include "tank_datum/fit/curves.h"
+#include "tank_datum/shell/shell_survey.h"
+#include "tank_datum/stations/stations.h"
+
+namespace tank_datum {
+
+/// Roundness and plumbness from the points of a scan's shell; heights count from the stations' elevations.
+/// @param circle  of the datum, about whose centre the stations stand [m]
+ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& stations, const Circle& circle,
+                        const ShellOptions& options, const StationOptions& station_options);
+
+}  // namespace tank_datum
