@@ -38,3 +38,15 @@ html_show_sphinx = False
 html_copy_source = False
 html_static_path = ["style"]
 html_css_files = ["wide.css"]
+
+
+def without_options(app, what, name, obj, options, lines):  # noqa: ANN001, ANN201
+    """The compiled part lists the options in a docstring; the pages have a table of their own."""
+    stripped = [line.strip() for line in lines]
+    if name == "tank_datum.extract_datum" and "Options:" in stripped:
+        del lines[stripped.index("Options:") :]
+        lines += ["", "The options are in the :doc:`table of options </src/doc/options>`.", ""]
+
+
+def setup(app):  # noqa: ANN001, ANN201
+    app.connect("autodoc-process-docstring", without_options)
