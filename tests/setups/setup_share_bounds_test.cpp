@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 #include "setups/setup_shares.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 namespace {

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "core/units.h"
+#include "shape/analysis.h"
+#include "shape/deformation.h"
 #include "shape/level_rows.h"
+#include "shape/out_of_plane.h"
 #include "shape/survey_rows.h"
 #include "support/made_surveys.h"
-#include "tank_datum/shape/analysis.h"
 
 namespace tank_datum {
 namespace {
@@ -21,7 +23,7 @@ std::vector<double> level(std::size_t count) {
 Analysis analysed(const std::vector<double>& z, double radius, double sigma) {
   auto stations = survey(z, radius, sigma);
   const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
-  return analyse(stations, tilt, radius, {});
+  return analyse(stations, tilt, radius, AnalysisOptions());
 }
 
 bool notes(const Analysis& analysis, const std::string& text) {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/deviates.h"
+#include "shape/analysis.h"
 #include "shape/ring_data.h"
 #include "shape/ring_model.h"
 #include "support/made_surveys.h"
-#include "tank_datum/shape/analysis.h"
 
 namespace tank_datum {
 namespace {
@@ -16,6 +16,7 @@ namespace {
 using made_surveys::kTurn;
 using made_surveys::noisy;
 using made_surveys::survey;
+using made_surveys::takeTilt;
 using made_surveys::wave;
 
 constexpr double kSigma = 2e-4;
@@ -30,7 +31,8 @@ double foundation(double a) {
 
 Analysis analysed(const std::vector<double>& z, double sigma) {
   auto stations = survey(z, 30.0, sigma);
-  return analyse(stations, fitTilt(stations, {0.0, 0.0}, {}), 30.0, {});
+  const Tilt tilt = takeTilt(stations, {0.0, 0.0}, {});
+  return analyse(stations, tilt, 30.0, AnalysisOptions());
 }
 
 /// Errors that neighbours share over some degrees: a chain of the second order in both directions, made periodic.
