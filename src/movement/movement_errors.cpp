@@ -54,11 +54,14 @@ void removeStandingWaves(std::vector<double>& values, const std::vector<MatchedS
   std::vector<double> powers;
   for (int n = kLongest + 1; n <= kHighest; ++n) powers.push_back(power(n));
   const double usual = median(powers);
+  std::vector<double> rest = values;
   for (int n = 2; n <= kLongest; ++n) {
     if (power(n) <= kStands * usual) continue;
     const Eigen::VectorXd wave = rows.middleCols(2 * n - 1, 2) * waves.segment<2>(2 * n - 1);
-    for (Eigen::Index i = 0; i < count; ++i) values[static_cast<std::size_t>(i)] -= wave[i];
+    for (Eigen::Index i = 0; i < count; ++i) rest[static_cast<std::size_t>(i)] -= wave[i];
   }
+  // the waves of a sector that moved would move the others
+  if (robustSigma(rest, median(rest)) < robustSigma(values, median(values))) values = rest;
 }
 
 }  // namespace

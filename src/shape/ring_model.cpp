@@ -11,6 +11,7 @@
 namespace tank_datum {
 namespace {
 
+constexpr double kLeastScale2 = 1e-12;
 constexpr Eigen::Index kMostSparse = 64;  ///< stations: up to so many, each stands for its own arc
 constexpr int kHighestWave = 45;
 
@@ -42,25 +43,25 @@ RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.c
     const double scatter = std::sqrt(data_.z.squaredNorm() / static_cast<double>(data_.count()));
     data_.sigmas.setConstant(data_.count(), std::max(kLeast, 0.1 * scatter));
   }
-  if (dense())
-    addLocalShapes();
-  else
-    fitWith({});
+  setUp(dense() ? standingShapes() : std::vector<LocalShape>());
+  estimatePriors(ownScale2());
   solve();
   data_.z.array() += offset_;
 }
 
 /// Adds the likeliest shape again and again, and keeps as many as make the stations likeliest: several shapes hide each
 /// other while each is taken for errors. Each must raise the odds more than the best of all places does by chance.
-void RingModel::addLocalShapes() {
+std::vector<LocalShape> RingModel::standingShapes() {
   constexpr int kMost = 8, kInVain = 3;
   constexpr double kOdds = 10.0;
   const std::vector<LocalShape> candidates = candidateShapes(data_.azimuths);
   const double each = 2.0 * std::log(kOdds * static_cast<double>(candidates.size()));
+  setUp({});
+  const double scale2 = robustScale2();
   std::vector<LocalShape> best;
-  double least = fitWith({});
+  double least = estimatePriors(scale2);
   int last = 0;
-  for (int count = 1; count <= kMost; ++count) {
+  for (int count = 1; count <= kMost && count - last <= kInVain; ++count) {
     const Eigen::VectorXd weights = data_.sigmas.array().square().inverse() / (noise_.scale * noise_.scale);
     const Eigen::VectorXd residuals = data_.z - design_ * solution_;
     const auto next = likeliestShape({data_.azimuths, weights, residuals, design_, posterior_}, candidates);
@@ -68,15 +69,14 @@ void RingModel::addLocalShapes() {
     std::vector<LocalShape> shapes = shapes_;
     for (const LocalShape& part : withDetails(*next, kTwoPi / static_cast<double>(data_.count())))
       shapes.push_back(part);
-    const double misfit = fitWith(shapes) + count * each;
+    setUp(shapes);
+    const double misfit = estimatePriors(scale2) + count * each;
     if (misfit < least) least = misfit, best = shapes, last = count;
-    if (count - last >= kInVain) break;
   }
-  if (best.size() != shapes_.size()) fitWith(best);
+  return best;
 }
 
-/// Sets up the model with these local shapes and finds its priors. Returns -2 ln of its likelihood, less a constant.
-double RingModel::fitWith(const std::vector<LocalShape>& shapes) {
+void RingModel::setUp(const std::vector<LocalShape>& shapes) {
   shapes_ = shapes;
   design_.resize(data_.count(), datumCount() + data_.shared.rows());
   design_.leftCols(waveCount()) = harmonicRows(data_.azimuths, order_);
@@ -90,9 +90,6 @@ double RingModel::fitWith(const std::vector<LocalShape>& shapes) {
   normal_ = product(weighted.transpose(), design_);
   rhs_ = weighted.transpose() * data_.z;
   squares_ = data_.z.dot(weights.cwiseProduct(data_.z));
-  const double misfit = estimatePriors();
-  factorPrecision();
-  return misfit;
 }
 
 /// Scatter of the stations over their sigmas by third differences, which sharp places of the datum hardly move.
@@ -107,27 +104,39 @@ double RingModel::differencesScale() const {
   return robustSigma(differences, 0.0);
 }
 
-/// Variance of the stations' own errors over sigmas^2: what the waves, all free, leave of many stations, or third
-/// differences where those say much less; what a plane leaves of few without sigmas.
-double RingModel::ownScale2() {
-  constexpr double kLeast = 1e-6, kSharp = 2.0;
-  const bool many = dense();
-  if (!many && data_.sigmas_known) return 1.0;
-  const Eigen::Index used = many ? normal_.rows() : 3;
+/// What all unknowns, or the first so many, leave of the stations when they are free, over their sigmas.
+Eigen::VectorXd RingModel::leftOf(Eigen::Index used) const {
   Eigen::MatrixXd normal = normal_.topLeftCorner(used, used);
   normal.diagonal() *= 1.0 + kRidge;
   const Eigen::VectorXd solution = normal.llt().solve(rhs_.head(used));
-  const Eigen::VectorXd left = data_.z - design_.leftCols(used) * solution;
-  noise_.freedom = static_cast<double>(data_.count() - used);
-  double scale = std::sqrt(left.cwiseQuotient(data_.sigmas).squaredNorm() / noise_.freedom);
-  const double differences = many ? differencesScale() : scale;
-  if (kSharp * differences < scale) scale = differences;
-  return std::max(kLeast * kLeast, scale * scale);
+  return (data_.z - design_.leftCols(used) * solution).cwiseQuotient(data_.sigmas);
 }
 
-double RingModel::estimatePriors() {
+/// The same of many stations by the median, which a few that stand out hardly move; given sigmas are the least.
+double RingModel::robustScale2() const {
+  const Eigen::VectorXd left = leftOf(normal_.rows());
+  const double scale = robustSigma(std::vector<double>(left.begin(), left.end()), 0.0);
+  const double freedom = static_cast<double>(data_.count() - normal_.rows()) / static_cast<double>(data_.count());
+  return std::max(data_.sigmas_known ? 1.0 : kLeastScale2, scale * scale / freedom);
+}
+
+/// Variance of the stations' own errors over sigmas^2: what the waves, all free, leave of many stations, or third
+/// differences where those say much less; what a plane leaves of few without sigmas.
+double RingModel::ownScale2() {
+  constexpr double kSharp = 2.0;
   const bool many = dense();
-  const double scale2 = ownScale2();
+  if (!many && data_.sigmas_known) return 1.0;
+  const Eigen::Index used = many ? normal_.rows() : 3;
+  noise_.freedom = static_cast<double>(data_.count() - used);
+  double scale = std::sqrt(leftOf(used).squaredNorm() / noise_.freedom);
+  const double differences = many ? differencesScale() : scale;
+  if (kSharp * differences < scale) scale = differences;
+  return std::max(kLeastScale2, scale * scale);
+}
+
+/// Finds the priors. Returns -2 ln of their likelihood, less a constant.
+double RingModel::estimatePriors(double scale2) {
+  const bool many = dense();
   const double usual = std::sqrt(1.0 / data_.sigmas.array().square().inverse().mean());
   RingPriors priors;
   double misfit = 0.0;
@@ -147,6 +156,7 @@ double RingModel::estimatePriors() {
   waves_ = kAllowance * waveVariances(priors, order_);
   errors_ = errorVariances(priors, order_);
   if (!shape) errors_.setZero();
+  factorPrecision();
   return misfit + static_cast<double>(data_.count()) * std::log(scale2) + squares_ / scale2;
 }
 

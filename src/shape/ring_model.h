@@ -35,7 +35,8 @@ class RingModel {
   const RingData& data() const { return data_; }
   const RingNoise& noise() const { return noise_; }
 
-  /// Local settlements and rises, with their heights [m] and standard errors [m].
+  /// Local settlements and rises: the datum in their middle above the mean of it at their ends, and its standard error
+  /// [m].
   struct Local {
     LocalShape shape;
     double height, sigma;
@@ -72,9 +73,11 @@ class RingModel {
  private:
   Eigen::Index waveCount() const { return 2 * order_ + 1; }
   Eigen::Index datumCount() const { return waveCount() + static_cast<Eigen::Index>(shapes_.size()); }
-  void addLocalShapes();
-  double fitWith(const std::vector<LocalShape>& shapes);
-  double estimatePriors();
+  std::vector<LocalShape> standingShapes();
+  void setUp(const std::vector<LocalShape>& shapes);
+  double estimatePriors(double scale2);
+  Eigen::VectorXd leftOf(Eigen::Index used) const;
+  double robustScale2() const;
   double ownScale2();
   double differencesScale() const;
   void factorPrecision();

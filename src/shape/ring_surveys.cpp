@@ -85,15 +85,14 @@ Eigen::VectorXd RingModel::standing() const {
 std::vector<RingModel::Local> RingModel::locals() const {
   std::vector<Local> locals;
   if (shapes_.empty()) return locals;
-  const Eigen::MatrixXd covariance = solvedCovariance();
-  for (std::size_t k = 0; k < shapes_.size(); ++k) {
-    if (shapes_[k].detail) continue;
-    Eigen::VectorXd at_centre = Eigen::VectorXd::Zero(datumCount());
-    for (std::size_t part = k; part == k || (part < shapes_.size() && shapes_[part].detail); ++part)
-      at_centre[waveCount() + static_cast<Eigen::Index>(part)] =
-          shapes_[part].scale * shapes_[part].at(shapes_[k].centre);
-    locals.push_back(
-        {shapes_[k], at_centre.dot(solution_.head(datumCount())), std::sqrt(at_centre.dot(covariance * at_centre))});
+  const Eigen::VectorXd datum = coefficients();
+  const Eigen::MatrixXd errors = covariance();
+  for (const LocalShape& shape : shapes_) {
+    if (shape.detail) continue;
+    const Eigen::MatrixXd rows =
+        rowsAt(Eigen::Vector3d(shape.centre, shape.centre - shape.half_width, shape.centre + shape.half_width));
+    const Eigen::RowVectorXd bent = rows.row(0) - 0.5 * (rows.row(1) + rows.row(2));
+    locals.push_back({shape, bent.dot(datum), std::sqrt(bent * errors * bent.transpose())});
   }
   return locals;
 }

@@ -129,7 +129,7 @@ TEST(DatumFilterFailure, ARefusedOptionIsNamedAndNothingStale) {
   DatumOptions options = toTheEdge();
   options.normals.k = 2;
   ran.filter.setOptions(options);
-  expectRefused(ran, "normals.k");
+  expectRefused(ran, "options: k, 2");
 }
 
 TEST(DatumFilterFailure, AnIndexOutsideOfTheCloudIsNamedAndNothingStale) {

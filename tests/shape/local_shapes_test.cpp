@@ -67,25 +67,26 @@ TEST(LocalShape, HasTheWaveWhoseHalfLengthIsItsOwn) {
 }
 
 TEST(LocalSettlements, ADipIsPartOfTheDatumAndNotAnErrorOfNeighbours) {
+  int covered = 0;
   for (const double deviation : {1.5, 3.0, 8.0}) {
-    const auto shape = [&](double a) { return foundation(a) - 0.01 * bell(a, 2.0, deviation * kDegree); };
-    const std::vector<double> truth = wave(360, shape);
-    const auto stations = survey(truth, 30.0);
+    const std::vector<double> truth =
+        wave(360, [&](double a) { return foundation(a) - 0.01 * bell(a, 2.0, deviation * kDegree); });
     double largest = 0.0;
-    for (const Station& s : stations) largest = std::max(largest, std::abs(s.u));
-    const Analysis analysis = analysed(noisy(truth, kSigma, 3), kSigma);
-    const Interval95 u = analysis.out_of_plane.u_interval;
-    EXPECT_LE(u.low, largest) << deviation;
-    EXPECT_GE(u.high, largest) << deviation;
-    EXPECT_LT(u.high - u.low, 0.0015) << deviation;
-    ASSERT_FALSE(analysis.local_settlements.empty()) << deviation;
-    double lowest = 0.0, where = 0.0;
-    for (const LocalSettlement& s : analysis.local_settlements) {
-      if (s.height < lowest) lowest = s.height, where = s.azimuth;
+    for (const Station& s : survey(truth, 30.0)) largest = std::max(largest, std::abs(s.u));
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      const Analysis analysis = analysed(noisy(truth, kSigma, seed), kSigma);
+      const Interval95 u = analysis.out_of_plane.u_interval;
+      covered += u.low <= largest && largest <= u.high ? 1 : 0;
+      EXPECT_LT(u.high - u.low, 0.0015) << deviation;
+      double lowest = 0.0, where = 0.0;
+      for (const LocalSettlement& s : analysis.local_settlements) {
+        if (s.height < lowest) lowest = s.height, where = s.azimuth;
+      }
+      EXPECT_NEAR(lowest, -0.01, 0.0035) << deviation;  // waves take part of a wide one
+      EXPECT_NEAR(where, 2.0, deviation * kDegree);
     }
-    EXPECT_NEAR(lowest, -0.01, 0.002) << deviation;
-    EXPECT_NEAR(where, 2.0, deviation * kDegree);
   }
+  EXPECT_GE(covered, 26);  // of 30; binomial(30, 0.05) leaves five out once in 60
 }
 
 TEST(LocalSettlements, ASingleStationFarBelowTheOthersCounts) {

@@ -106,7 +106,7 @@ std::optional<Refusal> firstError(const AnalysisOptions& options);
 struct LocalSettlement {
   double azimuth = kUnknown;  ///< of its middle, as the user counts azimuths [rad]
   double width = kUnknown;    ///< from where it begins to where it ends [rad]
-  double height = kUnknown;   ///< in its middle, settlement negative [m]
+  double height = kUnknown;   ///< of its middle above the mean of its ends, settlement negative [m]
   double sigma = kUnknown;    ///< [m]
 };
 
