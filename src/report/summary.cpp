@@ -75,6 +75,9 @@ std::string tiltLine(const Datum& datum) {
 /// Settlements and rises of single places, the largest first.
 std::string localLine(std::vector<LocalSettlement> all) {
   constexpr std::size_t kShown = 3;
+  constexpr double kPrinted = 5e-5;  // what is not 0.0 mm
+  const auto nil = [](const LocalSettlement& s) { return std::abs(s.height) < kPrinted; };
+  all.erase(std::remove_if(all.begin(), all.end(), nil), all.end());
   if (all.empty()) return {};
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return std::abs(a.height) > std::abs(b.height); });

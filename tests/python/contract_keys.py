@@ -56,6 +56,7 @@ KEYS: dict[str, Any] = {
     | {"h": LIST},
     "harmonics": LIST,
     "out_of_plane": dict,
+    "local_settlements": list,
     "foundation": dict.fromkeys(["level_9m", "level_3m", "level_total"], dict),
     "checks": LIST,
     "verdict": {"word": TEXT, "governing": TEXT, "utilisation": OPTIONAL, "sentence": TEXT},

@@ -91,6 +91,6 @@ def test_without_them_each_says_why(
     path = with_data(sample_report / "report.html", tmp_path / "bare.html", none)
     with opened(browser, path) as page:
         assert page.slips() == []
-        assert "--baseline" in page.text("#movement .absent")
+        assert "option baseline" in page.text("#movement .absent")
         assert "too little of the shell" in page.text("#shell .absent")
         assert "Checks" in page.text("#summary .absent")

@@ -30,7 +30,7 @@ function whyNoFit() {
 
 /** The shell's inputs that checks ask for, once each. */
 function missingInputs() {
-  const notes = [...checksWith("not_evaluated"), ...checksWith("not_applicable")].map((check) => check.note || "").filter((note) => note.includes("--"));
+  const notes = [...checksWith("not_evaluated"), ...checksWith("not_applicable")].map((check) => check.note || "").filter((note) => note.includes("(option "));
   return [...new Set(notes)].map((note) => `For some checks: ${note}.`);
 }
 
