@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from results import RESULTS, Run, Stations, read_datum, read_pcd, read_points, read_stations
+from results import Run, Stations, read_datum, read_pcd, read_points, read_stations
 from results import write_xyz as write
 
 Runner = Callable[..., Run]
@@ -222,70 +222,6 @@ def test_timings(run: Runner, synth: Synth, tmp_path: Path) -> None:
 
 
 # ---- more than one tank ----
-
-
-@pytest.fixture(scope="module")
-def two_tanks(synth: Synth, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The tank whole, and another 20 m east and 1 m higher of which 200 degrees are seen."""
-    first = read_points(synth())
-    other = read_points(synth(radius=3, seed=2, tilt_slope=0))
-    azimuth = np.degrees(np.arctan2(other[:, 1], other[:, 0])) % 360.0
-    other = other[azimuth < 200.0] + (20.0, 0.0, 1.0)
-    return write(tmp_path_factory.mktemp("two") / "two.pcd", np.vstack([first, other]))
-
-
-def test_all(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
-    """A folder for each, the one most of which is seen first; a single one has no such folder."""
-    result = run(two_tanks, "-o", tmp_path, "--all")
-    assert result.returncode == 0, result.stderr
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["manifest.json", "tank_1", "tank_2"]
-    circles = [read_datum(tmp_path / n)["tank"] for n in ("tank_1", "tank_2")]
-    assert [c["radius"] for c in circles] == pytest.approx([4.0, 3.0], abs=0.001)
-    assert [c["center"][0] for c in circles] == pytest.approx([0.0, 20.0], abs=0.001)
-    means = [read_datum(tmp_path / n)["datum"]["mean"] for n in ("tank_1", "tank_2")]
-    assert means == pytest.approx([0.0, 1.0], abs=0.006)
-    for folder in tmp_path.glob("tank_*"):
-        assert sorted(p.name for p in folder.iterdir()) == sorted(RESULTS)
-
-
-@pytest.mark.parametrize(("pick", "radius"), [(1, 4.0), (2, 3.0)])
-def test_pick(run: Runner, two_tanks: Path, tmp_path: Path, pick: int, radius: float) -> None:
-    assert run(two_tanks, "-o", tmp_path / "out", "--pick", pick).returncode == 0
-    assert read_datum(tmp_path / "out")["tank"]["radius"] == pytest.approx(radius, abs=0.001)
-
-
-def test_pick_beyond_the_last(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
-    result = run(two_tanks, "-o", tmp_path / "out", "--pick", 3)
-    assert result.returncode == 1
-    datum = read_datum(tmp_path / "out")
-    assert datum["status"] == "no_tank"
-    assert datum["message"] == "only 2 found, no tank 3 to pick"
-    assert any(datum["input"]["origin"])
-    assert datum["input"]["files"][0]["points"] > 10_000
-
-
-def test_all_of_one_tank(run: Runner, synth: Synth, tmp_path: Path, default: Path) -> None:
-    assert run(synth(), "-o", tmp_path / "out", "--all").returncode == 0
-    for name in RESULTS:
-        assert (tmp_path / "out" / name).read_bytes() == (default / name).read_bytes()
-
-
-def test_all_with_a_baseline_of_one(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
-    """The baseline's tank has a movement; the other says why it has none."""
-    assert run(two_tanks, "-o", tmp_path / "a", "--pick", 2).returncode == 0
-    result = run(two_tanks, "-o", tmp_path / "b", "--all", "--baseline", tmp_path / "a")
-    assert result.returncode == 0, result.stderr
-    assert "no movement: movement: radius of this survey" in result.stderr
-    first, second = (read_datum(tmp_path / "b" / n) for n in ("tank_1", "tank_2"))
-    assert first["status"] == "ok"
-    assert first["movement"]["stations"] == [] and "radius" in first["movement"]["message"]
-    assert second["movement"]["message"] == ""
-    assert second["movement"]["rms"] == pytest.approx(0.0, abs=1e-12)
-    result = run(
-        two_tanks, "-o", tmp_path / "c", "--baseline", tmp_path / "a"
-    )  # the best seen is the other
-    assert result.returncode == 2
-    assert list((tmp_path / "c").iterdir()) == [] if (tmp_path / "c").exists() else True
 
 
 def test_longest_bridge(run: Runner, synth: Synth, tmp_path: Path) -> None:
