@@ -56,8 +56,9 @@ def result_of(seed: int, folder: Path) -> dict[str, Any]:
         "-o",
         str(scan),
         "--quiet",
+        "--double",
     ]
-    subprocess.run([*made, "--double" if units == "m" else "--ascii"], check=True)
+    subprocess.run(made if units == "m" else [*made, "--ascii"], check=True)
     if units != "m":
         in_units(scan, units)
     begun = time.monotonic()
