@@ -74,5 +74,43 @@ TEST(RingModel, AWaveStandsOutOfItsErrorsFromThreeTimesTheirPowerOn) {
   EXPECT_GT(just_above, 0);
 }
 
+/// 64 stations that see waves of a foundation to 0.1 mm, and one of 10 mm that stands far above the others.
+struct OneHighWave {
+  static constexpr int kHigh = 15, kOrder = 31;
+  static constexpr double kHeight = 0.010, kSigma = 1e-4, kVariance = kSigma * kSigma / 32.0;  ///< of a coefficient
+
+  RingData data = ringData(survey(wave(64, &OneHighWave::z), 30.0, kSigma), 30.0, {});
+  RingModel model{data};
+
+  static double z(double a) {
+    double sum = kHeight * std::cos(kHigh * a);
+    for (int n = 2; n <= kOrder; ++n) sum += 0.004 * std::pow(2.0 / n, 2.0) * std::cos(n * a + n * n);
+    return sum;
+  }
+  /// Variance before the survey of a coefficient, from that after it.
+  double priorOf(int n) const {
+    const double after = model.covariance()(2 * n - 1, 2 * n - 1);
+    return after * kVariance / (kVariance - after);
+  }
+};
+
+TEST(RingModel, TheVarianceOfAHighWaveIsLearntFromItInFiveStepsOfHalfTheWay) {
+  const OneHighWave ring;
+  const double seen = 0.5 * std::pow(ring.model.coefficients()[2 * OneHighWave::kHigh - 1], 2.0);
+  EXPECT_NEAR(ring.priorOf(OneHighWave::kHigh) / seen, 1.0 - std::pow(0.5, 5.0), 0.01);
+}
+
+TEST(RingModel, TheVarianceOfTheOthersIsThatOfTheirPowerAndHalfAsMuchAgain) {
+  const OneHighWave ring;
+  const Eigen::MatrixXd rows = ring.model.rowsAt(ring.data.azimuths) / OneHighWave::kSigma;
+  const Eigen::VectorXd z = (ring.data.z.array() - ring.data.z.mean()) / OneHighWave::kSigma;
+  const Eigen::MatrixXd normal = rows.transpose() * rows;
+  const Eigen::VectorXd rhs = rows.transpose() * z;
+  const RingPriors priors = likeliestPriors({normal, rhs, z.squaredNorm(), 64, OneHighWave::kOrder, 1.0},
+                                            {OneHighWave::kSigma, ring.data.usual_wave, {}})
+                                .first;
+  EXPECT_NEAR(ring.priorOf(20) / waveVariances(priors, OneHighWave::kOrder)[2 * 20], 1.5, 0.01);
+}
+
 }  // namespace
 }  // namespace tank_datum
