@@ -99,8 +99,13 @@ ShellCell pastAnEdge(double usual, double there) {
 
 TEST(ShellCell, FourTimesAsUncertainAsUsualItIsNone) {
   const double usual = 0.00018 / sigmaOf(1.0, 80.0);
-  EXPECT_TRUE(pastAnEdge(usual, 0.00055 / 0.26).seen());
-  EXPECT_FALSE(pastAnEdge(usual, 0.0010 / 0.26).seen());
+  EXPECT_NEAR(pastAnEdge(usual, 0.0026).sigma, 0.0006, 0.00005);
+  EXPECT_FALSE(pastAnEdge(usual, 0.0038).seen());
+}
+
+TEST(ShellCell, KnownToHalfAMillimetreItIsOneHoweverSureTheOthersAre) {
+  const double usual = 0.00006 / sigmaOf(1.0, 80.0);
+  EXPECT_NEAR(pastAnEdge(usual, 0.0019).sigma, 0.00038, 0.00005);
 }
 
 }  // namespace
