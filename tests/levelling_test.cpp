@@ -63,6 +63,14 @@ TEST(LevellingStations, RefusesWithFileAndLine) {
   EXPECT_NE(refusal("azimuth_deg,elevation\n0,1\n360,2\n").find("two rows at 0.0"), std::string::npos);
 }
 
+TEST(LevellingStations, RowsAreAtOneAzimuthUpToAMillionthOfARadian) {
+  const auto rowsApart = [](double radians) {
+    return refusal("azimuth_deg,elevation\n0,1\n" + std::to_string(1e6 * radians / kDegree) + "e-6,2\n");
+  };
+  EXPECT_NE(rowsApart(0.8e-6).find("two rows at 0.0"), std::string::npos);
+  EXPECT_EQ(rowsApart(1.25e-6), "");
+}
+
 std::vector<Station> ring(std::size_t count) {
   std::string text = "azimuth_deg,elevation\n";
   for (std::size_t i = 0; i < count; ++i) {
@@ -103,6 +111,7 @@ TEST(DatumOfLevelling, NeedsFourElevationsAndADiameter) {
   const Datum few = datumOfLevelling(ring(3), 20.0, {});
   EXPECT_EQ(few.status, Status::TooFewPoints);
   EXPECT_NE(few.message.find("3 stations"), std::string::npos);
+  EXPECT_EQ(datumOfLevelling(ring(4), 20.0, {}).status, Status::Ok);
   for (const double diameter : {0.0, -1.0, std::nan("")}) EXPECT_THROW(datumOfLevelling(ring(8), diameter, {}), Error);
 }
 

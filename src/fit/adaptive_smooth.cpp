@@ -8,7 +8,7 @@ namespace {
 
 /// The weighted parabola over the values within `reach` steps of one; not finite where they are too few.
 SeriesValue parabolaAt(const std::vector<SeriesValue>& series, std::size_t at, std::size_t reach) {
-  constexpr int kFewest = 5;
+  constexpr int kFewestValues = 5;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
   double shared = 1.0;
@@ -25,7 +25,7 @@ SeriesValue parabolaAt(const std::vector<SeriesValue>& series, std::size_t at, s
     before += off < 0;
     after += off > 0;
   }
-  if (before == 0 || after == 0 || before + after + 1 < kFewest) return {NAN, NAN, 1.0};
+  if (before == 0 || after == 0 || before + after + 1 < kFewestValues) return {NAN, NAN, 1.0};
   const Eigen::Matrix3d inverse = normal.inverse();
   return {inverse.row(0) * rhs, std::sqrt(inverse(0, 0) * shared), 1.0};  // neighbours share points
 }

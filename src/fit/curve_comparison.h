@@ -50,9 +50,10 @@ Curve fitCurve(CurveKind kind, const LinePoints& points, int degree);
 /// How well a curve does; NaN until compared.
 struct CurveFigures {
   CurveKind kind = CurveKind::Lagrange;
-  double rms = std::numeric_limits<double>::quiet_NaN();        ///< of the check points' elevations above it [m]
-  double largest = std::numeric_limits<double>::quiet_NaN();    ///< of them [m]
-  double overshoot = std::numeric_limits<double>::quiet_NaN();  ///< beyond the range of all elevations given [m]
+  double rms = std::numeric_limits<double>::quiet_NaN();      ///< of the check points' elevations above it [m]
+  double largest = std::numeric_limits<double>::quiet_NaN();  ///< of them [m]
+  /// Beyond the range of all elevations given, looked for at twentieths of the way between neighbours [m].
+  double overshoot = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The four curves in the order of CurveKind; empty without check points.

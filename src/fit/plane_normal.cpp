@@ -18,17 +18,14 @@ Eigen::Vector3d byAllEigenvectors(const SymmetricMatrix& m) {
 /// The smallest root of l^3 - l^2 + minors l - determinant, whose roots are not negative and have the sum 1: left of
 /// it the cubic is concave and rises, so that Newton's steps from 0 come closer from the one side.
 double smallestRoot(double minors, double determinant) {
-  constexpr int kMost = 50;
-  double root = 0.0;
-  for (int step = 0; step < kMost; ++step) {
+  for (double root = 0.0;;) {
     const double value = ((root - 1.0) * root + minors) * root - determinant;
     const double slope = (3.0 * root - 2.0) * root + minors;
-    if (!(slope > 0.0) || !(value < 0.0)) break;
+    if (!(slope > 0.0) || !(value < 0.0)) return root;
     const double next = root - value / slope;
-    if (!(next - root > 1e-15)) break;
+    if (!(next - root > 1e-15)) return root;
     root = next;
   }
-  return root;
 }
 
 }  // namespace

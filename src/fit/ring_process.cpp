@@ -173,7 +173,7 @@ void doubtStrays(Data& data, const Parameters& p, RingProcess& result, std::vect
 
 RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude) {
   constexpr int kOrder = 4;
-  constexpr std::size_t kFewest = 8;
+  constexpr std::size_t kFewestValues = 8;
   RingProcess result;
   std::vector<double> azimuths, known, weights, errors;
   const double step = kTwoPi / static_cast<double>(values.size());
@@ -183,7 +183,7 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
     known.push_back(values[i]);
     errors.push_back(sigmas[i]);
   }
-  if (known.size() < kFewest) return result;
+  if (known.size() < kFewestValues) return result;
   const double usual = std::max(median(errors), 1e-9);
   for (const double error : errors) weights.push_back(1.0 / (1.0 + error * error / (usual * usual)));
   const PeriodicFit shape = fitHarmonics(azimuths, known, weights, {kOrder, true, 1e-4});

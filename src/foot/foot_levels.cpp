@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kDip = 0.01;       // of the reach: what a datum may do locally, on a ring that is quiet elsewhere
 constexpr double kMostHelp = 20.0;  // stations that one may lean on, for the count of its points
-constexpr double kSettled = 1e-4;   // slope that is not to be learnt again [m/m]
 
 /// A stretch of neighbouring stations that are fitted together.
 struct Stretch {
@@ -83,7 +82,7 @@ FootFit fitStretch(const Foot& foot, const FootPass& pass, const Stretch& stretc
   std::vector<FootPoint> points = foot.ring.around(foot.directions[at] - beside, half, z, foot.reach);
   for (FootPoint& p : points) p.t -= beside * foot.radius;
   FootPrior prior = pass.priors.at(at);
-  if (pass.priors.settled) prior.sigma_slope = kSettled;
+  if (pass.priors.settled) prior.sigma_slope = kSettledSlope;
   return fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
 }
 

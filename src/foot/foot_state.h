@@ -9,6 +9,8 @@
 
 namespace tank_datum {
 
+constexpr double kSettledSlope = 1e-4;  ///< standard deviation of a slope that is not to be learnt again [m/m]
+
 /// What the passes look at; none of them changes it. Vectors are indexed by station.
 struct Foot {
   FootRing ring;
@@ -63,6 +65,12 @@ struct FootPriors {
 
 /// The slope of a wide surface from the whole ring, that of a narrow one from arcs, each with what it leaves open.
 FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const FootSections& sections);
+
+/// The fit of one station. Windows grow by borrowing from the neighbours until the standard error is what was asked
+/// for: that of the level, since the neighbours' points say no more about the slope than the prior does.
+/// @param level  what is known of its elevation [m]
+FootFit fitStation(const Foot& foot, std::size_t station, double level, const FootProfile& profile,
+                   const FootPriors& priors);
 
 /// What one pass found.
 struct FootPass {

@@ -92,10 +92,10 @@ std::vector<Plumbness> plumbnessOf(const ShellGrid& grid, const std::vector<Stat
 }
 
 Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& options) {
-  constexpr std::size_t kFewest = 8;
+  constexpr std::size_t kFewestStations = 8;
   constexpr double kAlike = 10.0 * kPi / 180.0;  // a shell's lobes are alike over ten degrees, its stations no more
   Lean lean;
-  if (plumbness.size() < kFewest) return lean;
+  if (plumbness.size() < kFewestStations) return lean;
   std::vector<double> directions, slopes, weights, heights;
   double sum = 0;
   for (const Plumbness& p : plumbness) {

@@ -12,8 +12,8 @@ namespace tank_datum {
 namespace {
 
 constexpr double kWidestGap = 120.0 * kPi / 180.0;  // of a circle that the rest still determines [rad]
-constexpr int kOrder = 8;               // harmonics that fill gaps; half as many tell how well they can be filled
-constexpr std::size_t kFewest = 8;      // stations
+constexpr int kOrder = 8;  // harmonics that fill gaps; half as many tell how well they can be filled
+constexpr std::size_t kFewestStations = 8;
 constexpr double kWidestSmooth = 15.0;  // half the arc that extremes are smoothed over [deg]
 
 /// The most steps from a seen station to the next.
@@ -87,7 +87,7 @@ Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const st
   roundness.stations = static_cast<std::size_t>(
       std::count_if(row.begin(), row.end(), [](const ShellCell& cell) { return cell.seen(); }));
   const double gap = static_cast<double>(widestGap(row)) * kTwoPi / static_cast<double>(row.size());
-  if (roundness.stations < kFewest || 2 * roundness.stations < row.size() || gap > kWidestGap) return roundness;
+  if (roundness.stations < kFewestStations || 2 * roundness.stations < row.size() || gap > kWidestGap) return roundness;
   roundness.widest_gap = gap * datum_circle.radius;
   const Circle circle = circleThrough(row, stations, datum_circle, kOrder);
   const Circle plainer = circleThrough(row, stations, datum_circle, kOrder / 2);

@@ -75,5 +75,24 @@ TEST(AdaptiveSmooth, NoValuesAreNone) {
   EXPECT_EQ(smoothed({{1.0, 0.1, 1.0}}, 15)[0].value, 1.0);
 }
 
+TEST(AdaptiveSmooth, FewerThanFiveValuesMakeNoParabola) {
+  std::vector<SeriesValue> six(6, {0.0, 1.0, 1.0});
+  EXPECT_NEAR(smoothed(six, 2)[2].sigma, std::sqrt(17.0 / 35.0), 1e-12);  // of the parabola through five
+  six[1].value = NAN;
+  EXPECT_EQ(smoothed(six, 2)[2].sigma, 1.0);
+}
+
+TEST(AdaptiveSmooth, AWindowHasToMeetTheValueWithinThreeStandardErrorsOfEach) {
+  const auto sigmaWith = [](double value) {
+    std::vector<SeriesValue> seven(7, {0.0, 1.0, 1.0});
+    seven[3].value = value;
+    return smoothed(seven, 2)[3].sigma;
+  };
+  const double share = 17.0 / 35.0;  // of the middle value in the parabola through five; also its variance
+  const double apart = 3.0 * (1.0 + std::sqrt(share)) / (1.0 - share);
+  EXPECT_LT(sigmaWith(0.9 * apart), 1.0);
+  EXPECT_EQ(sigmaWith(1.1 * apart), 1.0);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -167,5 +167,15 @@ TEST(CurveOptions, RefuseThemselvesByName) {
   }
 }
 
+TEST(CompareCurves, OvershootIsLookedForAtTwentiethsOfTheWayBetweenPoints) {
+  const auto overshootOf = [](double peak) {
+    LinePoints points;
+    for (int t = 0; t < 5; ++t) points.emplace_back(t, -(t - peak) * (t - peak));
+    return figuresOf(CurveKind::Lagrange, points, withPoints(4)).overshoot;  // the parabola itself
+  };
+  EXPECT_NEAR(overshootOf(2.55), 0.45 * 0.45, 1e-12);                     // over the point at 3
+  EXPECT_NEAR(overshootOf(2.525), 0.475 * 0.475 - 0.025 * 0.025, 1e-12);  // looked for at 2.5 and at 2.55
+}
+
 }  // namespace
 }  // namespace tank_datum

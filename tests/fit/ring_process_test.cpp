@@ -74,7 +74,7 @@ TEST(RingProcess, AStrayValueCountsForWhatItIsOff) {
   const RingProcess process = ring.followed();
   EXPECT_GT(process.doubt[50], 4.0);
   EXPECT_LT(std::abs(ring.error(process, 50)), 0.0006);
-  EXPECT_GT(process.sigma[50], 0.002);  // it may be right
+  EXPECT_NEAR(process.sigma[50], 0.3 * 0.010, 0.0005);  // it may be right
   EXPECT_LT(process.sigma[60], 0.0003);
 }
 
@@ -104,6 +104,68 @@ TEST(RingProcess, FewerThanEightValuesFollowNothing) {
   Ring ring(quiet);
   for (std::size_t i = 7; i < kCount; ++i) ring.values[i] = ring.sigmas[i] = NAN;
   EXPECT_FALSE(ring.followed().valid());
+}
+
+TEST(RingProcess, EightValuesAreFollowed) {
+  Ring ring(quiet);
+  for (std::size_t i = 8; i < kCount; ++i) ring.values[i] = ring.sigmas[i] = NAN;
+  EXPECT_TRUE(ring.followed().valid());
+}
+
+/// A ring without noise, two neighbouring values off by so many times what the values are taken to scatter.
+RingProcess withStrays(double first, double second) {
+  constexpr double kScatter = 0.4 * kSigma;  // the least that is taken
+  Ring ring(quiet, 0.0);
+  ring.values[50] += first * kScatter;
+  ring.values[51] += second * kScatter;
+  return ring.followed();
+}
+
+TEST(RingProcess, AValueIsDoubtedFromFourStandardDeviationsOn) {
+  EXPECT_EQ(withStrays(4.5, 0.0).doubt[50], 0.0);  // three from what the others say, which are uncertain too
+  EXPECT_NEAR(withStrays(9.0, 0.0).doubt[50], 6.0, 0.2);
+}
+
+/// Each is off what the others say by 0.67 times its own less 0.36 times its neighbour's.
+TEST(RingProcess, ANeighbourOffTheSameWayByOneAndAHalfStandardDeviationsMakesItADip) {
+  EXPECT_GT(withStrays(15.0, 9.5).doubt[50], 4.0) << "neighbour off by 1";
+  EXPECT_EQ(withStrays(15.0, 11.3).doubt[50], 0.0) << "neighbour off by 2.2";
+  EXPECT_GT(withStrays(15.0, -9.5).doubt[50], 4.0) << "neighbour off the other way";
+}
+
+TEST(RingProcess, WavesUpToTheFourthAreTheShapesNotTheProcesss) {
+  const auto followedShare = [](double order) {
+    Ring ring(quiet, 0.0);
+    for (std::size_t i = 0; i < kCount; ++i)
+      ring.values[i] = 0.004 * std::cos(order * static_cast<double>(i) * M_PI / 180.0);
+    return followRing(ring.values, ring.sigmas, 1e-9).value[0] / 0.004;  // a process that can do nothing
+  };
+  EXPECT_NEAR(followedShare(4.0), 1.0, 0.01);
+  EXPECT_NEAR(followedShare(5.0), 0.0, 0.01);
+}
+
+/// The likeliest variance v of values x by Student's distribution has the mean of 31 x^2 / (30 v + x^2) at 1. Here v is
+/// two given variances: 0.05 * 31 * 100 / 160 + 0.95 * 31 * 0.0625 / 60.0625 = 1.0.
+TEST(RingProcess, ScatterIsJudgedByStudentsDistributionOfThirtyDegreesOfFreedom) {
+  Ring ring(quiet, 0.0);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double off = i % 20 == 0 ? 10.0 * (i % 40 == 0 ? 1.0 : -1.0) : 0.25 * (i % 2 == 0 ? 1.0 : -1.0);
+    ring.values[i] = off * kSigma;
+  }
+  EXPECT_NEAR(followRing(ring.values, ring.sigmas, 1e-9).nugget, kSigma, 1e-9);
+}
+
+TEST(RingProcess, NorHasARingOfTwelveUnlikeValuesThatTheProcessFollowsFarApart) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  const std::vector<double> nothing(kCount, NAN);
+  std::vector<double> values = nothing, turned = nothing, sigmas = nothing;
+  for (std::size_t i = 0; i < kCount; i += 30) {
+    values[i] = turned[(i + 180) % kCount] = 0.005 * normal(random);
+    sigmas[i] = kSigma;
+  }
+  const RingProcess a = followRing(values, sigmas, kFlexible), b = followRing(turned, sigmas, kFlexible);
+  for (std::size_t i = 0; i < kCount; ++i) EXPECT_NEAR(a.value[i], b.value[(i + 180) % kCount], 4e-5);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "foot/foot_candidates.h"
 #include "foot/foot_check.h"
@@ -110,6 +111,21 @@ bool isOutlier(int count) {
 TEST(FindOutliers, WhereStationsHaveTwentyPointsOneWithoutAnyIsNotMeasured) {
   EXPECT_FALSE(isOutlier(16));
   EXPECT_TRUE(isOutlier(24));
+}
+
+TEST(StackProfile, APlateUpToThreeCentimetresThickLiesOnTheRingwallBesideIt) {
+  const auto slopeOf = [](double step) {  // in steps of the ringwall's slope, which the plate has not
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    std::vector<FootPoint> points;
+    for (int i = 0; i < 24'000; ++i) {
+      const double d = 0.3 * (i + 0.5) / 24'000.0;
+      points.push_back({0.0, d, (d < 0.065 ? 0.0 : -step - 0.004 * d) + 0.0005 * normal(random)});
+    }
+    return stackProfile({points}, {0.0}, kScales).slope / -0.004;
+  };
+  EXPECT_NEAR(slopeOf(0.025), 1.0, 0.25);
+  EXPECT_NEAR(slopeOf(0.035), 0.0, 0.25);
 }
 
 }  // namespace

@@ -105,5 +105,12 @@ TEST(LevelStations, ASlopeThatIsSettledIsLearntNoFurtherThanATenthOfAMillimetreA
   EXPECT_LT(left, 0.7);
 }
 
+TEST(LevelStations, AQuietDatumMayStillDipByAHundredthOfTheReach) {
+  MadeFoot made;
+  made.addAll(12, 0.02, 0.28, [](double) { return 0.0; });
+  Ready quiet = ready(made);
+  EXPECT_NEAR(level(quiet).amplitude, 0.01 * kReach, 1e-12);
+}
+
 }  // namespace
 }  // namespace tank_datum

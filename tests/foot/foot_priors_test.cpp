@@ -104,5 +104,50 @@ TEST(LearnPriors, ALargerLeanIsTheLipsOwnAndDoubtedBySixTenths) {
   EXPECT_NEAR(priors.sigma_slope[100] / kFeigned, 0.6, 0.12);
 }
 
+TEST(LearnPriors, ALipsWindowReachesTwoAndAHalfDegrees) {
+  const FootPriors priors = learntFrom({102.0}, Surface::AnnularPlate);  // in the window at 100, not in that at 105
+  const auto learnt = std::count_if(priors.sigma_slope.begin(), priors.sigma_slope.end(),
+                                    [](double sigma) { return std::abs(sigma - 0.05) > 1e-9; });
+  EXPECT_EQ(learnt, 10);  // between the windows at 95 and 105
+}
+
+/// So many points to a window of five stations, in turn above and below a lip that leans: + - - +.
+struct Window {
+  int points;
+  double slope, noise;
+};
+
+template <typename WindowAt>
+FootPriors learntOfLips(const WindowAt& window_at, double noise) {
+  MadeFoot made;
+  for (int k = 0; k < 72; ++k) {
+    const Window window = window_at(k);
+    for (int i = 0; i < window.points; ++i) {
+      const double d = 0.0155 + 0.044 * (i + 0.5) / window.points, sign = i % 4 == 0 || i % 4 == 3 ? 1.0 : -1.0;
+      made.add((5 * k - 2 + i % 5) * made.step(), d, window.slope * d + sign / 1.4826 * window.noise);
+    }
+  }
+  for (int s = 0; s < 360; ++s) {
+    for (int i = 0; i < 8; ++i) made.add((s + 0.1 * i - 0.4) * made.step(), 0.0, 0.06 + 0.02 * i);
+  }
+  return learnt(made, Surface::AnnularPlate, 0.0004, noise);
+}
+
+TEST(LearnPriors, TheTenthOfTheWindowsSeenBestTellsALipsSlope) {
+  const auto window = [](int k) {
+    return k < 6 ? Window{500, 0.0, 1e-4} : k < 13 ? Window{55, 0.004, 1e-4} : Window{9, 0.008, 2e-4};
+  };
+  // the sigma that a tenth are below is that of the second kind: of thirteen windows it is the median
+  EXPECT_NEAR(learntOfLips(window, 1e-4).slope[200], 0.004, 0.0005);
+}
+
+TEST(LearnPriors, NeighboursUpToThreeWindowsAwayTellALipsSlope) {
+  const double noise = 0.002;
+  const auto window = [&](int k) { return Window{300, 0.02 * std::cos(k * kTwoPi / 72.0), noise}; };
+  // a parabola through seven values knows its middle to the root of a third
+  const double own = noise / std::sqrt(0.96 * 300.0) / (0.0435 / std::sqrt(12.0));
+  EXPECT_NEAR(learntOfLips(window, noise).sigma_slope[100], std::hypot(0.001, own / std::sqrt(3.0)), 0.0004);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -160,5 +160,29 @@ TEST(WriteResults, IntoNoFolderThrowsNamingThePath) {
   }
 }
 
+TEST(Summary, NamesTheThreeLargestLocalSettlementsOfATenthOfAMillimetre) {
+  const auto text = [](const std::vector<double>& heights) {
+    Datum datum = octagon();
+    for (const double height : heights) datum.analysis.local_settlements.push_back({1.0, 0.1, height, 0.0001});
+    return summary(datum);
+  };
+  const std::string five = text({0.001, -0.005, 0.002, 0.003, 0.0005});
+  EXPECT_NE(five.find("local          -5.0 +- 0.2 mm"), std::string::npos) << five;
+  EXPECT_NE(five.find("+2.0 +- 0.2 mm"), std::string::npos) << five;
+  EXPECT_EQ(five.find("+1.0 +- 0.2 mm"), std::string::npos) << five;
+  EXPECT_NE(five.find("; 2 more\n"), std::string::npos) << five;
+  EXPECT_EQ(text({0.00004}).find("local"), std::string::npos);
+  EXPECT_NE(text({0.00006}).find("local          +0.1 +- 0.2 mm"), std::string::npos);
+}
+
+TEST(Summary, DrawsFortyEightBlocks) {
+  Datum many = octagon();
+  many.stations = std::vector<Station>(360, many.stations.front());
+  const std::string text = summary(many, true), block = "▅";
+  std::size_t blocks = 0;
+  for (std::size_t at = text.find(block); at != std::string::npos; at = text.find(block, at + block.size())) ++blocks;
+  EXPECT_EQ(blocks, 48U) << text;
+}
+
 }  // namespace
 }  // namespace tank_datum

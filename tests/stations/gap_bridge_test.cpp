@@ -152,5 +152,15 @@ TEST(BridgeGaps, ALoneStationBetweenTwoGapsCarriesBoth) {
   }
 }
 
+TEST(BridgeGaps, LeanOnTwelveStationsOnEitherSide) {
+  const auto movedBy = [](int away) {  // of one station, raised by a centimetre
+    const auto height = [=](double t) { return std::abs(t - away * kStep) < 0.5 * kStep ? 2.01 : 2.0; };
+    return std::abs(Bridged(100, 1, height).inGap(0).z - 2.0);
+  };
+  EXPECT_GT(movedBy(12), 1e-4);
+  EXPECT_GT(movedBy(-12), 1e-4);
+  EXPECT_LT(movedBy(13), 1e-12);
+}
+
 }  // namespace
 }  // namespace tank_datum

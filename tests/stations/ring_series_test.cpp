@@ -31,5 +31,24 @@ TEST(RingSeries, IsSilentInAGap) {
   EXPECT_FALSE(RingSeries({}, &Station::z, &Station::sigma_z).at(0.0).has_value());
 }
 
+TEST(RingSeries, IsSilentBetweenStationsMoreThanTwiceTheMeanDistanceApart) {
+  const auto joinedOver = [](double degrees) {
+    auto stations = survey(std::vector<double>(36, 1.0), 10.0);
+    stations[5].azimuth = stations[4].azimuth + degrees * kDegree;
+    return RingSeries(stations, &Station::z, &Station::sigma_z).at(stations[4].azimuth + 1.0 * kDegree).has_value();
+  };
+  EXPECT_TRUE(joinedOver(19.8));
+  EXPECT_FALSE(joinedOver(20.4));
+}
+
+TEST(RingSeries, AStationBesideAGapIsFoundToWithinTheRoundingOfItsAzimuth) {
+  std::vector<double> z(36, 1.0);
+  z[4] = z[6] = NAN;
+  const RingSeries series(survey(z, 10.0), &Station::z, &Station::sigma_z);
+  EXPECT_TRUE(series.at(50 * kDegree + 0.8e-9).has_value());
+  EXPECT_TRUE(series.at(50 * kDegree - 0.8e-9).has_value());
+  EXPECT_FALSE(series.at(50 * kDegree + 1.3e-9).has_value());
+}
+
 }  // namespace
 }  // namespace tank_datum

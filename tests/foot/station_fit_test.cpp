@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+/// Points by turns so far above and below a surface that they scatter by `noise` in a robust sense.
+class Scatter {
+ public:
+  explicit Scatter(double noise) : off_(noise / 1.4826) {}
+  double next() { return off_ = -off_; }
+
+ private:
+  double off_;
+};
+
+FootProfile padOf(double noise) {
+  FootProfile pad;
+  pad.bin = 0.003, pad.band_from = 0.015, pad.band_to = pad.edge = 0.3;
+  pad.blur = 0.0005, pad.noise = noise, pad.surface = Surface::Foundation;
+  return pad;
+}
+
+FootPriors priorsOf(double sigma_slope, bool settled) {
+  FootPriors priors;
+  priors.slope.assign(360, 0.0);
+  priors.sigma_slope.assign(360, sigma_slope);
+  priors.sigma_bend = 1e-6;
+  priors.settled = settled;
+  return priors;
+}
+
+/// How many times its own stretch a station looks at, where each has so many points between two distances.
+double windowOf(int points, double noise, double from, double to, const FootPriors& priors) {
+  MadeFoot made;
+  made.options.widest_window = 10.0;
+  Scatter scatter(noise);
+  made.addAll(points, from, to, [&](double) { return scatter.next(); });
+  const Foot& foot = made.foot();
+  return fitStation(foot, 100, 0.0, padOf(noise), priors).half_width / foot.half_step;
+}
+
+TEST(FitStation, AWindowGrowsUntilTheLevelIsKnownToAFifthOfAMillimetre) {
+  // 3 mm over the root of 40 points are 0.48 mm: 5.9 times as many are wanted
+  EXPECT_NEAR(windowOf(40, 0.003, 0.02, 0.28, priorsOf(1e-4, true)), std::pow(1.4, 6), 1e-9);
+}
+
+/// 60 points within a centimetre tell the level to 0.13 mm, and nothing of the slope.
+TEST(FitStation, ASlopeIsTakenToBeKnownToThreeMillimetresAMetreForTheWindow) {
+  const FootPriors open = priorsOf(0.1, false);
+  EXPECT_NEAR(windowOf(60, 0.001, 0.035, 0.045, open), 1.0, 1e-9) << "0.12 mm from the slope";
+  EXPECT_NEAR(windowOf(60, 0.001, 0.095, 0.105, open), std::pow(1.4, 9), 1e-9) << "0.3 mm: to ten degrees in vain";
+}
+
+TEST(FitStation, ASlopeThatIsSettledIsLearntNoFurtherThanATenthOfAMillimetreAMetre) {
+  // a slope that the points tell as well as it is believed not to be there
+  MadeFoot made;
+  made.options.wanted_sigma = 1.0;
+  made.addAll(12, 0.02, 0.28, [](double d) { return 0.0002 * d; });
+  const FootFit fit = fitStation(made.foot(), 100, 0.0, padOf(3.85e-5), priorsOf(0.001, true));
+  EXPECT_NEAR(fit.slope / 0.0002, 0.5, 0.15);
+  EXPECT_NEAR(fit.half_width, made.step() / 2.0, 1e-9);
+}
+
+TEST(FitStation, TheLevelOfASettledSlopeIsAsSureAsTheSlopeInTheMiddle) {
+  MadeFoot made;
+  made.addAll(400, 0.02, 0.28, [](double) { return 0.0; });
+  const FootFit fit = fitStation(made.foot(), 100, 0.0, padOf(1e-5), priorsOf(0.01, true));
+  EXPECT_NEAR(fit.sigma, 0.15 * 0.01, 0.00005);
+}
+
+}  // namespace
+}  // namespace tank_datum
