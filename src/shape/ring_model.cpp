@@ -36,17 +36,32 @@ RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.c
     order_ = 0, solution_ = errors_ = Eigen::VectorXd::Zero(1);
     return;
   }
-  offset_ = data_.z.mean();
-  data_.z.array() -= offset_;
   if (!data_.sigmas_known) {
     constexpr double kLeast = 1e-7;  // [m]: of a datum level to within rounding
-    const double scatter = std::sqrt(data_.z.squaredNorm() / static_cast<double>(data_.count()));
+    const double scatter = std::sqrt((data_.z.array() - data_.z.mean()).square().mean());
     data_.sigmas.setConstant(data_.count(), std::max(kLeast, 0.1 * scatter));
   }
+  takeOutPlane();
   setUp(dense() ? standingShapes() : std::vector<LocalShape>());
   estimatePriors(ownScale2());
   solve();
-  data_.z.array() += offset_;
+  data_.z += harmonicRows(data_.azimuths, 1) * plane_;
+}
+
+/// Takes the best plane out of z. What is solved for is how far the datum's mean and tilt are from it: what waves as large
+/// as the plane leaves, all along the arc, might do to them, and no more than some times that (Zellner's g-prior). Else
+/// the tilt of a short arc and the waves that it hides are traded for each other without bounds.
+void RingModel::takeOutPlane() {
+  constexpr double kWide = 10.0;
+  const Eigen::MatrixXd rows = harmonicRows(data_.azimuths, 1);
+  const auto count = static_cast<double>(data_.count());
+  Eigen::Matrix3d normal = rows.transpose() * rows;
+  normal.diagonal() *= 1.0 + kRidge;
+  plane_ = normal.llt().solve(rows.transpose() * data_.z);
+  data_.z -= rows * plane_;
+  const double usual2 = data_.sigmas_known ? 1.0 / data_.sigmas.array().square().inverse().mean() : 0.0;
+  const double left = data_.z.squaredNorm() / count + usual2 + kLeastVariance;
+  plane_precision_ = normal / (count * kWide * kWide * left);
 }
 
 /// Adds the likeliest shape again and again, and keeps as many as make the stations likeliest: several shapes hide each
@@ -162,6 +177,7 @@ double RingModel::estimatePriors(double scale2) {
 
 void RingModel::factorPrecision() {
   Eigen::MatrixXd precision = normal_ / (noise_.scale * noise_.scale);
+  precision.topLeftCorner<3, 3>() += plane_precision_;
   for (Eigen::Index j = 3; j < precision.rows(); ++j)
     precision(j, j) += j < waveCount() ? 1.0 / std::max(waves_[j] + errors_[j], kLeastVariance) : 1.0;
   posterior_.compute(precision);

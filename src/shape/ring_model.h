@@ -73,6 +73,7 @@ class RingModel {
  private:
   Eigen::Index waveCount() const { return 2 * order_ + 1; }
   Eigen::Index datumCount() const { return waveCount() + static_cast<Eigen::Index>(shapes_.size()); }
+  void takeOutPlane();
   std::vector<LocalShape> standingShapes();
   void setUp(const std::vector<LocalShape>& shapes);
   double estimatePriors(double scale2);
@@ -89,7 +90,8 @@ class RingModel {
   RingData data_;
   RingNoise noise_;
   int order_ = 0;
-  double offset_ = 0.0;  ///< taken from z before it is solved for [m]
+  Eigen::Vector3d plane_ = Eigen::Vector3d::Zero();  ///< mean and tilt taken from z before it is solved for [m]
+  Eigen::Matrix3d plane_precision_;                  ///< of what the datum's differ from those [1/m^2]
   std::vector<LocalShape> shapes_;
   Eigen::MatrixXd design_;                 ///< [stations x (waves, local shapes, shared errors)]
   Eigen::MatrixXd normal_;                 ///< design' D^-1 design, D of sigmas^2

@@ -49,7 +49,7 @@ Eigen::MatrixXd RingModel::withWavesOfShapes(Eigen::MatrixXd solved) const {
 Eigen::VectorXd RingModel::coefficients() const {
   if (order_ == 0) return solution_;
   Eigen::VectorXd datum = datumShares().cwiseProduct(solution_.head(datumCount()));
-  datum[0] += offset_;
+  datum.head<3>() += plane_;
   return withWavesOfShapes(datum);
 }
 
@@ -79,7 +79,7 @@ Eigen::VectorXd RingModel::standing() const {
     if (datum.segment<2>(j).squaredNorm() < kStands * (covariance(j, j) + covariance(j + 1, j + 1)))
       datum.segment<2>(j).setZero();
   }
-  datum[0] += offset_;
+  datum.head<3>() += plane_;
   return withWavesOfShapes(datum);
 }
 
@@ -140,13 +140,13 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
     result.survey = product(design_, seen) + own_errors;
     const Eigen::VectorXd weights = data_.sigmas.array().square().inverse();
     sums = product((weights.asDiagonal() * design_).transpose(), result.survey) / scale2;
-    result.survey.array() += offset_;
+    result.survey.colwise() += harmonicRows(data_.azimuths, 1) * plane_;
   }
   const Eigen::MatrixXd solved = posterior_.solve(sums).topRows(datum);
   result.estimate = withWavesOfShapes(shares.asDiagonal() * solved);
   result.truth = withWavesOfShapes(truth);
-  result.estimate.row(0).array() += offset_;
-  result.truth.row(0).array() += offset_;
+  result.estimate.topRows<3>().colwise() += plane_;
+  result.truth.topRows<3>().colwise() += plane_;
   return result;
 }
 

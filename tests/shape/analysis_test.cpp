@@ -52,7 +52,7 @@ TEST(Analyse, TheCurvatureDecides) {
 TEST(Analyse, TheClassicRuleAtOneDegreeIsExplainedAndNotJudged) {
   AnalysisOptions options = sixtyMetreTank();
   options.classic_points = 360;
-  const Check& check = named(analysed(bent(0.5), 0.001, options), "out-of-plane settlement S_i");
+  const Check check = named(analysed(bent(0.5), 0.001, options), "out-of-plane settlement S_i");
   EXPECT_EQ(check.verdict, Verdict::NotApplicable);
   EXPECT_NE(check.note.find("judges noise"), std::string::npos);
   EXPECT_TRUE(std::isnan(check.value));
@@ -95,7 +95,7 @@ TEST(Analyse, DistortionIsBySecondDifferences) {  // STANDARDS 3: a first differ
 
 TEST(Analyse, GreenwoodsTiltIsShownAndNotJudged) {
   const auto z = wave(36, [](double a) { return 30.0 * 0.02 * std::cos(a); });
-  const Check& check = named(analysed(z, 1e-4, sixtyMetreTank()), "planar tilt");
+  const Check check = named(analysed(z, 1e-4, sixtyMetreTank()), "planar tilt");
   EXPECT_EQ(check.code, "Greenwood");
   EXPECT_NEAR(check.limit, 0.005, 1e-12);
   EXPECT_EQ(check.verdict, Verdict::NotApplicable);
