@@ -49,6 +49,13 @@ def foundation(draw: random.Random) -> dict[str, Any]:
     return made
 
 
+def heaped(soil: list[dict[str, Any]], made: dict[str, Any]) -> list[dict[str, Any]]:
+    """The soil, reaching no further than the foundation does."""
+    widths = {"pad": "pad_width", "annular_plate": "ringwall_width", "crown": "slab_width"}
+    reach = min(0.3, made.get(widths[made["kind"]], 0.3))
+    return [heap | {"reach": reach} for heap in soil]
+
+
 def tank(draw: random.Random) -> dict[str, Any]:
     radius = math.exp(draw.uniform(math.log(3.0), math.log(50.0)))
     waves = [
@@ -72,7 +79,7 @@ def tank(draw: random.Random) -> dict[str, Any]:
         for _ in range(draw.choice([0, 0, 0, 1, 2]))
     ]
     out_of_round = min(0.05, 0.006 * radius) * draw.choice([0.0, draw.random()])
-    return {
+    made = {
         "radius": radius,
         "height": min(20.0, radius * draw.uniform(0.4, 2.0)),
         "tilt_slope": draw.uniform(0.0, 0.004),
@@ -88,6 +95,7 @@ def tank(draw: random.Random) -> dict[str, Any]:
         "roof": draw.choice(["none", "cone", "dome"]),
         "foundation": foundation(draw),
     }
+    return made | {"soil": heaped(soil, made["foundation"])}
 
 
 def scene_of(seed: int) -> Scene:

@@ -80,7 +80,7 @@ TEST(StackSections, ALipMayLeanByEightHundredthsMoreThanTheRings) {
 }
 
 TEST(StackSections, OfAnArcWithFortyThousandPointsEverySecondIsTaken) {
-  const FootProfile& there = Sections(ringwall, ringwall, 60, 0.0005, 3800).there();
+  const FootProfile there = Sections(ringwall, ringwall, 60, 0.0005, 3800).there();
   // 11 stations of 3800 points over 295 mm, in bins of 3 mm
   const double per_bin = 11.0 * 3800.0 / 2.0 * 0.003 / 0.295;
   EXPECT_NEAR(there.error[20], 1.2533 * 0.0005 / std::sqrt(per_bin), 0.2 * there.error[20]);
