@@ -7,41 +7,87 @@
 #include "core/statistics.h"
 #include "foot/foot_profile.h"
 #include "foot/lowest_layer.h"
+#include "foot/section_jumps.h"
 
 namespace tank_datum {
 namespace {
 
 struct Bin {
   double d, z, spread, error;
+  double from, to;
+  std::size_t points;
 };
 
-/// Bins that hold eight points on the average, no finer than a fiftieth of the reach or the shell's noise.
-std::vector<Bin> binsOf(const std::vector<FootPoint>& points, const FootScales& scales, double near) {
-  constexpr double kPointsPerBin = 8.0;
-  constexpr std::size_t kFewest = 3;
-  const auto inside = [&](const FootPoint& p) { return p.d >= near && p.d < scales.reach; };
-  const auto count = static_cast<double>(std::count_if(points.begin(), points.end(), inside));
-  if (count < kPointsPerBin) return {};
-  const double length = scales.reach - near;
-  const double width = std::max({scales.reach / 50.0, scales.shell_noise, length * kPointsPerBin / count});
-  std::vector<std::vector<double>> heights(static_cast<std::size_t>(length / width) + 1);
+/// The points of a section in order of d, and how far they are apart on the average [m].
+struct SortedSection {
+  std::vector<FootPoint> points;
+  double spacing = 0;
+};
+
+SortedSection sorted(const std::vector<FootPoint>& points, double near, double reach) {
+  SortedSection section;
   for (const FootPoint& p : points) {
-    if (inside(p)) heights[static_cast<std::size_t>((p.d - near) / width)].push_back(p.z);
+    if (p.d >= near && p.d < reach) section.points.push_back(p);
   }
+  std::sort(section.points.begin(), section.points.end(),
+            [](const FootPoint& a, const FootPoint& b) { return a.d != b.d ? a.d < b.d : a.z < b.z; });
+  section.spacing = (reach - near) / std::max(1.0, static_cast<double>(section.points.size()));
+  return section;
+}
+
+/// Index after the last point of a bin that begins at `first`: eight points, no narrower than `width`, without a gap.
+std::size_t endOfBin(const SortedSection& section, std::size_t first, double width) {
+  constexpr std::size_t kPointsPerBin = 8;
+  constexpr double kGap = 6.0;  // spacings: so far apart points of one surface are once in 400 times
+  const std::vector<FootPoint>& points = section.points;
+  std::size_t end = first + 1;
+  while (end < points.size() && (end - first < kPointsPerBin || points[end].d - points[first].d < width)) {
+    if (points[end].d - points[end - 1].d > std::max(width, kGap * section.spacing)) break;
+    ++end;
+  }
+  return end;
+}
+
+/// Drops bins that hold far fewer points for their width than the others: a beam that grazes an edge leaves points
+/// between what it meets, where there is no surface.
+void dropThin(std::vector<Bin>& bins, double width) {
+  constexpr double kThin = 0.4;  // of the usual density
+  const auto density = [width](const Bin& bin) {
+    return static_cast<double>(bin.points) / std::max(width, bin.to - bin.from);
+  };
+  std::vector<double> densities;
+  for (const Bin& bin : bins) densities.push_back(density(bin));
+  const double least = kThin * median(densities);
+  bins.erase(std::remove_if(bins.begin(), bins.end(), [&](const Bin& bin) { return density(bin) < least; }),
+             bins.end());
+}
+
+/// Bins that follow the points: narrow where there are many, none where there are none.
+std::vector<Bin> binsOf(const std::vector<FootPoint>& points, const FootScales& scales, double near) {
+  constexpr std::size_t kFewest = 3;
+  const double width = std::max(scales.reach / 50.0, scales.shell_noise);
   const double layer = std::max(0.02 * scales.reach, 6.0 * scales.shell_noise);
+  const SortedSection section = sorted(points, near, scales.reach);
   std::vector<Bin> bins;
   std::vector<double> spreads;
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (heights[i].size() < kFewest) continue;
-    keepLowestLayer(heights[i], layer);
-    if (heights[i].size() < kFewest) continue;
-    const double z = median(heights[i]), spread = robustSigma(heights[i], z);
-    bins.push_back({near + (static_cast<double>(i) + 0.5) * width, z, spread,
-                    1.2533 / std::sqrt(static_cast<double>(heights[i].size()))});
+  for (std::size_t first = 0, end = 0; first < section.points.size(); first = end) {
+    end = endOfBin(section, first, width);
+    std::vector<double> heights;
+    double d = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      heights.push_back(section.points[i].z);
+      d += section.points[i].d / static_cast<double>(end - first);
+    }
+    keepLowestLayer(heights, layer);
+    if (heights.size() < kFewest) continue;
+    const double z = median(heights), spread = robustSigma(heights, z);
+    const double error = 1.2533 / std::sqrt(static_cast<double>(heights.size()));
+    bins.push_back({d, z, spread, error, section.points[first].d, section.points[end - 1].d, heights.size()});
     spreads.push_back(spread);
   }
   const double typical = std::max(median(spreads), 1e-7);  // of few points a spread may be nought by chance
   for (Bin& bin : bins) bin.error *= std::max(bin.spread, typical);
+  dropThin(bins, width);
   return bins;
 }
 
@@ -51,33 +97,52 @@ bool isStep(const Bin& a, const Bin& b, double reach) {
   return std::abs(a.z - b.z) > kStep * reach + kRamp * (b.d - a.d) + 3.0 * std::hypot(a.error, b.error);
 }
 
-/// The line through a run of bins: median of the slopes between its thirds, median of the offsets.
-FootCandidate lineThrough(const std::vector<Bin>& run, double width) {
+/// The line through a run of bins: median of the slopes between its thirds, median of the offsets; of a few bins by
+/// least squares.
+FootCandidate stretchOf(const std::vector<Bin>& run) {
+  constexpr std::size_t kFew = 4;
+  constexpr double kSteepest = 0.1;  // of a foundation surface [m/m]
+  std::vector<SectionBin> bins;
   std::vector<double> slopes, offsets, spreads;
-  const std::size_t apart = std::max<std::size_t>(1, (run.size() - 1) / 3);
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    for (std::size_t j = i + apart; j < run.size(); ++j)
-      slopes.push_back((run[j].z - run[i].z) / (run[j].d - run[i].d));
-  }
-  FootCandidate line;
-  line.slope = median(slopes);
-  double mean = 0, squares = 0, errors = 0;
   for (const Bin& bin : run) {
-    offsets.push_back(bin.z - line.slope * bin.d);
+    bins.push_back({bin.d, bin.z, bin.error});
     spreads.push_back(bin.spread);
-    mean += bin.d / static_cast<double>(run.size());
   }
-  for (const Bin& bin : run) {
-    squares += (bin.d - mean) * (bin.d - mean);
-    errors += bin.error * bin.error / static_cast<double>(run.size());
+  const SectionLine line = lineThrough(bins, {0, bins.size()}, kSteepest);
+  FootCandidate stretch;
+  stretch.slope = line.slope;
+  stretch.height = line.at(0.0);
+  if (run.size() >= kFew) {
+    const std::size_t apart = std::max<std::size_t>(1, (run.size() - 1) / 3);
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      for (std::size_t j = i + apart; j < run.size(); ++j)
+        slopes.push_back((run[j].z - run[i].z) / (run[j].d - run[i].d));
+    }
+    stretch.slope = median(slopes);
+    for (const Bin& bin : run) offsets.push_back(bin.z - stretch.slope * bin.d);
+    stretch.height = median(offsets);
   }
-  line.height = median(offsets);
-  line.noise = median(spreads);
-  line.sigma_slope = std::sqrt(errors / squares);
-  line.error = std::sqrt(errors * (1.0 / static_cast<double>(run.size()) + mean * mean / squares));
-  line.from = run.front().d - 0.5 * width;
-  line.to = run.back().d + 0.5 * width;
-  return line;
+  stretch.noise = median(spreads);
+  stretch.sigma_slope = std::sqrt(line.variance_slope);
+  stretch.error = std::sqrt(line.varianceAt(0.0));
+  stretch.from = run.front().from;
+  stretch.to = run.back().to;
+  return stretch;
+}
+
+/// The parts of a run between its jumps, in order: steps too small to be seen between neighbouring bins.
+void addParts(const std::vector<Bin>& run, const FootScales& scales, std::vector<std::vector<Bin>>& parts) {
+  constexpr double kStep = 0.005, kLength = 0.2;  // of the reach
+  std::vector<SectionBin> bins;
+  for (const Bin& bin : run) bins.push_back({bin.d, bin.z, bin.error});
+  const double blur = 4.0 * scales.shell_noise;
+  const Jump jump = clearestJump(bins, {kStep * scales.reach, 2.0 * blur, kLength * scales.reach});
+  if (!jump.found()) {
+    parts.push_back(run);
+    return;
+  }
+  addParts({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(jump.end)}, scales, parts);
+  addParts({run.begin() + static_cast<std::ptrdiff_t>(jump.begin), run.end()}, scales, parts);
 }
 
 /// The elevation that the shell is seen down to, but for a stray point or two.
@@ -96,17 +161,20 @@ double endOfShell(const std::vector<FootPoint>& points, double noise) {
 }  // namespace
 
 std::vector<FootCandidate> findCandidates(const std::vector<FootPoint>& points, const FootScales& scales) {
-  constexpr std::size_t kFewestBins = 2;
+  constexpr std::size_t kFewestPoints = 6;
   const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
   const std::vector<Bin> bins = binsOf(points, scales, near);
-  std::vector<FootCandidate> candidates;
-  if (bins.size() < kFewestBins) return candidates;
-  const double width = (bins.back().d - bins.front().d) / static_cast<double>(bins.size() - 1);
   const double end = endOfShell(points, scales.shell_noise);
+  std::vector<FootCandidate> candidates;
   std::vector<Bin> run;
   const auto close = [&] {
-    if (run.size() >= kFewestBins) {
-      candidates.push_back(lineThrough(run, width));
+    std::vector<std::vector<Bin>> parts;
+    if (!run.empty()) addParts(run, scales, parts);
+    for (const std::vector<Bin>& part : parts) {
+      std::size_t count = 0;
+      for (const Bin& bin : part) count += bin.points;
+      if (count < kFewestPoints) continue;
+      candidates.push_back(stretchOf(part));
       candidates.back().over_foot = candidates.back().height - end;
     }
     run.clear();

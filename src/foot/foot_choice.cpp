@@ -24,13 +24,14 @@ struct Usual {
 double costOf(const FootCandidate& c, const Usual& usual, double reach) {
   constexpr double kGap = 0.05;         // of the reach: a stretch that begins so much further out than usual
   constexpr double kUsualSlope = 0.05;  // [m/m]
-  constexpr double kShellBelow = 0.01;  // of the reach: shell seen that far below the stretch shows that it ends before
-  constexpr double kHidden = 0.2;       // of the reach: a shell seen no further down is hidden by something
+  constexpr double kShellBelow =
+      0.004;                       // of the reach: shell seen that far below the stretch shows that it ends before
+  constexpr double kHidden = 0.2;  // of the reach: a shell seen no further down is hidden by something
   double cost = std::max(0.0, c.from - usual.from) / (kGap * reach);
   const double steep = std::max(0.0, std::abs(c.slope) - 2.0 * c.sigma_slope) / kUsualSlope;
   cost += 0.5 * steep * steep;
   cost += std::max(0.0, std::log2(c.noise / usual.noise) - 1.0);
-  if (c.over_foot > kShellBelow * reach + 3.0 * c.error) cost += c.over_foot / (kShellBelow * reach);
+  if (c.over_foot > kShellBelow * reach + 3.0 * std::max(c.error, c.noise)) cost += 2.0 * kNone;
   if (c.over_foot < -kHidden * reach) cost += 1.0;
   return cost;
 }

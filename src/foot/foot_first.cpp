@@ -32,31 +32,27 @@ bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, do
 }
 
 /// The stretches in the window about a station that is wide enough to tell them apart, a few degrees at most.
-std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, double height) {
+std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, const Tank& tank) {
   constexpr double kWidest = 5.0 * kPi / 180.0;  // half the arc that a sparse station may look at
   const FootScales& scales = foot.scales;
-  const double near = nearestOf(scales);
+  const double near = nearestOf(scales), direction = foot.directions[station], height = tank.foot(direction);
   for (;; half = std::min(1.6 * half, kWidest)) {
-    const auto points = foot.ring.around(foot.directions[station], half, height, foot.reach);
+    auto points = foot.ring.around(direction, half, height, foot.reach);
+    for (FootPoint& p : points) p.z -= tank.foot(direction + p.t / foot.radius) - height;
     if (half >= kWidest || isFilled(points, scales, near)) return findCandidates(points, scales);
   }
 }
 
-/// The elevation of a station's own points just outside the weld, of those about the stretch that was chosen; the
-/// stretch's where they are few.
-double guessAt(const std::vector<FootPoint>& points, double chosen, double near, double reach) {
-  constexpr std::size_t kFew = 5, kPlenty = 50;
-  constexpr double kAbout = 0.06;  // of the reach: what is further off is another thing
+/// The elevation of a station's own points on the stretch that was chosen; the stretch's where they are few.
+double guessAt(const std::vector<FootPoint>& points, const FootCandidate& chosen, double reach) {
+  constexpr std::size_t kFew = 5;
+  constexpr double kAbout = 0.02;  // of the reach: what is further off is another thing
   std::vector<double> heights;
-  const auto beside = std::count_if(points.begin(), points.end(), [&](const FootPoint& p) { return p.d >= near; });
-  if (static_cast<std::size_t>(beside) < kPlenty) return chosen;
-  for (double to = near + 0.1 * reach; heights.size() < kFew && to < reach; to += 0.1 * reach) {
-    heights.clear();
-    for (const FootPoint& p : points) {
-      if (p.d >= near && p.d <= to && std::abs(p.z - chosen) < kAbout * reach) heights.push_back(p.z);
-    }
+  for (const FootPoint& p : points) {
+    const double z = p.z - chosen.slope * p.d;
+    if (p.d >= chosen.from && p.d <= chosen.to && std::abs(z - chosen.height) < kAbout * reach) heights.push_back(z);
   }
-  return heights.size() < kFew ? chosen : median(heights);
+  return heights.size() < kFew ? chosen.height : median(heights);
 }
 
 /// Stations within a few degrees of one where something was believed.
@@ -99,8 +95,7 @@ std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
   const std::size_t places = (count + stride - 1) / stride;
   std::vector<std::vector<FootCandidate>> candidates(places);
   forEachIndex(places, 0, [&](std::size_t k) {
-    const double height = tank.foot(foot.directions[k * stride]), half = foot.half_step * static_cast<double>(stride);
-    candidates[k] = candidatesAt(foot, k * stride, half, height);
+    candidates[k] = candidatesAt(foot, k * stride, foot.half_step * static_cast<double>(stride), tank);
   });
   const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
   const auto choice = chooseRoundRing(candidates, arc, foot.reach);
@@ -108,7 +103,7 @@ std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = std::min(places - 1, i / stride);
     if (!choice[k]) continue;
-    guesses[i] = guessAt(foot.points[i], candidates[k][*choice[k]].height, nearestOf(foot.scales), foot.reach);
+    guesses[i] = guessAt(foot.points[i], candidates[k][*choice[k]], foot.reach);
   }
   return guesses;
 }

@@ -5,6 +5,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "foot/foot_profile.h"
+#include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
 #include "tank_datum/core/unknown.h"
 
@@ -20,21 +21,41 @@ struct Stretch {
   std::size_t middle() const { return first + count / 2; }
 };
 
+/// Points on the surface in the two halves of a station's own stretch.
+struct HalfCounts {
+  std::size_t left = 0, right = 0;
+  std::size_t both() const { return left + right; }
+};
+
+HalfCounts countHalves(const Foot& foot, const FootPass& pass, std::size_t station) {
+  HalfCounts counts;
+  if (!pass.fits[station].valid()) return counts;
+  const FootProfile& profile = pass.sections.at(station);
+  const double level = pass.fits[station].z, within = 8.0 * profile.noise + profile.blur;
+  for (const FootPoint& p : foot.points[station]) {
+    const bool in_band = p.d >= profile.band_from && p.d <= profile.band_to;
+    if (in_band && std::abs(p.z - level - profile.slope * p.d) < within) ++(p.t < 0.0 ? counts.left : counts.right);
+  }
+  return counts;
+}
+
+/// Points on the surface of each station's own stretch. Where many lie in one half only and the neighbour beyond the
+/// other has none, something ends at the station: it has none either.
 std::vector<std::size_t> pointsPerStation(const Foot& foot, const FootPass& pass) {
   constexpr std::size_t kMany = 8;
-  std::vector<std::size_t> counts(pass.fits.size(), 0);
-  forEachIndex(counts.size(), 0, [&](std::size_t i) {
-    if (!pass.fits[i].valid()) return;
-    const FootProfile& profile = pass.sections.at(i);
-    const double level = pass.fits[i].z, within = 8.0 * profile.noise + profile.blur;
-    std::size_t left = 0, right = 0;
-    for (const FootPoint& p : foot.points[i]) {
-      const bool in_band = p.d >= profile.band_from && p.d <= profile.band_to;
-      if (in_band && std::abs(p.z - level - profile.slope * p.d) < within) ++(p.t < 0.0 ? left : right);
-    }
-    // many on one side of the station only: something ends at it
-    counts[i] = left + right < kMany || (left > 0 && right > 0) ? left + right : 0;
-  });
+  const std::size_t count = pass.fits.size();
+  std::vector<HalfCounts> halves(count);
+  forEachIndex(count, 0, [&](std::size_t i) { halves[i] = countHalves(foot, pass, i); });
+  const bool clockwise = std::remainder(foot.directions[1] - foot.directions[0], kTwoPi) < 0.0;
+  std::vector<std::size_t> counts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const HalfCounts& own = halves[i];
+    const std::size_t before = (i + count - 1) % count, after = (i + 1) % count;
+    const std::size_t left = halves[clockwise ? after : before].both(),
+                      right = halves[clockwise ? before : after].both();
+    const bool ends = own.both() >= kMany && ((own.left == 0 && left == 0) || (own.right == 0 && right == 0));
+    counts.push_back(ends ? 0 : own.both());
+  }
   return counts;
 }
 
@@ -52,8 +73,7 @@ std::size_t pointsWithin(const std::vector<std::size_t>& counts, std::size_t sta
 std::vector<Stretch> stretchesOf(const Foot& foot, const std::vector<std::size_t>& counts) {
   constexpr std::size_t kEnough = 8;
   constexpr double kWidest = 5.0 * kPi / 180.0;
-  const double widest = std::min(kWidest, 2.0 * foot.options.widest_window / foot.radius);
-  const auto longest = static_cast<std::size_t>(std::max(1.0, std::round(0.5 * widest / foot.half_step)));
+  const auto longest = static_cast<std::size_t>(std::max(1.0, std::round(0.5 * kWidest / foot.half_step)));
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < counts.size();) {
     if (counts[i] == 0) {
@@ -72,7 +92,7 @@ std::vector<Stretch> stretchesOf(const Foot& foot, const std::vector<std::size_t
 }
 
 /// The surface at a stretch's middle station, from the stretch's own points.
-FootFit fitStretch(const Foot& foot, const FootPass& pass, const Stretch& stretch) {
+FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const Stretch& stretch) {
   const std::size_t at = stretch.middle();
   const FootProfile& profile = pass.sections.at(at);
   // of an even number of stations the middle one stands half a step beside the middle
@@ -83,7 +103,8 @@ FootFit fitStretch(const Foot& foot, const FootPass& pass, const Stretch& stretc
   for (FootPoint& p : points) p.t -= beside * foot.radius;
   FootPrior prior = pass.priors.at(at);
   if (pass.priors.settled) prior.sigma_slope = kSettledSlope;
-  return fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
+  FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
+  return {std::move(points), fit};
 }
 
 /// Of each station the stretch that it belongs to, where that could be fitted.
@@ -98,9 +119,17 @@ OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<s
   const std::vector<Stretch> stretches = stretchesOf(foot, counts);
   OwnFits own{std::vector<FootFit>(stretches.size()), std::vector<const FootFit*>(count, nullptr),
               std::vector<double>(count, kUnknown), std::vector<double>(count, kUnknown)};
+  std::vector<FittedPoints> fitted(stretches.size());
   forEachIndex(stretches.size(), 0, [&](std::size_t k) {
-    if (pass.fits[stretches[k].middle()].valid()) own.fits[k] = fitStretch(foot, pass, stretches[k]);
+    if (pass.fits[stretches[k].middle()].valid()) fitted[k] = fitStretch(foot, pass, stretches[k]);
   });
+  const double rough = sharedRoughness(fitted, pass.sections.whole);
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    FootFit& fit = own.fits[k] = fitted[k].fit;
+    if (!fit.valid()) continue;
+    const double leverage = static_cast<double>(fit.points) * std::pow(fit.sigma / fit.noise, 2.0);
+    fit.sigma = std::sqrt(fit.sigma * fit.sigma + rough * leverage);
+  }
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     if (!own.fits[k].valid()) continue;
     own.levels[stretches[k].middle()] = own.fits[k].z;

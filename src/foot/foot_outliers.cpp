@@ -47,13 +47,29 @@ std::vector<bool> findSupport(const Foot& foot, const FootElevations& elevations
   return supported;
 }
 
+/// Whether the shell is seen to go on below the station's datum, as it does behind a kerb that stands before it.
+bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
+  constexpr double kLeast = 0.002, kHigh = 0.04;  // of the reach
+  constexpr std::size_t kStray = 3;
+  constexpr double kShare = 0.25;  // of the points that as much of the shell has above
+  const double least = kLeast * foot.reach + 3.0 * std::hypot(fit.sigma, fit.noise), high = kHigh * foot.reach + least;
+  std::size_t below = 0, above = 0;
+  foot.ring.visitAround(foot.directions[station], fit.half_width, fit.z, 2.0 * high, [&](const FootPoint& p) {
+    if (std::abs(p.d) > 2.0 * foot.scales.shell_noise) return;
+    const double height = p.z - fit.z - fit.along * p.t - fit.bend * p.t * p.t;
+    below += height < -least && height > -high;
+    above += height > least && height < high;
+  });
+  return below > kStray && static_cast<double>(below) > kShare * static_cast<double>(above);
+}
+
 }  // namespace
 
 std::vector<bool> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, elevations, pass.sections);
   std::vector<FootFit> kept = pass.fits;
   forEachIndex(kept.size(), 0, [&](std::size_t i) {
-    if (!foot.shell_seen[i] || !kept[i].valid() || !supported[i] ||
+    if (!foot.shell_seen[i] || !kept[i].valid() || !supported[i] || goesOnBelow(foot, i, kept[i]) ||
         !isSameSurface(foot.points[i], kept[i], pass.priors.slope[i], pass.sections.at(i))) {
       kept[i] = {};
     }

@@ -16,8 +16,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looked at [m/m]
-constexpr double kLipSlope = 0.05;  // of the lips of annular plates: bent by the weld, by settlement [m/m]
+constexpr double kWideSlope = 0.1;   // of pads and floors, before they are looked at [m/m]
+constexpr double kTankSlope = 0.03;  // of the lips of one tank, on the average of its ring [m/m]
+constexpr double kLipSlope = 0.05;   // of the lips of annular plates: bent by the weld, by settlement [m/m]
 
 /// Fits of the slope in windows a few degrees wide, at every so many stations.
 struct Slopes {
@@ -93,9 +94,16 @@ struct Expected {
   double slope, tolerance;
 };
 
+/// Of a ring's slope: whether it is what it should be, and what the windows together leave open of it [m/m].
+struct MeanSlope {
+  bool usual = false;
+  double sigma = 0;
+};
+
 /// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
 /// more than their errors explain (empirical Bayes).
-bool drawTogether(const std::vector<SeriesValue>& series, const Expected& expected, std::vector<SeriesValue>& smooth) {
+MeanSlope drawTogether(const std::vector<SeriesValue>& series, const Expected& expected,
+                       std::vector<SeriesValue>& smooth) {
   constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
   std::vector<double> values, variances, sigmas;
   for (const SeriesValue& v : series) {
@@ -107,19 +115,21 @@ bool drawTogether(const std::vector<SeriesValue>& series, const Expected& expect
     values.push_back(v.value);
     variances.push_back(v.sigma * v.sigma);
   }
-  if (values.size() < 6) return false;
+  if (values.size() < 6) return {false, kLipSlope};
   double ring = median(values);
   const double scatter = robustSigma(values, ring);
   const bool usual = std::abs(ring - expected.slope) < expected.tolerance;
   if (usual) ring = expected.slope;
+  const auto count = static_cast<double>(values.size());
   const double own = std::max(1e-12, scatter * scatter - median(variances));
+  const double mean = 1.2533 * std::sqrt((own + median(variances)) / count);
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
     const double weight = own / (own + v.sigma * v.sigma);
     v.value = weight * v.value + (1.0 - weight) * ring;
     v.sigma *= std::sqrt(weight);
   }
-  return usual;
+  return {usual, mean};
 }
 
 /// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
@@ -166,16 +176,18 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
-  constexpr double kDoubt = 0.1, kOddDoubt = 0.6, kFeigned = 0.6;  // of the largest lean that range noise may feign
+  constexpr double kDoubt = 0.35, kOddDoubt = 0.6, kFeigned = 0.6;  // of the largest lean that range noise may feign
   constexpr std::size_t kWidest = 4;
   const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
   if (lips.series.empty()) return;
   std::vector<SeriesValue> smooth = smoothed(lips.series, kWidest);
-  const bool usual = drawTogether(lips.series, {sections.whole.slope, kFeigned * lips.doubt}, smooth);
+  const MeanSlope ring = drawTogether(lips.series, {sections.whole.slope, kFeigned * lips.doubt}, smooth);
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);
   }
-  const double least = std::hypot(kLeastSigma, (usual ? kDoubt : kOddDoubt) * lips.doubt);
+  const double doubt = std::hypot((ring.usual ? kDoubt : kOddDoubt) * lips.doubt, ring.sigma);
+  // what is known beforehand of the lips of a tank, beside what the windows tell
+  const double least = std::hypot(kLeastSigma, 1.0 / std::hypot(1.0 / doubt, 1.0 / kTankSlope));
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const std::size_t k = i / lips.stride, next = (k + 1) % smooth.size();
     const double share = static_cast<double>(i - k * lips.stride) / static_cast<double>(lips.stride);

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/parallel.h"
 #include "core/statistics.h"
-#include "foot/lowest_layer.h"
+#include "foot/section_bins.h"
+#include "foot/section_jumps.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr std::size_t kFewest = 10;  // points that make a bin's median worth looking at
 
 struct Line {
   double offset = 0, slope = 0;
@@ -20,44 +18,6 @@ struct Line {
 };
 
 double middle(const FootProfile& profile, std::size_t bin) { return (static_cast<double>(bin) + 0.5) * profile.bin; }
-
-/// The heights above their station's datum of all points, by bins of d, with several threads.
-std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<FootPoint>>& stations,
-                                              const std::vector<double>& datum, double reach, double bin) {
-  constexpr std::size_t kParts = 16;
-  const auto bins = static_cast<std::size_t>(std::ceil(reach / bin));
-  std::vector<std::vector<std::vector<double>>> parts(kParts, std::vector<std::vector<double>>(bins));
-  forEachIndex(kParts, 0, [&](std::size_t part) {
-    for (std::size_t s = stations.size() * part / kParts; s < stations.size() * (part + 1) / kParts; ++s) {
-      if (!std::isfinite(datum[s])) continue;
-      for (const FootPoint& p : stations[s]) {
-        if (p.d >= 0.0 && p.d < reach && std::abs(p.z - datum[s]) < reach) {
-          parts[part][std::min(bins - 1, static_cast<std::size_t>(p.d / bin))].push_back(p.z - datum[s]);
-        }
-      }
-    }
-  });
-  std::vector<std::vector<double>> heights(bins);
-  forEachIndex(bins, 0, [&](std::size_t i) {
-    for (const auto& part : parts) heights[i].insert(heights[i].end(), part[i].begin(), part[i].end());
-  });
-  return heights;
-}
-
-void fillBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& stations,
-              const std::vector<double>& datum, const FootScales& scales) {
-  const double layer = std::max(2.0 * profile.bin, 6.0 * scales.shell_noise);
-  auto heights = heightsByBin(stations, datum, scales.reach, profile.bin);
-  for (auto* column : {&profile.height, &profile.spread, &profile.error}) column->assign(heights.size(), kUnknown);
-  forEachIndex(heights.size(), 0, [&](std::size_t i) {
-    std::vector<double>& values = heights[i];
-    if (!values.empty()) keepLowestLayer(values, layer);
-    if (values.size() < kFewest) return;
-    profile.height[i] = median(values);
-    profile.spread[i] = robustSigma(values, profile.height[i]);
-    profile.error[i] = 1.2533 * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
-  });
-}
 
 /// Median of the slopes between bins far apart (Theil and Sen), and of the offsets: half of the bins but for the
 /// corner's may lie off without moving it.
@@ -77,27 +37,24 @@ Line robustLine(const FootProfile& profile, std::size_t first, std::size_t last)
   return {median(offsets), slope};
 }
 
-/// Whether the section leaves, at this bin, the level of the bins just before it by more than points scatter.
-bool stepsAt(const FootProfile& profile, std::size_t bin, std::size_t before) {
-  constexpr double kStep = 0.0025;  // over two bins; the thinnest annular plates are 6 mm [m]
-  constexpr double kRamp = 0.10;    // the steepest slope of a foundation surface [m/m]
-  const double step = std::abs(profile.height[bin] - profile.height[before]);
-  const double error = 3.0 * std::hypot(profile.error[bin], profile.error[before]);
-  return step > kStep + kRamp * static_cast<double>(bin - before) * profile.bin + error;
-}
-
 /// The last bin before the section steps up or down for good: one stray bin is no step.
-std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first) {
+/// @param mixed  width over which an edge may be blurred [m]
+std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first, double mixed) {
+  constexpr double kStep = 0.0025;  // the thinnest annular plates are 6 mm [m]
+  constexpr double kLength = 0.06;  // of the lines on either side [m]
   std::vector<std::size_t> seen;
+  std::vector<SectionBin> bins;
   for (std::size_t i = first; i < profile.height.size(); ++i) {
-    if (std::isfinite(profile.height[i])) seen.push_back(i);
+    if (!std::isfinite(profile.height[i])) continue;
+    seen.push_back(i);
+    bins.push_back({middle(profile, i), profile.height[i], profile.error[i]});
   }
-  for (std::size_t i = 1; i < seen.size(); ++i) {
-    const std::size_t before = seen[i - std::min<std::size_t>(i, 2)];
-    const bool stays = i + 1 == seen.size() || stepsAt(profile, seen[i + 1], before);
-    if (stays && stepsAt(profile, seen[i], before)) return seen[i - std::min<std::size_t>(i, 2)];
+  if (seen.empty()) return first;
+  for (Jump jump = clearestJump(bins, {kStep, mixed, kLength}); jump.found();
+       jump = clearestJump(bins, {kStep, mixed, kLength})) {
+    bins.resize(jump.end);
   }
-  return seen.empty() ? first : seen.back();
+  return bins.size() == seen.size() ? seen.back() : seen[bins.size()] - 1;  // the surface may go on where none is seen
 }
 
 Surface surfaceEndingAt(const FootProfile& profile, std::size_t last, const Line& line, double noise) {
@@ -116,17 +73,10 @@ double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double rea
   constexpr double kThickest = 0.03;  // annular plate [m]
   const std::size_t first = plate_end + 1 + static_cast<std::size_t>(std::ceil(2.0 * profile.blur / profile.bin));
   if (first >= profile.height.size()) return 0.0;
-  const std::size_t last = lastBeforeStep(profile, first);
+  const std::size_t last = lastBeforeStep(profile, first, 2.0 * profile.blur);
   if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
   const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
   return drop > 0.0 && drop < kThickest ? robustLine(profile, first, last).slope : 0.0;
-}
-
-/// Bins wide enough that one holds a hundred points on the average.
-double widthOfBins(const std::vector<std::vector<FootPoint>>& stations, double reach) {
-  double points = 0;
-  for (const auto& station : stations) points += static_cast<double>(station.size());
-  return 100.0 * reach / std::max(1.0, points);
 }
 
 struct Plateau {
@@ -169,6 +119,58 @@ Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t l
   return {from, to, height, std::sqrt(std::max(0.0, squares - expected) / bins)};
 }
 
+/// The first bin that neither weld nor the shell's noise reaches.
+std::size_t firstBeyondWeld(const FootProfile& profile, const FootScales& scales) {
+  return static_cast<std::size_t>(std::max(scales.weld, 3.0 * scales.shell_noise) / profile.bin) + 1;
+}
+
+/// Reads the surface between two bins: noise, edge, kind, slope, and the band that is plainly it, with what is not seen
+/// next to it.
+void readSurface(FootProfile& profile, std::size_t first, std::size_t last, const FootScales& scales) {
+  const double reach = scales.reach;
+  const std::size_t nearest = firstBeyondWeld(profile, scales);
+  std::vector<double> spreads;
+  for (std::size_t i = first; i <= last; ++i) {
+    if (std::isfinite(profile.spread[i])) spreads.push_back(profile.spread[i]);
+  }
+  profile.noise = std::max(median(spreads), 1e-7);
+  profile.edge = static_cast<double>(last + 1) * profile.bin;
+  const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
+  profile.surface =
+      last + 1 < profile.height.size() ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;
+  const bool plate = profile.surface == Surface::AnnularPlate;
+  profile.slope = plate ? slopeBeyond(profile, last, reach) : own.slope;
+  last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
+  Plateau plateau = findPlateau(profile, first, last);
+  if (plate) {  // one that leans is plain along its own slope only
+    FootProfile leaning = profile;
+    leaning.slope = own.slope;
+    const Plateau wider = findPlateau(leaning, first, last);
+    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = own.slope;
+  }
+  profile.offset = plateau.offset;
+  profile.misfit = plateau.misfit;
+  while (plateau.first > nearest && !std::isfinite(profile.height[plateau.first - 1])) --plateau.first;
+  profile.band_from = static_cast<double>(plateau.first) * profile.bin;
+  profile.band_to = static_cast<double>(plateau.last + 1) * profile.bin;
+}
+
+/// The last bin of a plate whose edge does not follow the shell and so comes down over many bins, where the band lies
+/// on the ringwall far out; 0 where what is nearest to the shell lies on the band's line.
+std::size_t lastOfRaised(const FootProfile& profile, std::size_t first, double reach) {
+  constexpr double kFar = 0.2;      // of the reach
+  constexpr double kStep = 0.0025;  // as of an edge that is sharp [m]
+  const auto begin = static_cast<std::size_t>(std::lround(profile.band_from / profile.bin));
+  if (!profile.valid() || profile.band_from < kFar * reach || begin <= first) return 0;
+  std::vector<double> above;
+  for (std::size_t i = first; i < (first + begin) / 2; ++i) {
+    if (std::isfinite(profile.height[i])) {
+      above.push_back(profile.height[i] - profile.offset - profile.slope * middle(profile, i));
+    }
+  }
+  return above.size() >= 4 && std::abs(median(above)) > kStep ? begin - 1 : 0;
+}
+
 }  // namespace
 
 const char* nameOf(Surface surface) {
@@ -188,40 +190,19 @@ const char* nameOf(Surface surface) {
 FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, const std::vector<double>& datum,
                          const FootScales& scales) {
   FootProfile profile;
-  profile.bin = std::max({scales.reach / 100.0, scales.shell_noise, widthOfBins(stations, scales.reach)});
-  fillBins(profile, stations, datum, scales);
+  profile.blur = 4.0 * scales.shell_noise;
+  stackBins(profile, stations, datum, scales);
   const std::size_t bins = profile.height.size();
-  const auto binOf = [&](double d) { return static_cast<std::size_t>(d / profile.bin); };
-  std::size_t first = binOf(std::max(scales.weld, 3.0 * scales.shell_noise)) + 1;
+  std::size_t first = firstBeyondWeld(profile, scales);
   while (first < bins && !std::isfinite(profile.height[first])) ++first;
   if (first >= bins) return profile;
   // what is stacked right beside the shell may be stray points only: a surface is at least four bins wide
-  std::size_t last = lastBeforeStep(profile, first);
-  while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first);
+  std::size_t last = lastBeforeStep(profile, first, 2.0 * profile.blur);
+  while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first, 2.0 * profile.blur);
   if (last < first + 3) return profile;
-  std::vector<double> spreads;
-  for (std::size_t i = first; i <= last; ++i) {
-    if (std::isfinite(profile.spread[i])) spreads.push_back(profile.spread[i]);
-  }
-  profile.noise = std::max(median(spreads), 1e-7);
-  profile.blur = 4.0 * scales.shell_noise;
-  profile.edge = static_cast<double>(last + 1) * profile.bin;
-  const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
-  profile.surface = last + 1 < bins ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;
-  const bool plate = profile.surface == Surface::AnnularPlate;
-  profile.slope = plate ? slopeBeyond(profile, last, scales.reach) : own.slope;
-  last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
-  Plateau plateau = findPlateau(profile, first, last);
-  if (plate) {  // one that leans is plain along its own slope only
-    FootProfile leaning = profile;
-    leaning.slope = own.slope;
-    const Plateau wider = findPlateau(leaning, first, last);
-    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = own.slope;
-  }
-  profile.offset = plateau.offset;
-  profile.misfit = plateau.misfit;
-  profile.band_from = static_cast<double>(plateau.first) * profile.bin;
-  profile.band_to = static_cast<double>(plateau.last + 1) * profile.bin;
+  readSurface(profile, first, last, scales);
+  const std::size_t end = lastOfRaised(profile, first, scales.reach);
+  if (end >= first + 3) readSurface(profile, first, end, scales);
   return profile;
 }
 

@@ -61,10 +61,18 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
   return foot;
 }
 
+/// Whether a section shows the surface that the elevations it was stacked with lie on.
+bool isOfLevel(const FootProfile& section, double reach) {
+  constexpr double kLevel = 0.01;  // of the reach; plate, ringwall and crown are further apart
+  return section.valid() && std::abs(section.offset) < kLevel * reach;
+}
+
 /// Section, slopes and a fit of every station, from the elevations known so far.
-FootPass runPass(const Foot& foot, const FootElevations& elevations) {
+/// @param before  the sections of the pass before, which are kept where these show another surface
+FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootSections& before) {
   FootPass pass;
   pass.sections = stackSections(foot, elevations.known);
+  if (before.whole.valid() && !isOfLevel(pass.sections.whole, foot.reach)) pass.sections = before;
   pass.priors = learnPriors(foot, elevations, pass.sections);
   pass.fits.resize(foot.directions.size());
   forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
@@ -97,7 +105,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   FootPass pass;
   std::vector<bool> outliers;
   for (int i = 0; i < kPasses; ++i) {
-    pass = runPass(foot, elevations);
+    pass = runPass(foot, elevations, pass.sections);
     outliers = findOutliers(foot, elevations, pass);
     elevations = elevationsAfter(pass, outliers, elevations.seen);
   }

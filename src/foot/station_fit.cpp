@@ -12,6 +12,8 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
   constexpr double kWidestAngle = 10.0 * kPi / 180.0;  // of a curve that a parabola still follows
   constexpr double kKnownSlope = 0.003;                // [m/m]
   constexpr double kGoodEnough = 2e-4;                 // to find the surface with [m]
+  constexpr std::size_t kEnough = 8;                   // points; with fewer a window may be wider than asked for
+  constexpr double kWidestSparse = 5.0 * kPi / 180.0;
   const FootPrior prior = priors.at(station);
   const double slope = priors.slope[station], start = level + profile.offset;
   const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
@@ -20,7 +22,8 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
   for (double half = foot.half_step;; half *= 1.4) {
     const auto points = foot.ring.around(foot.directions[station], half, level, foot.reach);
     FootFit fit = fitFoundation(points, profile, start, slope, known_slope);
-    if (fit.sigma < std::max(kGoodEnough, foot.options.wanted_sigma) || half > widest) {
+    const bool wide = half > widest && (fit.points >= kEnough || half > kWidestSparse);
+    if (fit.sigma < std::max(kGoodEnough, foot.options.wanted_sigma) || wide) {
       if (priors.settled) {
         fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
       } else {

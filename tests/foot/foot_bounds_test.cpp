@@ -37,12 +37,6 @@ TEST(CommonSigma, IsToldByTwentyDifferences) {
   EXPECT_GT(commonSigma(fits, 1), 0.0005);
 }
 
-TEST(FindCandidates, SevenPointsMakeNoBin) {
-  std::vector<FootPoint> points;
-  for (int i = 0; i < 7; ++i) points.push_back({0.0, 0.02 + 0.04 * i, 0.0});
-  EXPECT_TRUE(findCandidates(points, kScales).empty());
-}
-
 TEST(FitFoundation, ADatumMayRunOneInAHundredAlongTheShell) {
   FootProfile pad;
   pad.band_from = 0.015, pad.band_to = pad.edge = 0.3, pad.blur = 0.006, pad.noise = 1e-5;
@@ -73,10 +67,32 @@ TEST(StackProfile, ABinIsSeenFromTenPointsOn) {
   EXPECT_TRUE(std::isnan(sectionOf(flat, 40, 9).height[40]));
 }
 
-TEST(StackProfile, AStepIsAQuarterOfACentimetreBeyondARampOfOneInTen) {
-  // seen over three bins of 3 mm: 2.5 mm and 0.9 mm
-  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0031; }).edge, 0.3, 0.001);
-  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0038; }).edge, 0.15, 0.004);
+TEST(StackProfile, AStepIsFourMillimetres) {
+  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0035; }).edge, 0.3, 0.001);
+  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0047; }).edge, 0.15, 0.004);
+}
+
+TEST(StackProfile, WhatComesDownOverManyBinsIsAPlateToo) {
+  // over 40 mm: no step, but flat beside the shell and flat beyond
+  const auto plate = [](double high) {
+    return [high](double d) { return high * std::min(1.0, std::max(0.0, (0.1 - d) / 0.04)); };
+  };
+  EXPECT_LT(sectionOf(plate(0.006)).band_to, 0.105);
+  EXPECT_NEAR(sectionOf(plate(0.006)).offset, 0.006, 0.0025);  // the ramp leans it
+  EXPECT_NEAR(sectionOf(plate(0.002)).edge, 0.3, 0.001);
+}
+
+TEST(StackProfile, WhereNoneIsSeenASurfaceMayGoOn) {
+  const auto row = [](double d) { return d < 0.06 ? 0.0 : -0.01; };
+  std::vector<FootPoint> points;
+  for (int bin = 0; bin < 100; ++bin) {
+    for (int i = 0; i < 150 && (bin < 5 || bin > 9) && (bin < 15 || bin > 18); ++i) {
+      points.push_back({0.0, 0.003 * (bin + (i + 0.5) / 150), row(0.003 * (bin + 0.5))});
+    }
+  }
+  const FootProfile profile = stackProfile({points}, {0.0}, kScales);
+  EXPECT_NEAR(profile.edge, 0.06, 0.004) << "where the ringwall is first seen";
+  EXPECT_NEAR(profile.band_from, 0.015, 0.004) << "beyond the weld, though it is seen from 30 mm on";
 }
 
 TEST(ProfileOf, PointsThirtyMillimetresOffTheFoundationAreSomethingElse) {
@@ -106,6 +122,34 @@ bool isOutlier(int count) {
   sections.whole.band_to = sections.whole.edge = 0.3;
   pass.priors.slope.assign(360, 0.0);
   return findOutliers(foot, elevations, pass)[50];
+}
+
+/// Whether a station is taken for something else where the shell is seen this far below it, by so many points.
+bool goesOnBelow(double below, int count) {
+  MadeFoot made;
+  made.addAll(40, 0.02, 0.28, [](double) { return 0.0; });
+  for (int i = 0; i < 12; ++i) made.add(50.1 * made.step(), 0.0, 0.003 + 0.0015 * i);
+  for (int i = 0; i < count; ++i) made.add((49.8 + 0.05 * i) * made.step(), 0.0, -below);
+  Foot& foot = made.foot();
+  const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
+  FootPass pass;
+  FootFit fit = fitAt(0.0, 0.0002);
+  fit.noise = 0.0004, fit.along = fit.bend = 0.0, fit.half_width = foot.half_step;
+  pass.fits.assign(360, fit);
+  pass.sections.stations = 360;
+  FootProfile& whole = pass.sections.whole;
+  whole.bin = 0.003, whole.band_from = 0.015, whole.noise = 0.0005, whole.band_to = whole.edge = 0.3;
+  pass.priors.slope.assign(360, 0.0);
+  return findOutliers(foot, elevations, pass)[50];
+}
+
+TEST(FindOutliers, AShellSeenFurtherDownThanAStationShowsAKerbThatStandsBeforeIt) {
+  EXPECT_TRUE(goesOnBelow(0.010, 5));
+  EXPECT_FALSE(goesOnBelow(0.010, 3)) << "three are stray";
+  EXPECT_FALSE(goesOnBelow(0.0020, 5)) << "1 mm and three standard deviations are errors";
+  EXPECT_TRUE(goesOnBelow(0.0030, 5));
+  EXPECT_TRUE(goesOnBelow(0.0200, 5));
+  EXPECT_FALSE(goesOnBelow(0.0260, 5)) << "a twenty-fifth of the section's reach lower is something else";
 }
 
 TEST(FindOutliers, WhereStationsHaveTwentyPointsOneWithoutAnyIsNotMeasured) {

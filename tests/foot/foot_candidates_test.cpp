@@ -36,7 +36,7 @@ TEST(FindCandidates, AreTheFlatStretchesFromTheShellOutwards) {
 
 TEST(FindCandidates, AFewPointsMakeNone) {
   std::vector<FootPoint> few = lipSection();
-  few.resize(7);
+  few.resize(5);
   EXPECT_TRUE(findCandidates(few, kScales).empty());
 }
 
@@ -53,11 +53,10 @@ std::vector<FootPoint> rowsOf(int bins, int count, const Section& section) {
   return points;
 }
 
-TEST(FindCandidates, AStepIsTwoHundredthsAndARampOfOneInTenFurther) {
+TEST(FindCandidates, AStepIsEightThousandthsOfTheReach) {
   const auto stepped = [](double by) { return [by](double d) { return d < 0.133 ? 0.0 : -by; }; };
-  // between a bin and the next but one: 0.005 of the reach and 0.1 of 12 mm, 2.7 mm
-  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0025)), kScales).size(), 1U);
-  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0030)), kScales).size(), 2U);
+  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0020)), kScales).size(), 1U);  // 2.4 mm
+  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0028)), kScales).size(), 2U);
 }
 
 TEST(FindCandidates, TwelvePointsMakeTwoBinsAndALine) {
@@ -66,7 +65,7 @@ TEST(FindCandidates, TwelvePointsMakeTwoBinsAndALine) {
   const auto found = findCandidates(points, kScales);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].slope, 0.05, 0.02);
-  points.resize(7);
+  points.resize(5);
   EXPECT_TRUE(findCandidates(points, kScales).empty());
 }
 
@@ -78,11 +77,43 @@ TEST(FindCandidates, TwoPointsMakeNoBin) {
   EXPECT_LT(found[0].to, 0.15);
 }
 
-TEST(FindCandidates, OneBinMakesNoStretch) {
-  const auto ends = [](double d) { return d < 0.289 ? 0.0 : 0.05; };  // 46 bins, and one
-  const auto found = findCandidates(rowsOf(47, 12, ends), kScales);
+TEST(FindCandidates, SixPointsMakeAStretch) {
+  for (const int count : {5, 6}) {
+    auto points = rowsOf(40, 12, [](double) { return 0.0; });
+    for (int i = 0; i < count; ++i) points.push_back({0.0, 0.270 + 0.0002 * i, 0.05});
+    EXPECT_EQ(findCandidates(points, kScales).size(), count == 6 ? 2U : 1U) << count;
+  }
+}
+
+TEST(FindCandidates, ALipOfAFewPointsIsAStretchOfItsOwn) {
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 9; ++i) points.push_back({0.0, 0.014 + 0.0025 * i, 1e-5 * (i % 3)});
+  for (int i = 0; i < 40; ++i) points.push_back({0.0, 0.110 + 0.0022 * i, 0.013 + 1e-5 * (i % 3)});  // a crown
+  const auto found = findCandidates(points, kScales);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found[0].height, 0.0, 0.0005);
+  EXPECT_LT(found[0].to, 0.04);
+  EXPECT_GT(found[1].from, 0.10);
+}
+
+TEST(FindCandidates, PointsOnABeamThatGrazesAnEdgeAreNoSurface) {
+  const auto found = [](int on_beam) {
+    std::vector<FootPoint> points;
+    for (int i = 0; i < 150; ++i) points.push_back({0.0, 0.120 + 0.0012 * i, 0.02 + 1e-5 * (i % 3)});
+    for (int i = 0; i < on_beam; ++i)
+      points.push_back({0.0, 0.014 + 0.1 * i / on_beam, 0.01 + 0.1 * i * 0.1 / on_beam});
+    return findCandidates(points, kScales).front().from;
+  };
+  EXPECT_GT(found(16), 0.1) << "a fifth as dense";
+  EXPECT_LT(found(60), 0.02) << "seven tenths";
+}
+
+TEST(FindCandidates, ABankIsOneSteepStretch) {
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 200; ++i) points.push_back({0.0, 0.014 + 0.001 * i, 0.07 - 0.37 * (0.001 * i) + 2e-4 * (i % 3)});
+  const auto found = findCandidates(points, kScales);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NEAR(found[0].to, 0.289, 0.004);
+  EXPECT_NEAR(found[0].slope, -0.37, 0.01);
 }
 
 TEST(FindCandidates, TheShellEndsAtItsThirdLowestPoint) {

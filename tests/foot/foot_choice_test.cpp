@@ -88,10 +88,9 @@ TEST(ChooseRoundRing, ASlopeOfOneInEightIsKeptOneInSixIsNot) {
   }
 }
 
-TEST(ChooseRoundRing, AShellSeenBelowCountsFromAHundredthOfTheReach) {
-  const double further = plate().from + 0.05;  // cost 2
-  EXPECT_TRUE(isKept(stretch(0.0, 0.0, 0.0005, further, 0.0055)));
-  EXPECT_FALSE(isKept(stretch(0.0, 0.0, 0.0005, further, 0.0100)));
+TEST(ChooseRoundRing, AShellSeenTwoMillimetresAndThreeSigmasBelowIsDecisive) {
+  EXPECT_TRUE(isKept(stretch(0.0, 0.0, 0.0005, plate().from, 0.0030)));  // 0.004 of the reach and 1.5 mm
+  EXPECT_FALSE(isKept(stretch(0.0, 0.0, 0.0005, plate().from, 0.0040)));
 }
 
 TEST(ChooseRoundRing, AShellHiddenOverAFifthOfTheReachCountsOne) {

@@ -66,17 +66,28 @@ TEST(LevelStations, SparseStationsAreFittedTogetherOverFiveDegreesAtMost) {
   EXPECT_NEAR(sparse.pass.fits[12].z, 0.002, 0.0003);
 }
 
-TEST(LevelStations, WhereEightPointsLieOnOneSideOfAStationSomethingEndsAtIt) {
+TEST(LevelStations, WhereEightPointsLieOnOneSideOfAStationAndNoneBeyondSomethingEndsAtIt) {
   for (const int count : {7, 8}) {
     MadeFoot made;
     for (int s = 0; s < 360; ++s) {
-      if (s != 50) made.addStation(s, 12, 0.02, 0.28, [](double) { return 0.0; });
+      if (s != 50 && s != 51) made.addStation(s, 12, 0.02, 0.28, [](double) { return 0.0; });
     }
     for (int i = 0; i < count; ++i) made.add((50 - 0.4) * made.step(), 0.03 + 0.03 * i, 0.0);
     Ready one_sided = ready(made);
     level(one_sided);
     EXPECT_EQ(one_sided.pass.fits[50].valid(), count < 8) << count;
   }
+}
+
+TEST(LevelStations, ARowThatMissesHalfAStationEndsNothing) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    if (s != 50) made.addStation(s, 12, 0.02, 0.28, [](double) { return 0.0; });
+  }
+  for (int i = 0; i < 8; ++i) made.add((50 - 0.4) * made.step(), 0.03 + 0.03 * i, 0.0);
+  Ready one_sided = ready(made);
+  level(one_sided);
+  EXPECT_TRUE(one_sided.pass.fits[50].valid());
 }
 
 TEST(LevelStations, AStationLeansOnTwentyOthersAtMost) {

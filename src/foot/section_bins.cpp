@@ -1,0 +1,64 @@
+#include "foot/section_bins.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "core/statistics.h"
+#include "foot/lowest_layer.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kFewestPoints = 10;  // points that make a bin's median worth looking at
+
+/// The heights above their station's datum of all points, by bins of d, with several threads.
+std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<FootPoint>>& stations,
+                                              const std::vector<double>& datum, double reach, double bin) {
+  constexpr std::size_t kParts = 16;
+  const auto bins = static_cast<std::size_t>(std::ceil(reach / bin));
+  std::vector<std::vector<std::vector<double>>> parts(kParts, std::vector<std::vector<double>>(bins));
+  forEachIndex(kParts, 0, [&](std::size_t part) {
+    for (std::size_t s = stations.size() * part / kParts; s < stations.size() * (part + 1) / kParts; ++s) {
+      if (!std::isfinite(datum[s])) continue;
+      for (const FootPoint& p : stations[s]) {
+        if (p.d >= 0.0 && p.d < reach && std::abs(p.z - datum[s]) < reach) {
+          parts[part][std::min(bins - 1, static_cast<std::size_t>(p.d / bin))].push_back(p.z - datum[s]);
+        }
+      }
+    }
+  });
+  std::vector<std::vector<double>> heights(bins);
+  forEachIndex(bins, 0, [&](std::size_t i) {
+    for (const auto& part : parts) heights[i].insert(heights[i].end(), part[i].begin(), part[i].end());
+  });
+  return heights;
+}
+
+/// Bins wide enough that one holds a hundred points on the average.
+double widthOfBins(const std::vector<std::vector<FootPoint>>& stations, double reach) {
+  double points = 0;
+  for (const auto& station : stations) points += static_cast<double>(station.size());
+  return 100.0 * reach / std::max(1.0, points);
+}
+
+}  // namespace
+
+void stackBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& stations,
+               const std::vector<double>& datum, const FootScales& scales) {
+  profile.bin = std::max({scales.reach / 100.0, scales.shell_noise, widthOfBins(stations, scales.reach)});
+  const double layer = std::max(2.0 * profile.bin, 6.0 * scales.shell_noise);
+  auto heights = heightsByBin(stations, datum, scales.reach, profile.bin);
+  for (auto* column : {&profile.height, &profile.spread, &profile.error}) column->assign(heights.size(), kUnknown);
+  forEachIndex(heights.size(), 0, [&](std::size_t i) {
+    std::vector<double>& values = heights[i];
+    if (!values.empty()) keepLowestLayer(values, layer);
+    if (values.size() < kFewestPoints) return;
+    profile.height[i] = median(values);
+    profile.spread[i] = robustSigma(values, profile.height[i]);
+    profile.error[i] = 1.2533 * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
+  });
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,76 @@
+#include "foot/section_jumps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tank_datum {
+namespace {
+
+constexpr JumpScales kScales{0.0025, 0.008, 0.06};
+
+template <typename Section>
+std::vector<SectionBin> binsOf(const Section& section, double error = 1e-4, int count = 40) {
+  std::vector<SectionBin> bins;
+  for (int i = 0; i < count; ++i) {
+    const double d = 0.0165 + 0.003 * i;
+    bins.push_back({d, section(d), error});
+  }
+  return bins;
+}
+
+TEST(LineThrough, ASlopeIsObservedBesideWhatIsKnownOfIt) {
+  const auto leaning = binsOf([](double d) { return 0.04 * d; }, 1e-3, 3);  // known to 0.001 / sqrt(2) / 0.003 = 0.24
+  EXPECT_NEAR(lineThrough(leaning, {0, 3}, 10.0).slope, 0.04, 1e-4);
+  EXPECT_NEAR(lineThrough(leaning, {0, 3}, 0.2357).slope, 0.02, 1e-4);
+  EXPECT_NEAR(std::sqrt(lineThrough(leaning, {1, 2}, 0.05).varianceAt(0.0)), std::hypot(1e-3, 0.05 * 0.0195), 1e-9);
+}
+
+TEST(ClearestJump, IsWhereALipEnds) {
+  const Jump jump = clearestJump(binsOf([](double d) { return d < 0.06 ? 0.0 : -0.0075; }), kScales);
+  ASSERT_TRUE(jump.found());
+  EXPECT_EQ(jump.end, 15U);  // of bins in steps of 3 mm from 16.5 mm on
+  EXPECT_EQ(jump.begin, 15U);
+}
+
+TEST(ClearestJump, SoSmallThatOneLineGoesThroughBothSidesIsNone) {
+  const auto step = [](double by) { return [by](double d) { return d < 0.06 ? 0.0 : -by; }; };
+  EXPECT_FALSE(clearestJump(binsOf(step(0.0036), 1e-6), kScales).found());
+  EXPECT_TRUE(clearestJump(binsOf(step(0.0046), 1e-6), kScales).found());
+}
+
+TEST(ClearestJump, OfLessThanTheLeastIsNone) {
+  // three bins on either side, known to 0.1 mm: their lines to 0.4 mm where they meet
+  const auto few = [](double by) {
+    return clearestJump(binsOf([by](double d) { return d < 0.024 ? 0.0 : -by; }, 1e-4, 6), kScales).found();
+  };
+  EXPECT_FALSE(few(0.0034));
+  EXPECT_TRUE(few(0.0050));
+}
+
+TEST(ClearestJump, IsSeenOverBinsThatHoldPointsOfBothSides) {
+  const auto blurred = [](double d) { return d < 0.06 ? 0.0 : d > 0.068 ? -0.007 : -0.007 * (d - 0.06) / 0.008; };
+  const Jump jump = clearestJump(binsOf(blurred), kScales);
+  ASSERT_TRUE(jump.found());
+  EXPECT_GT(jump.begin, jump.end);
+  // over twice the width that an edge may have it is a ramp, whose parts are no jumps
+  const auto ramp = [](double d) { return d < 0.05 ? 0.0 : d > 0.086 ? -0.004 : -0.004 * (d - 0.05) / 0.036; };
+  EXPECT_FALSE(clearestJump(binsOf(ramp), {0.0025, 0.0, 0.06}).found());
+}
+
+TEST(ClearestJump, OfABankThatFallsEvenlyIsNone) {
+  EXPECT_FALSE(clearestJump(binsOf([](double d) { return -0.37 * d; }), kScales).found());
+  EXPECT_FALSE(clearestJump(binsOf([](double d) { return 0.05 - 0.1 * d; }), kScales).found());
+}
+
+TEST(ClearestJump, BinsThatErrMoreThanTheySayMakeNone) {
+  // alternating by 1.5 mm where 0.1 mm is said: no two lines are known well enough for a step of 4 mm
+  const auto uneven = [](double d) {
+    return (d < 0.06 ? 0.0 : -0.004) + (std::lround(d / 0.003) % 2 == 0 ? 0.0015 : -0.0015);
+  };
+  EXPECT_FALSE(clearestJump(binsOf(uneven, 1e-4, 12), kScales).found());
+  EXPECT_TRUE(clearestJump(binsOf([](double d) { return d < 0.03 ? 0.0 : -0.004; }, 1e-4, 12), kScales).found());
+}
+
+}  // namespace
+}  // namespace tank_datum
