@@ -53,5 +53,25 @@ TEST(SetupAdjustment, SetupsThatMeetNowhereAreAsGoodAsAGoodSurveyorsAre) {
   EXPECT_NEAR(sigmas[3], 0.002, 1e-9);
 }
 
+TEST(BadSetups, OfTwoThatDisagreeNoneIsTheException) { EXPECT_EQ(badOf(2, {{5, 0.030}}), std::vector<bool>(2, false)); }
+
+/// Whether so many setups' sigmas come from their overlaps.
+bool tellTheirSigmas(std::size_t setups) {
+  Recipe recipe;
+  recipe.setups = setups;
+  recipe.half_view = 170.0 * kPi / 180.0;
+  recipe.sigma_arc = 1e-6;
+  std::mt19937_64 random(8);
+  const SetupAdjustment adjusted = adjustSetups(made(recipe, random).arcs, setups, {});
+  EXPECT_EQ(adjusted.height_estimated, adjusted.plan_estimated);
+  return adjusted.height_estimated;
+}
+
+/// The overlaps tell every parameter of all setups but one: three of height and tilt and two of place a setup.
+TEST(SetupAdjustment, SigmasAreEstimatedFromThreeParametersThatAreDetermined) {
+  EXPECT_FALSE(tellTheirSigmas(2));
+  EXPECT_TRUE(tellTheirSigmas(3));
+}
+
 }  // namespace
 }  // namespace tank_datum
