@@ -41,7 +41,8 @@ TEST(BadSetups, TwoOfTenAreFoundWhereThreeAreNoException) {
   const std::vector<std::pair<int, double>> two = {{10, 0.015}, {30, -0.015}};
   const std::vector<bool> found = badOf(10, two);
   for (std::size_t s = 0; s < 10; ++s) EXPECT_EQ(found[s], s == 2 || s == 6) << s;
-  const std::vector<std::pair<int, double>> three = {{10, 0.015}, {30, -0.015}, {45, 0.015}};
+  // each so much larger than the next that none hides it
+  const std::vector<std::pair<int, double>> three = {{10, 0.300}, {30, -0.060}, {45, 0.015}};
   EXPECT_EQ(badOf(10, three), std::vector<bool>(10, false));
 }
 
