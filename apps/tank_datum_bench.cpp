@@ -40,7 +40,7 @@ void growTo(Figures& figures, const Scan& scan, const Tank& tank, const Command&
   constexpr double kMillion = 1e6, kStep = 10.0;
   for (double millions = command.smallest; millions <= command.largest * (1.0 + 1e-9); millions *= kStep) {
     const auto points = static_cast<std::uint64_t>(millions * kMillion);
-    figures.growth.push_back(runOfSize(scan, tank, points, command.options, !command.no_checksum, command.folder));
+    figures.growth.push_back(runOfSize({scan, tank, points}, command.options, !command.no_checksum, command.folder));
   }
 }
 

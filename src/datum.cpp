@@ -128,8 +128,9 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
 
 /// What the shape of the stations and of the shell means, beside the limits of the codes.
 Datum withChecks(Datum datum, const DatumOptions& options) {
-  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis,
-                           shellMeasures(datum.shell, options.analysis.facts), datum.covariance);
+  datum.analysis = analyse({datum.stations, datum.tilt, datum.circle.radius,
+                            shellMeasures(datum.shell, options.analysis.facts), datum.covariance},
+                           options.analysis);
   datum.stations = withParts(std::move(datum.stations), datum.analysis.out_of_plane.stations);
   datum.analysis.roundness =
       compareRoundness(datum.shell, options.analysis.limits, options.analysis.facts, 2.0 * datum.circle.radius);

@@ -133,7 +133,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
     return datum;
   }
   datum = finishDatum(std::move(datum), options);
-  datum.analysis = analyse(datum.stations, datum.tilt, datum.circle.radius, options.analysis, {}, datum.covariance);
+  datum.analysis = analyse({datum.stations, datum.tilt, datum.circle.radius, {}, datum.covariance}, options.analysis);
   datum.stations = withParts(std::move(datum.stations), datum.analysis.out_of_plane.stations);
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;

@@ -45,12 +45,14 @@ double secondsToRead(const std::string& path) {
 
 }  // namespace
 
-void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const std::string& path) {
+void writeScanOfSize(const GrownScan& scan, const std::string& path) {
+  const Scan& source = scan.source;
+  const std::uint64_t points = scan.points;
   constexpr double kWidestTurn = 0.025 * kDegree, kNoise = 0.001;
   PcdWriter writer(path, {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}, PcdWriter::Format::Binary);
   const std::uint64_t repeats = (points + source.size() - 1) / source.size();
   const std::uint64_t all = repeats * source.size();
-  const Eigen::Vector3d centre(tank.circle.center.x(), tank.circle.center.y(), 0.0);
+  const Eigen::Vector3d centre(scan.tank.circle.center.x(), scan.tank.circle.center.y(), 0.0);
   Noise noise(kNoise);
   std::uint64_t row = 0, written = 0;
   std::vector<double> rows;
@@ -72,14 +74,13 @@ void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points,
   writer.commit();
 }
 
-GrowthRun runOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const DatumOptions& options,
-                    bool checksums, const std::string& folder) {
+GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, bool checksums, const std::string& folder) {
   results::removeStale(folder);
   // a folder of its own: what stands in the one named is somebody else's
   auto staging = std::make_unique<results::Staging>(folder);
   auto on_stop = std::make_unique<results::OnStop>([&staging] { staging->remove(); });
   const std::string path = staging->newFiles() + "/scan.pcd";
-  writeScanOfSize(source, tank, points, path);
+  writeScanOfSize(scan, path);
   GrowthRun run;
   run.bytes = std::filesystem::file_size(path);
   secondsToRead(path);  // into the page cache, as far as it goes

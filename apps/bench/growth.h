@@ -16,14 +16,20 @@ struct GrowthRun {
   Datum datum;
 };
 
+/// A scan of another size, made of a given one.
+struct GrownScan {
+  const Scan& source;
+  const Tank& tank;
+  std::uint64_t points = 0;
+};
+
 /// Writes a scan of so many points made of a given one: an even share of its points, or of several copies of it, turned
 /// about the tank's axis by up to 0.025 degrees and displaced by 1 mm (1 sigma) along each axis.
 /// @param path  x, y, z in float32, binary
-void writeScanOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const std::string& path);
+void writeScanOfSize(const GrownScan& scan, const std::string& path);
 
 /// Makes a scan of so many points in a folder, runs the command on it, and removes it.
-GrowthRun runOfSize(const Scan& source, const Tank& tank, std::uint64_t points, const DatumOptions& options,
-                    bool checksums, const std::string& folder);
+GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, bool checksums, const std::string& folder);
 
 /// The largest difference of two runs' elevations over its standard error, of the stations that both have measured.
 double largestInSigmas(const Datum& a, const Datum& b);

@@ -91,7 +91,7 @@ void disturb(std::vector<Station>& stations, const ShapeTrial& trial, std::mt199
 Analysis analysed(std::vector<Station>& stations, Tilt& tilt, const AnalysisOptions& options) {
   tilt = fitTilt(stations, {0.0, 0.0}, StationOptions());
   stations = withParts(stations, standingsTo(tilt, stations, {0.0, 0.0}));
-  return analyse(stations, tilt, kRadius, options);
+  return analyse({stations, tilt, kRadius}, options);
 }
 
 /// Largest |curvature| of the waves round the ring [1/m].

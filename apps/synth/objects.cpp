@@ -30,7 +30,7 @@ class Maker {
   }
 
   void make(Things& things) {
-    if (o_.kind == "box") standing(things, x_, y_, o_.length, o_.width);
+    if (o_.kind == "box") standing(things, {x_, y_}, {o_.length, o_.width});
     if (o_.kind == "pipe_vertical") pipe(things, Eigen::Matrix3d::Identity(), base_ - kSunk, o_.height + kSunk);
     if (o_.kind == "pipe_parallel") pipe(things, lying(yaw_ + kPi / 2.0), base_, o_.length);
     if (o_.kind == "pipe_radial") pipe(things, lying(yaw_), base_, o_.length);
@@ -50,10 +50,10 @@ class Maker {
     things.solids.push_back({kind, index_, centre, axes, half});
   }
 
-  void standing(Things& things, double x, double y, double length, double width, double depth = kSunk) {
+  void standing(Things& things, const Eigen::Vector2d& at, const Eigen::Vector2d& size, double depth = kSunk) {
     const double tall = o_.height + (o_.z > 0.0 ? 0.0 : depth);
-    add(things, Solid::Kind::Box, {x, y, base_ + o_.height - tall / 2.0}, turned(yaw_),
-        {length / 2, width / 2, tall / 2});
+    add(things, Solid::Kind::Box, {at.x(), at.y(), base_ + o_.height - tall / 2.0}, turned(yaw_),
+        {size.x() / 2, size.y() / 2, tall / 2});
   }
 
   /// `z` is the lower end of an upright pipe, the axis of a lying one; a radial pipe begins at its place.
@@ -106,8 +106,8 @@ class Maker {
     for (const double side : {-1.0, 1.0}) {
       const Eigen::Vector3d along = axes.col(0) * (side * (o_.length + o_.thickness) / 2.0);
       const Eigen::Vector3d across = axes.col(1) * (side * (o_.width + o_.thickness) / 2.0);
-      standing(things, x_ + along.x(), y_ + along.y(), o_.thickness, o_.width + 2.0 * o_.thickness, 5.0);
-      standing(things, x_ + across.x(), y_ + across.y(), o_.length, o_.thickness, 5.0);
+      standing(things, {x_ + along.x(), y_ + along.y()}, {o_.thickness, o_.width + 2.0 * o_.thickness}, 5.0);
+      standing(things, {x_ + across.x(), y_ + across.y()}, {o_.length, o_.thickness}, 5.0);
     }
   }
 

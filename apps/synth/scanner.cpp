@@ -2,10 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
+#include "core/parallel.h"
 #include "measurement.h"
 #include "random.h"
 #include "tank_curves.h"
@@ -124,34 +123,19 @@ Rows scanColumn(const Scene& scene, const ScanStation& station, std::size_t numb
   return rows;
 }
 
-/// Columns [begin, end) of a station, each into its own rows, by several threads.
-std::vector<Rows> scanColumns(const Scene& scene, const ScanStation& station, std::size_t number, std::size_t begin,
-                              std::size_t end, unsigned threads) {
-  std::vector<Rows> columns(end - begin);
-  std::atomic<std::size_t> next{begin};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < end; i = next++)
-      columns[i - begin] = scanColumn(scene, station, number, station.columns[i]);
-  };
-  std::vector<std::thread> helpers;
-  for (unsigned i = 1; i < threads; ++i) helpers.emplace_back(work);
-  work();
-  for (std::thread& helper : helpers) helper.join();
-  return columns;
-}
-
 }  // namespace
 
 ScanSummary scanScene(const Scene& scene, const RowVisitor& visit, unsigned threads) {
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   ScanSummary summary;
   std::size_t number = 0;
   for (const ScanStation& station : scanStations(scene)) {
     for (std::size_t begin = 0; begin < station.columns.size(); begin += kChunkColumns) {
       const std::size_t end = std::min(begin + kChunkColumns, station.columns.size());
+      std::vector<Rows> columns(end - begin);
+      forEachIndex(columns.size(), static_cast<int>(threads),
+                   [&](std::size_t i) { columns[i] = scanColumn(scene, station, number, station.columns[begin + i]); });
       Rows block;
-      for (const Rows& rows : scanColumns(scene, station, number, begin, end, threads))
-        block.insert(block.end(), rows.begin(), rows.end());
+      for (const Rows& rows : columns) block.insert(block.end(), rows.begin(), rows.end());
       summary.rays += (end - begin) * static_cast<std::uint64_t>(station.rows);
       summary.points += block.size() / 4;
       if (!block.empty()) visit(number, block);

@@ -40,13 +40,11 @@ double radiusBend(const TankShape& tank, const TankRay& ray, const RayBends& ben
 
 bool onShell(const TankShape& tank, double h) { return h >= -kBelowDatum && h <= tank.options().height; }
 
-void record(const TankShape& tank, const TankPoint& p, const Face& face, double t, int owner, Hit& hit) {
+/// The hit of a ray that crosses a face at the parameter t.
+Hit hitAt(const TankShape& tank, const TankPoint& p, const Face& face, double t, int owner) {
   const double cosine = p.position.x() / p.rho, sine = p.position.y() / p.rho, turn = -face.by_azimuth / p.rho;
-  hit.t = t;
-  hit.surface = Surface::Shell;
-  hit.owner = owner;
-  hit.part = 0;
-  hit.normal = tank.worldNormal({cosine - turn * sine, sine + turn * cosine, -face.by_height});
+  const Eigen::Vector3d normal = tank.worldNormal({cosine - turn * sine, sine + turn * cosine, -face.by_height});
+  return {t, Surface::Shell, owner, 0, normal};
 }
 
 }  // namespace
@@ -73,7 +71,7 @@ void traceShell(const TankShape& tank, const TankRay& local, int owner, Hit& hit
   const double t = firstRoot(gap, bend, begin, end);
   if (t >= hit.t) return;
   const TankPoint p = tank.at(local, t);
-  if (onShell(tank, p.h)) record(tank, p, faceAt(tank, p, false), t, owner, hit);
+  if (onShell(tank, p.h)) hit = hitAt(tank, p, faceAt(tank, p, false), t, owner);
 }
 
 void traceInnerShell(const TankShape& tank, const TankRay& local, int owner, Hit& hit) {
@@ -92,22 +90,28 @@ void traceInnerShell(const TankShape& tank, const TankRay& local, int owner, Hit
   const double t = firstRoot(gap, radiusBend(tank, local, bends, begin, end) + bends.rho, begin, std::min(end, hit.t));
   if (t >= hit.t) return;
   const TankPoint p = tank.at(local, t);
-  if (onShell(tank, p.h)) record(tank, p, faceAt(tank, p, true), t, owner, hit);
+  if (onShell(tank, p.h)) hit = hitAt(tank, p, faceAt(tank, p, true), t, owner);
 }
 
 namespace {
 
-/// Smallest root of a t^2 + 2 b t + c that is positive, nearer than the hit, and passes z_low <= z.
-void traceQuadric(const TankShape& tank, const TankRay& ray, const Eigen::Vector3d& weight, double apex,
-                  double constant, double z_low, double z_high, int owner, Hit& hit) {
-  const Eigen::Vector3d o = ray.origin - Eigen::Vector3d(0.0, 0.0, apex);
+/// Points p with weight . (p - (0, 0, apex))^2 = constant between two elevations.
+struct Quadric {
+  Eigen::Vector3d weight;
+  double apex, constant, z_low, z_high;
+};
+
+/// The nearest crossing before the hit, if there is one.
+void traceQuadric(const TankShape& tank, const TankRay& ray, const Quadric& quadric, int owner, Hit& hit) {
+  const Eigen::Vector3d& weight = quadric.weight;
+  const Eigen::Vector3d o = ray.origin - Eigen::Vector3d(0.0, 0.0, quadric.apex);
   const double a = ray.direction.cwiseProduct(weight).dot(ray.direction), b = o.cwiseProduct(weight).dot(ray.direction);
-  const double c = o.cwiseProduct(weight).dot(o) - constant, root = b * b - a * c;
+  const double c = o.cwiseProduct(weight).dot(o) - quadric.constant, root = b * b - a * c;
   if (root < 0.0 || a == 0.0) return;
   const double wide = -(b + std::copysign(std::sqrt(root), b));
   for (const double t : {wide / a, wide == 0.0 ? kNever : c / wide}) {
     const double z = ray.origin.z() + t * ray.direction.z();
-    if (!(t > 0.0 && t < hit.t) || z < z_low || z > z_high) continue;
+    if (!(t > 0.0 && t < hit.t) || z < quadric.z_low || z > quadric.z_high) continue;
     const Eigen::Vector3d normal = tank.worldNormal((o + t * ray.direction).cwiseProduct(weight));
     hit = {t, Surface::Roof, owner, 0, normal};
   }
@@ -122,10 +126,10 @@ void traceRoof(const TankShape& tank, const TankRay& local, bool inside, int own
   if (o.roof == "none" || highest < (o.roof == "floating" ? o.base_elevation + o.roof_height : eave)) return;
   if (o.roof == "cone") {
     const double run = radius / rise;
-    traceQuadric(tank, local, {1.0, 1.0, -run * run}, eave + rise, 0.0, eave, eave + rise, owner, hit);
+    traceQuadric(tank, local, {{1.0, 1.0, -run * run}, eave + rise, 0.0, eave, eave + rise}, owner, hit);
   } else if (o.roof == "dome") {
     const double sphere = (radius * radius + rise * rise) / (2.0 * rise);
-    traceQuadric(tank, local, {1.0, 1.0, 1.0}, eave + rise - sphere, sphere * sphere, eave, kNever, owner, hit);
+    traceQuadric(tank, local, {{1.0, 1.0, 1.0}, eave + rise - sphere, sphere * sphere, eave, kNever}, owner, hit);
   } else if (o.roof == "floating" && inside && local.direction.z() > 0.0) {
     const double t = (o.base_elevation + o.roof_height - local.origin.z()) / local.direction.z();
     if (t > 0.0 && t < hit.t && local.rho(t) < radius) hit = {t, Surface::Roof, owner, 0, Eigen::Vector3d::UnitZ()};

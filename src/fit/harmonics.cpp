@@ -17,6 +17,12 @@ Eigen::RowVectorXd harmonicRow(double azimuth, int order) {
   return row;
 }
 
+Eigen::MatrixXd harmonicRows(const Eigen::VectorXd& azimuths, int order) {
+  Eigen::MatrixXd rows(azimuths.size(), 2 * order + 1);
+  for (Eigen::Index i = 0; i < azimuths.size(); ++i) rows.row(i) = harmonicRow(azimuths[i], order);
+  return rows;
+}
+
 double PeriodicFit::operator()(double azimuth) const {
   if (coefficients.size() == 0) return 0.0;
   const double cosine = std::cos(azimuth), sine = std::sin(azimuth);
@@ -31,27 +37,26 @@ double PeriodicFit::operator()(double azimuth) const {
 }
 
 PeriodicFit fitHarmonics(const std::vector<double>& azimuths, const std::vector<double>& values,
-                         const std::vector<double>& weights, int order, bool robust, double ridge) {
+                         const std::vector<double>& weights, const HarmonicFit& how) {
   PeriodicFit fit;
   const auto count = static_cast<Eigen::Index>(values.size());
   if (count == 0) return fit;
-  Eigen::MatrixXd design(count, 2 * order + 1);
-  for (Eigen::Index i = 0; i < count; ++i) design.row(i) = harmonicRow(azimuths[static_cast<std::size_t>(i)], order);
+  const Eigen::MatrixXd design = harmonicRows(Eigen::Map<const Eigen::VectorXd>(azimuths.data(), count), how.order);
   const Eigen::VectorXd given = Eigen::Map<const Eigen::VectorXd>(values.data(), count);
   Eigen::VectorXd base = Eigen::VectorXd::Ones(count);
   if (!weights.empty()) base = Eigen::Map<const Eigen::VectorXd>(weights.data(), count);
 
   Eigen::VectorXd used = base;
-  for (int iteration = 0; iteration < (robust ? 30 : 1); ++iteration) {
+  for (int iteration = 0; iteration < (how.robust ? 30 : 1); ++iteration) {
     Eigen::MatrixXd normal = design.transpose() * used.asDiagonal() * design;
-    for (int n = 1; n <= order; ++n) {
-      const double quiet = ridge * used.sum() * std::pow(static_cast<double>(n) / order, 4);
+    for (int n = 1; n <= how.order; ++n) {
+      const double quiet = how.ridge * used.sum() * std::pow(static_cast<double>(n) / how.order, 4);
       normal(2 * n - 1, 2 * n - 1) += quiet;
       normal(2 * n, 2 * n) += quiet;
     }
     const Eigen::LDLT<Eigen::MatrixXd> solver(normal);
     fit.coefficients = solver.solve(design.transpose() * (used.asDiagonal() * given));
-    fit.covariance = solver.solve(Eigen::MatrixXd::Identity(2 * order + 1, 2 * order + 1));
+    fit.covariance = solver.solve(Eigen::MatrixXd::Identity(2 * how.order + 1, 2 * how.order + 1));
     const Eigen::VectorXd residuals = given - design * fit.coefficients;
     const std::vector<double> list(residuals.data(), residuals.data() + count);
     fit.sigma = robustSigma(list, 0.0);

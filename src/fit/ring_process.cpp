@@ -186,7 +186,7 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
   if (known.size() < kFewest) return result;
   const double usual = std::max(median(errors), 1e-9);
   for (const double error : errors) weights.push_back(1.0 / (1.0 + error * error / (usual * usual)));
-  const PeriodicFit shape = fitHarmonics(azimuths, known, weights, kOrder, true, 1e-4);
+  const PeriodicFit shape = fitHarmonics(azimuths, known, weights, {kOrder, true, 1e-4});
   Data data{values, {}, step};
   for (std::size_t i = 0; i < values.size(); ++i) {
     data.values[i] -= shape(static_cast<double>(i) * step);

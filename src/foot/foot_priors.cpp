@@ -71,7 +71,7 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   double mean = 0;
   for (const double w : weights) mean += w / static_cast<double>(weights.size());
   for (double& w : weights) w /= mean;
-  const PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, 1, true, 0.02);
+  const PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, {1, true, 0.02});
   const double among_windows = fit.sigma * fit.sigma - 1.0 / mean;
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     priors.slope[i] = fit(foot.directions[i]);

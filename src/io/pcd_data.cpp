@@ -47,7 +47,7 @@ ScanCounts visitBinary(const InputFile& file, const PcdHeader& header, const Fra
   ScanCounts counts;
   BlockBuffer buffer;
   for (std::uint64_t block = 0; block < binaryBlockCount(header); ++block) {
-    counts += decodeBinaryBlock(file, header, frame, block, buffer);
+    counts += decodeBinaryBlock(file, header, frame, {block}, buffer);
     if (!buffer.points.empty() && !visit(buffer.points, buffer.labels)) break;
   }
   return counts;
@@ -98,9 +98,10 @@ std::uint64_t binaryBlockCount(const PcdHeader& header) {
   return header.points / rows + (header.points % rows != 0 ? 1 : 0);
 }
 
-ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
-                             BlockBuffer& buffer, const RowChoice& choice) {
-  const std::uint64_t begin = block * rowsPerBlock(header);
+ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame,
+                             const BlockRows& chosen, BlockBuffer& buffer) {
+  const RowChoice& choice = chosen.choice;
+  const std::uint64_t begin = chosen.block * rowsPerBlock(header);
   const std::size_t rows = std::min<std::size_t>(rowsPerBlock(header), header.points - begin);
   buffer.bytes.resize(rows * header.row_bytes);
   file.read(header.data_offset + begin * header.row_bytes, buffer.bytes.data(), buffer.bytes.size());

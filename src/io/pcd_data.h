@@ -45,11 +45,17 @@ struct RowChoice {
   std::size_t of(std::size_t rows) const { return rows > first ? (rows - first - 1) / step + 1 : 0; }
 };
 
+/// A block of a binary file, and its rows that are looked at.
+struct BlockRows {
+  std::uint64_t block = 0;
+  RowChoice choice = {};
+};
+
 /// Fills buffer.points with the finite ones of the chosen points of one block of a binary file, and buffer.labels.
 /// @return of all rows of the block
 /// @throws Error (File) when the file has become shorter
-ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame, std::uint64_t block,
-                             BlockBuffer& buffer, const RowChoice& choice = {});
+ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame,
+                             const BlockRows& chosen, BlockBuffer& buffer);
 
 /// Visits the finite points of a PCD file of any encoding in file order. Memory is that of a block, but for
 /// binary_compressed, which is one LZF block and needs its compressed and its uncompressed size.

@@ -117,7 +117,7 @@ class PcdSource : public Scan::Source {
       forEachIndex(blocks, threads, [&](std::size_t i) {
         thread_local BlockBuffer buffer;
         const std::uint64_t number = block + begin + i;
-        read[i] = decodeBinaryBlock(file_, header_, frame, begin + i, buffer, {number % choice.n, choice.n});
+        read[i] = decodeBinaryBlock(file_, header_, frame, {begin + i, {number % choice.n, choice.n}}, buffer);
         chooseByLabel(choice.choose, number, buffer.points, buffer.labels, chosen[i]);
       });
       for (std::size_t i = 0; i < blocks; ++i) tell(told, read[i], chosen[i]);

@@ -45,7 +45,7 @@ PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vecto
       near_feet.push_back(feet[i]);
     }
     if (near_feet.empty()) break;
-    fit = fitHarmonics(near_azimuths, near_feet, {}, 1, true, kQuiet);
+    fit = fitHarmonics(near_azimuths, near_feet, {}, {1, true, kQuiet});
   }
   return fit;
 }

@@ -14,12 +14,12 @@ std::optional<Refusal> firstOf(const std::vector<Option>& options) {
   return std::nullopt;
 }
 
-/// Of a struct inside the options of a run, the rest of which are the defaults.
-template <typename Options, typename Part>
-std::optional<Refusal> firstOfPart(const Options& options, Part part) {
-  RunOptions run;
-  part(run) = options;
-  return firstOf(optionsOf(run));
+/// Of a struct inside the options of a datum, the rest of which are the defaults.
+template <typename Part>
+std::optional<Refusal> firstOfPart(const Part& options, Part DatumOptions::*part) {
+  DatumOptions datum;
+  datum.*part = options;
+  return firstError(datum);
 }
 
 }  // namespace
@@ -31,8 +31,9 @@ std::optional<Refusal> firstError(const RunOptions& given) {
 }
 
 std::optional<Refusal> firstError(const DatumOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum; });
+  RunOptions run;
+  run.datum = options;
+  return firstOf(optionsOf(run));
 }
 
 std::optional<Refusal> firstError(const MovementOptions& given) {
@@ -45,64 +46,40 @@ std::optional<Refusal> firstError(const MovementOptions& given) {
   return Refusal{"azimuth_offset_deg", degrees.str(), "0 with option estimate_azimuth_offset, which finds it"};
 }
 
-std::optional<Refusal> firstError(const LocateOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.locate; });
-}
+std::optional<Refusal> firstError(const LocateOptions& options) { return firstOfPart(options, &DatumOptions::locate); }
 
-std::optional<Refusal> firstError(const CropOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.crop; });
-}
+std::optional<Refusal> firstError(const CropOptions& options) { return firstOfPart(options, &DatumOptions::crop); }
 
-std::optional<Refusal> firstError(const NormalOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.normals; });
-}
+std::optional<Refusal> firstError(const NormalOptions& options) { return firstOfPart(options, &DatumOptions::normals); }
 
 std::optional<Refusal> firstError(const GrowingOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.growing; });
+  return firstOfPart(options, &DatumOptions::growing);
 }
 
 std::optional<Refusal> firstError(const CentreFilterOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.centre_filter; });
+  return firstOfPart(options, &DatumOptions::centre_filter);
 }
 
-std::optional<Refusal> firstError(const SplineOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.spline; });
-}
+std::optional<Refusal> firstError(const SplineOptions& options) { return firstOfPart(options, &DatumOptions::spline); }
 
-std::optional<Refusal> firstError(const SetupOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.setups; });
-}
+std::optional<Refusal> firstError(const SetupOptions& options) { return firstOfPart(options, &DatumOptions::setups); }
 
-std::optional<Refusal> firstError(const RefineOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.refine; });
-}
+std::optional<Refusal> firstError(const RefineOptions& options) { return firstOfPart(options, &DatumOptions::refine); }
 
 std::optional<Refusal> firstError(const StationOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.stations; });
+  return firstOfPart(options, &DatumOptions::stations);
 }
 
 std::optional<Refusal> firstError(const TankFacts& facts) {
-  return firstOfPart(
-      facts, [](RunOptions & run) -> auto& { return run.datum.analysis.facts; });
+  AnalysisOptions analysis;
+  analysis.facts = facts;
+  return firstError(analysis);
 }
 
 std::optional<Refusal> firstError(const AnalysisOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.analysis; });
+  return firstOfPart(options, &DatumOptions::analysis);
 }
 
-std::optional<Refusal> firstError(const ShellOptions& options) {
-  return firstOfPart(
-      options, [](RunOptions & run) -> auto& { return run.datum.shell; });
-}
+std::optional<Refusal> firstError(const ShellOptions& options) { return firstOfPart(options, &DatumOptions::shell); }
 
 }  // namespace tank_datum

@@ -6,6 +6,7 @@
 #include "options/option_json.h"
 #include "refusals.h"
 #include "report/analysis_json.h"
+#include "report/json_number.h"
 #include "report/movement_json.h"
 #include "report/setups_json.h"
 #include "report/shell_report.h"
@@ -22,8 +23,6 @@ namespace tank_datum {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json optionsUsed(const Provenance& provenance) {
   RunOptions run;

@@ -5,17 +5,12 @@
 #include "core/units.h"
 #include "movement/movement.h"
 #include "options/option_json.h"
+#include "report/json_number.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 
 using Json = nlohmann::ordered_json;
-
-namespace {
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-}  // namespace
 
 Json stationsSection(const Datum& datum) {
   Json stations = Json::array();

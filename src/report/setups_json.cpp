@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "report/json_number.h"
 
 namespace tank_datum {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 const char* sourceOf(bool estimated, double given) {
   return given > 0.0 ? "given" : estimated ? "overlaps" : "assumed";

@@ -2,14 +2,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.h"
+#include "report/json_number.h"
 #include "report/shell_report.h"
 
 namespace tank_datum {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json roundnessJson(const Roundness& r, const LimitComparison& tolerance) {
   return {{"height", r.height},

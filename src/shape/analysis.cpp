@@ -99,14 +99,14 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
 
 }  // namespace
 
-Analysis analyse(const std::vector<Station>& measured, const Tilt& tilt, double radius, const AnalysisOptions& options,
-                 const std::vector<Measure>& shell, const StationCovariance& covariance) {
+Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
+  const double radius = ring.radius;
   Analysis result;
-  const SimulatedSurveys surveys(measured, radius, covariance);
-  result.harmonics = harmonicsOf(measured, radius, surveys.model());
-  result.out_of_plane = fitOutOfPlane(measured, radius, surveys.model());
+  const SimulatedSurveys surveys(ring.stations, radius, ring.covariance);
+  result.harmonics = harmonicsOf(ring.stations, radius, surveys.model());
+  result.out_of_plane = fitOutOfPlane(ring.stations, radius, surveys.model());
   result.local_settlements = localSettlementsOf(surveys.model());
-  const std::vector<Station> stations = withParts(measured, result.out_of_plane.stations);
+  const std::vector<Station> stations = withParts(ring.stations, result.out_of_plane.stations);
   result.second_differences = secondDifferencesOf(stations, radius, options.classic_points);
   result.arcs = settlementArcs(stations, radius);
   result.longest_gap = longestGap(stations, radius);
@@ -120,13 +120,13 @@ Analysis analyse(const std::vector<Station>& measured, const Tilt& tilt, double 
   result.measures = figures.all();
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
   for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kSurveySpacing, 2.01 * step);
-  addTilt(tilt, radius, result.measures);
-  result.measures.insert(result.measures.end(), shell.begin(), shell.end());
+  addTilt(ring.tilt, radius, result.measures);
+  result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
   addAntipodal(stations, result.measures);
   result.checks = judge(options.limits, result.measures, options.facts, 2.0 * radius);
   result.headline = headlineOf(result.checks, surveys.model().dense());
   for (Measure& m : result.measures) m.share = nullptr;  // it refers to the simulated surveys
-  result.notes = notesOf(stations, tilt, result);
+  result.notes = notesOf(stations, ring.tilt, result);
   const std::string errors = errorsNote(surveys.model());
   if (!errors.empty()) result.notes.push_back(errors);
   return result;

@@ -6,11 +6,16 @@
 
 namespace tank_datum {
 
-/// Describes and judges stations whose u is known.
-/// @param radius  of the tank [m]
-/// @param shell       figures of the shell, where it was surveyed
-/// @param covariance  of the stations; empty: sigma_z each
-Analysis analyse(const std::vector<Station>& measured, const Tilt& tilt, double radius, const AnalysisOptions& options,
-                 const std::vector<Measure>& shell = {}, const StationCovariance& covariance = {});
+/// Stations with what else is known of their tank.
+struct SurveyedRing {
+  const std::vector<Station>& stations;  ///< their u is known
+  const Tilt& tilt;
+  double radius = 0.0;                ///< [m]
+  std::vector<Measure> shell = {};    ///< figures of the shell, where it was surveyed
+  StationCovariance covariance = {};  ///< of the stations; empty: sigma_z each
+};
+
+/// Describes and judges a ring.
+Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options);
 
 }  // namespace tank_datum

@@ -75,7 +75,7 @@ WaveData waveData(const std::vector<Station>& stations, int order) {
   if (data.sigmas.empty() || freedom < 1.0) return data;
   weigh(data, 0.0);
   for (int iteration = 0; iteration < 3; ++iteration) {
-    const PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, order, false, 0.0);
+    const PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, {order, false, 0.0});
     weigh(data, excessOf(data, residualsOf(data, fit), freedom));
   }
   return data;
@@ -85,7 +85,7 @@ bool tellsApart(const WaveData& data, int order) {
   constexpr double kDearest = 25.0;  // variance of a coefficient over that of stations all round
   double total = 0;
   for (const double w : data.weights) total += w;
-  const PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, order, false, 0.0);
+  const PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, {order, false, 0.0});
   return fit.covariance.diagonal().maxCoeff() < kDearest * 2.0 / total;
 }
 
@@ -103,7 +103,7 @@ double noiseFactor(const WaveData& data, const std::vector<double>& residuals, i
 }
 
 PeriodicFit fitWaves(const WaveData& data, int order) {
-  PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, order, false, 0.0);
+  PeriodicFit fit = fitHarmonics(data.azimuths, data.z, data.weights, {order, false, 0.0});
   fit.covariance *= noiseFactor(data, residualsOf(data, fit), order);
   return fit;
 }

@@ -12,13 +12,14 @@ constexpr double kWide = 3.0;  ///< standard deviation of a shape's height over 
 
 double apart(double a, double b) { return std::abs(std::remainder(a - b, kTwoPi)); }
 
-/// Stations that a shape touches.
-std::vector<Eigen::Index> touched(const LocalShape& shape, const Eigen::VectorXd& azimuths) {
-  std::vector<Eigen::Index> indices;
+CandidateShape candidate(const LocalShape& shape, const Eigen::VectorXd& azimuths) {
+  CandidateShape result{shape, {}, {}};
   for (Eigen::Index i = 0; i < azimuths.size(); ++i) {
-    if (apart(azimuths[i], shape.centre) < shape.half_width) indices.push_back(i);
+    if (apart(azimuths[i], shape.centre) >= shape.half_width) continue;
+    result.stations.push_back(i);
+    result.values.push_back(shape.at(azimuths[i]));
   }
-  return indices;
+  return result;
 }
 
 /// How much less the sum of squares is with a shape, and its likeliest height.
@@ -26,11 +27,12 @@ struct Gain {
   double squares = 0.0, height = 0.0;
 };
 
-Gain gainOf(const LocalShape& shape, const RingResiduals& left) {
+Gain gainOf(const CandidateShape& candidate, const RingResiduals& left) {
   Eigen::VectorXd of_unknowns = Eigen::VectorXd::Zero(left.design.cols());
   double score = 0.0, information = 0.0;
-  for (const Eigen::Index i : touched(shape, left.azimuths)) {
-    const double x = shape.at(left.azimuths[i]), weighted = left.weights[i] * x;
+  for (std::size_t k = 0; k < candidate.stations.size(); ++k) {
+    const Eigen::Index i = candidate.stations[k];
+    const double x = candidate.values[k], weighted = left.weights[i] * x;
     score += weighted * left.residuals[i];
     information += weighted * x;
     of_unknowns += weighted * left.design.row(i).transpose();
@@ -59,16 +61,19 @@ Eigen::VectorXd LocalShape::waves(int order) const {
   return coefficients;
 }
 
-std::vector<LocalShape> candidateShapes(const Eigen::VectorXd& azimuths) {
+std::vector<CandidateShape> candidateShapes(const Eigen::VectorXd& azimuths) {
   constexpr double kWidest = 30.0 * kPi / 180.0, kGrowth = 1.5, kNarrowest = 1.0 * kPi / 180.0;
   const double spacing = kTwoPi / static_cast<double>(azimuths.size());
-  std::vector<LocalShape> shapes;
+  std::vector<double> centres(azimuths.begin(), azimuths.end());
+  for (double& centre : centres) centre += centre < 0.0 ? kTwoPi : 0.0;
+  std::sort(centres.begin(), centres.end());
+  std::vector<CandidateShape> shapes;
   for (double half = std::max(spacing, kNarrowest); half <= kWidest; half *= kGrowth) {
     const double apart_by = std::max(spacing, half / 3.0);
     double last = -kTwoPi;
-    for (const double azimuth : azimuths) {
+    for (const double azimuth : centres) {
       if (azimuth - last < 0.999 * apart_by) continue;
-      shapes.push_back({azimuth, half, 1.0, false});
+      shapes.push_back(candidate({azimuth, half, 1.0, false}, azimuths));
       last = azimuth;
     }
   }
@@ -85,15 +90,15 @@ std::vector<LocalShape> withDetails(const LocalShape& shape, double spacing) {
   return shapes;
 }
 
-std::optional<LocalShape> likeliestShape(const RingResiduals& left, const std::vector<LocalShape>& candidates) {
+std::optional<LocalShape> likeliestShape(const RingResiduals& left, const std::vector<CandidateShape>& candidates) {
   constexpr double kByChance = 4.0;
   Gain most{kByChance, 0.0};
   std::optional<LocalShape> likeliest;
-  for (const LocalShape& shape : candidates) {
-    const Gain gain = gainOf(shape, left);
+  for (const CandidateShape& candidate : candidates) {
+    const Gain gain = gainOf(candidate, left);
     if (gain.squares <= most.squares) continue;
     most = gain;
-    likeliest = LocalShape{shape.centre, shape.half_width, kWide * std::abs(gain.height), false};
+    likeliest = LocalShape{candidate.shape.centre, candidate.shape.half_width, kWide * std::abs(gain.height), false};
   }
   return likeliest;
 }

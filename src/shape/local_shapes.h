@@ -20,15 +20,22 @@ struct LocalShape {
   Eigen::VectorXd waves(int order) const;
 };
 
+/// A shape that is looked for, with the stations that it reaches and its values there.
+struct CandidateShape {
+  LocalShape shape;
+  std::vector<Eigen::Index> stations;
+  std::vector<double> values;
+};
+
 /// Where local shapes are looked for: from a single station's to one of 60 degrees, overlapping.
-std::vector<LocalShape> candidateShapes(const Eigen::VectorXd& azimuths);
+/// @param azimuths  of the stations [rad], in any order and turn
+std::vector<CandidateShape> candidateShapes(const Eigen::VectorXd& azimuths);
 
 /// A shape with narrower ones inside it, which let its form depart from the cosine by a tenth of its height.
 std::vector<LocalShape> withDetails(const LocalShape& shape, double spacing);
 
 /// What a model without a local shape leaves of the stations.
 struct RingResiduals {
-  const Eigen::VectorXd& azimuths;
   const Eigen::VectorXd& weights;                ///< 1 / (scale sigma)^2 [1/m^2]
   const Eigen::VectorXd& residuals;              ///< [m]
   const Eigen::MatrixXd& design;                 ///< [stations x unknowns]
@@ -37,6 +44,6 @@ struct RingResiduals {
 
 /// The candidate that explains most of the residuals, with three times its likeliest height as its scale; nothing when
 /// none explains more than a fitted number does by chance.
-std::optional<LocalShape> likeliestShape(const RingResiduals& left, const std::vector<LocalShape>& candidates);
+std::optional<LocalShape> likeliestShape(const RingResiduals& left, const std::vector<CandidateShape>& candidates);
 
 }  // namespace tank_datum

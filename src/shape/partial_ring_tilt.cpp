@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "fit/harmonics.h"
 #include "shape/datum_waves.h"
 #include "shape/out_of_plane.h"
 #include "shape/ring_model.h"

@@ -1,6 +1,5 @@
 #include "shape/ring_data.h"
 
-#include "fit/harmonics.h"
 #include "stations/station_covariance.h"
 
 namespace tank_datum {
@@ -26,12 +25,6 @@ RingData ringData(const std::vector<Station>& stations, double radius, const Sta
     data.sigmas_known = data.sigmas_known && given.independent[i] > 0.0;
   }
   return data;
-}
-
-Eigen::MatrixXd harmonicRows(const Eigen::VectorXd& azimuths, int order) {
-  Eigen::MatrixXd rows(azimuths.size(), 2 * order + 1);
-  for (Eigen::Index i = 0; i < azimuths.size(); ++i) rows.row(i) = harmonicRow(azimuths[i], order);
-  return rows;
 }
 
 }  // namespace tank_datum

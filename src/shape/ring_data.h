@@ -25,7 +25,4 @@ struct RingData {
 /// @param covariance  of all stations; empty: sigma_z each
 RingData ringData(const std::vector<Station>& stations, double radius, const StationCovariance& covariance);
 
-/// Rows (1, cos t, sin t, cos 2t, ...) at azimuths [rad].
-Eigen::MatrixXd harmonicRows(const Eigen::VectorXd& azimuths, int order);
-
 }  // namespace tank_datum

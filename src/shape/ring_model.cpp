@@ -54,7 +54,7 @@ RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.c
 std::vector<LocalShape> RingModel::standingShapes() {
   constexpr int kMost = 8, kInVain = 3;
   constexpr double kOdds = 10.0;
-  const std::vector<LocalShape> candidates = candidateShapes(data_.azimuths);
+  const std::vector<CandidateShape> candidates = candidateShapes(data_.azimuths);
   const double each = 2.0 * std::log(kOdds * static_cast<double>(candidates.size()));
   setUp({});
   const double scale2 = robustScale2();
@@ -64,7 +64,7 @@ std::vector<LocalShape> RingModel::standingShapes() {
   for (int count = 1; count <= kMost && count - last <= kInVain; ++count) {
     const Eigen::VectorXd weights = data_.sigmas.array().square().inverse() / (noise_.scale * noise_.scale);
     const Eigen::VectorXd residuals = data_.z - design_ * solution_;
-    const auto next = likeliestShape({data_.azimuths, weights, residuals, design_, posterior_}, candidates);
+    const auto next = likeliestShape({weights, residuals, design_, posterior_}, candidates);
     if (!next) break;
     std::vector<LocalShape> shapes = shapes_;
     for (const LocalShape& part : withDetails(*next, kTwoPi / static_cast<double>(data_.count())))

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/deviates.h"
+#include "fit/harmonics.h"
 #include "shape/ring_model.h"
 
 namespace tank_datum {

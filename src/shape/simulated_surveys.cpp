@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "fit/harmonics.h"
 #include "stations/ring_series.h"
 
 namespace tank_datum {

@@ -106,7 +106,7 @@ Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& optio
     sum += weights.back();
   }
   for (double& w : weights) w *= static_cast<double>(weights.size()) / sum;
-  const PeriodicFit fit = fitHarmonics(directions, slopes, weights, 1, true, 0.0);
+  const PeriodicFit fit = fitHarmonics(directions, slopes, weights, {1, true, 0.0});
   lean.gradient = {fit.coefficients[1], fit.coefficients[2]};
   const double stations = static_cast<double>(plumbness.size());
   const double alike = std::max(1.0, kAlike / kTwoPi * options.count);

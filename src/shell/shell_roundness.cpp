@@ -43,7 +43,7 @@ Circle circleThrough(const std::vector<ShellCell>& row, const std::vector<Statio
     radii.push_back(row[i].radius);
   }
   order = std::min(order, static_cast<int>(radii.size() / 3));
-  const PeriodicFit shape = fitHarmonics(directions, radii, {}, order, false, kQuiet);
+  const PeriodicFit shape = fitHarmonics(directions, radii, {}, {order, false, kQuiet});
   std::vector<Eigen::Vector2d> plan;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const double radius = row[i].seen() ? row[i].radius : shape(stations[i].direction);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "results/result_folder.h"
+#include "support/test_folder.h"
 
 namespace tank_datum {
 
@@ -19,12 +19,6 @@ namespace fs = std::filesystem;
 /// A folder that goes with the test, and runs of a program that write results into it.
 class ResultFolderFixture : public testing::Test {
  protected:
-  ResultFolderFixture() {
-    std::string name = (fs::temp_directory_path() / "results-XXXXXX").string();
-    dir_ = fs::path(mkdtemp(name.data()));
-  }
-  ~ResultFolderFixture() override { fs::remove_all(dir_); }
-
   std::string path(const std::string& name) const { return (dir_ / name).string(); }
   bool has(const std::string& name) const { return fs::exists(fs::symlink_status(dir_ / name)); }
   std::string read(const std::string& name) const {
@@ -50,7 +44,8 @@ class ResultFolderFixture : public testing::Test {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(dir_ / name), fs::directory_iterator()));
   }
 
-  fs::path dir_;
+  TestFolder folder_;
+  const fs::path& dir_ = folder_.root();
   std::string said_;
 };
 

@@ -117,10 +117,10 @@ TEST(PcdBinary, BlocksCanBeDecodedInAnyOrder) {
   ASSERT_EQ(binaryBlockCount(header), 3U);
   const Frame frame{2.0, {10, 0, 0}};
   BlockBuffer buffer;
-  EXPECT_EQ(decodeBinaryBlock(file, header, frame, 2, buffer).points, 40000U - 2 * kBlockRows);
+  EXPECT_EQ(decodeBinaryBlock(file, header, frame, {2}, buffer).points, 40000U - 2 * kBlockRows);
   EXPECT_EQ(buffer.points.size(), 40000U - 2 * kBlockRows - 1);
   EXPECT_EQ(buffer.points.back(), Eigen::Vector3d(2 * 39998 - 10, 4, 6));
-  EXPECT_EQ(decodeBinaryBlock(file, header, frame, 0, buffer).points, kBlockRows);
+  EXPECT_EQ(decodeBinaryBlock(file, header, frame, {0}, buffer).points, kBlockRows);
   EXPECT_EQ(buffer.points[1], Eigen::Vector3d(-8, 4, 6));
 }
 
@@ -135,7 +135,7 @@ TEST(PcdBinary, ChosenRowsAreDecodedAndAllAreChecked) {
     const InputFile file(folder.file("a.pcd", pcd_files::pcd(fields, rows, "binary")));
     const PcdHeader header = readPcdHeader(file);
     for (const RowChoice choice : {RowChoice{0, 1}, RowChoice{2, 5}, RowChoice{4, 7}, RowChoice{999, 1001}}) {
-      const ScanCounts counts = decodeBinaryBlock(file, header, {}, 0, buffer, choice);
+      const ScanCounts counts = decodeBinaryBlock(file, header, {}, {0, choice}, buffer);
       EXPECT_EQ(counts.points, 1000U);
       EXPECT_EQ(counts.invalid, 3U) << choice.step;
       Points expected;

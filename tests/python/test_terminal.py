@@ -14,39 +14,12 @@ from conftest import executable
 Synth = Callable[..., Path]
 
 
-def stdout_on_terminal(locale: str, *args: object) -> str:
-    """What a run writes to standard output when that is a terminal."""
+def on_terminal(stream: str, *args: object, **environment: str) -> tuple[int, str]:
+    """The status of a run, and what it writes to one of its streams when that is a terminal."""
     master, slave = pty.openpty()
     command = [str(executable("tank_datum")), *map(str, args)]
-    environment = {**os.environ, "LC_ALL": locale}
-    with subprocess.Popen(command, stdout=slave, stderr=subprocess.DEVNULL, env=environment):
-        os.close(slave)
-        text = b""
-        try:
-            while part := os.read(master, 4096):
-                text += part
-        except OSError:  # the other end has closed
-            pass
-    os.close(master)
-    return text.decode()
-
-
-def test_sparkline_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
-    """A row of blocks on a terminal of a UTF-8 locale, and nowhere else; the rest is the same."""
-    args = (synth(), "-o", tmp_path / "out")
-    lines = stdout_on_terminal("C.UTF-8", *args).splitlines()
-    row = next(line for line in lines if line.startswith("elevation"))
-    assert {"▁", "█"} <= set(row)
-    assert len(lines) <= 15
-    plain = stdout_on_terminal("C", *args).splitlines()
-    assert plain == [line for line in lines if line != row]
-
-
-def stderr_on_terminal(*args: object) -> tuple[int, str]:
-    """What a run writes to standard error when that is a terminal."""
-    master, slave = pty.openpty()
-    command = [str(executable("tank_datum")), *map(str, args)]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=slave) as process:
+    streams = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL} | {stream: slave}
+    with subprocess.Popen(command, env={**os.environ, **environment}, **streams) as process:
         os.close(slave)
         text = b""
         try:
@@ -59,12 +32,23 @@ def stderr_on_terminal(*args: object) -> tuple[int, str]:
     return status, text.decode()
 
 
+def test_sparkline_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
+    """A row of blocks on a terminal of a UTF-8 locale, and nowhere else; the rest is the same."""
+    args = (synth(), "-o", tmp_path / "out")
+    lines = on_terminal("stdout", *args, LC_ALL="C.UTF-8")[1].splitlines()
+    row = next(line for line in lines if line.startswith("elevation"))
+    assert {"▁", "█"} <= set(row)
+    assert len(lines) <= 15
+    plain = on_terminal("stdout", *args, LC_ALL="C")[1].splitlines()
+    assert plain == [line for line in lines if line != row]
+
+
 def test_progress_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
     """One line that is written over, and cleared at the end; nothing when quiet."""
-    status, text = stderr_on_terminal(synth(), "-o", tmp_path / "out")
+    status, text = on_terminal("stderr", synth(), "-o", tmp_path / "out")
     assert status == 0
     assert text.count("...") >= 5
     assert re.search(r"locate 100 %  \d+\.\d M points/s  0 s left", text)
     assert "\n" not in text
     assert text.endswith("\r\033[K")
-    assert stderr_on_terminal(synth(), "-o", tmp_path / "out", "--quiet") == (0, "")
+    assert on_terminal("stderr", synth(), "-o", tmp_path / "out", "--quiet") == (0, "")

@@ -23,7 +23,7 @@ std::vector<double> level(std::size_t count) {
 Analysis analysed(const std::vector<double>& z, double radius, double sigma) {
   auto stations = survey(z, radius, sigma);
   const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
-  return analyse(stations, tilt, radius, AnalysisOptions());
+  return analyse({stations, tilt, radius}, AnalysisOptions());
 }
 
 bool notes(const Analysis& analysis, const std::string& text) {

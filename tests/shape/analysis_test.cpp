@@ -27,7 +27,7 @@ constexpr double kLimit = 11.0 * 235.0 / 206000.0 / 16.0;
 Analysis analysed(const std::vector<double>& z, double sigma, const AnalysisOptions& options) {
   auto stations = survey(z, 30.0, sigma);
   const Tilt tilt = takeTilt(stations, {0.0, 0.0}, {});
-  return analyse(stations, tilt, 30.0, options);
+  return analyse({stations, tilt, 30.0}, options);
 }
 
 const Check& named(const Analysis& analysis, const std::string& name) {
@@ -111,7 +111,7 @@ TEST(Analyse, EveryReportSaysWhatItIsNot) {
   EXPECT_TRUE(says("levels of the instrument"));
   EXPECT_FALSE(says("no standard errors"));
   auto levelled = survey(bent(0.5), 30.0);
-  const Analysis plain = analyse(levelled, takeTilt(levelled, {0.0, 0.0}, {}), 30.0, sixtyMetreTank());
+  const Analysis plain = analyse({levelled, takeTilt(levelled, {0.0, 0.0}, {}), 30.0}, sixtyMetreTank());
   EXPECT_TRUE(std::any_of(plain.notes.begin(), plain.notes.end(), [](const std::string& n) {
     return n.find("no standard errors: what they scatter by") != std::string::npos;
   }));
@@ -140,7 +140,7 @@ TEST(Analyse, ShellFiguresGoToTheLimitsToo) {
   shell.worst = {0.020, 0.0005, 0.0};
   AnalysisOptions options = sixtyMetreTank();
   options.facts.service = Service::New;
-  const Analysis analysis = analyse(stations, takeTilt(stations, {0, 0}, {}), 30.0, options, {shell});
+  const Analysis analysis = analyse({stations, takeTilt(stations, {0, 0}, {}), 30.0, {shell}}, options);
   EXPECT_EQ(named(analysis, "radius 0.3 m above the bottom weld").verdict, Verdict::Pass);
   EXPECT_EQ(named(analysis, "radius higher up").verdict, Verdict::NotApplicable);
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/deviates.h"
+#include "fit/harmonics.h"
 #include "shape/analysis.h"
-#include "shape/ring_data.h"
 #include "shape/ring_model.h"
 #include "support/made_surveys.h"
 
@@ -32,7 +32,7 @@ double foundation(double a) {
 Analysis analysed(const std::vector<double>& z, double sigma) {
   auto stations = survey(z, 30.0, sigma);
   const Tilt tilt = takeTilt(stations, {0.0, 0.0}, {});
-  return analyse(stations, tilt, 30.0, AnalysisOptions());
+  return analyse({stations, tilt, 30.0}, AnalysisOptions());
 }
 
 /// Errors that neighbours share over some degrees: a chain of the second order in both directions, made periodic.
@@ -64,6 +64,23 @@ TEST(LocalShape, ItsWavesAddUpToIt) {
 TEST(LocalShape, HasTheWaveWhoseHalfLengthIsItsOwn) {
   const LocalShape shape{0.0, kTurn / 8.0, 1.0, false};  // n half_width = pi for n = 4
   EXPECT_NEAR(shape.waves(4)[7], 0.125, 1e-9);
+}
+
+TEST(LocalShape, IsLookedForAllRoundWhateverTheOrderOfAzimuths) {
+  Eigen::VectorXd from_zero(360), from_half_a_turn(360);
+  for (Eigen::Index i = 0; i < 360; ++i) {
+    from_zero[i] = static_cast<double>(i) * kDegree;
+    from_half_a_turn[i] = static_cast<double>(i < 180 ? i : i - 360) * kDegree;
+  }
+  const auto expected = candidateShapes(from_zero), found = candidateShapes(from_half_a_turn);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_NEAR(std::remainder(found[k].shape.centre - expected[k].shape.centre, kTurn), 0.0, 1e-12);
+    double sum = 0.0, expected_sum = 0.0;
+    for (const double value : found[k].values) sum += value;
+    for (const double value : expected[k].values) expected_sum += value;
+    EXPECT_NEAR(sum, expected_sum, 1e-9);
+  }
 }
 
 TEST(LocalSettlements, ADipIsPartOfTheDatumAndNotAnErrorOfNeighbours) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "fit/harmonics.h"
 #include "shape/arc_points.h"
 #include "shape/datum_waves.h"
 #include "shape/partial_ring_tilt.h"

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
 /// PCD files made byte by byte, without the project's own writer.
@@ -24,34 +25,7 @@ namespace tank_datum::pcd_files {
 /// The name of a test that is instantiated for each encoding.
 inline std::string nameOfEncoding(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
-/// A folder that goes with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "tank_datum_XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
-  /// Writes the bytes and returns the path.
-  std::string file(const std::string& name, const std::string& bytes) const {
-    std::filesystem::remove(path(name));  // ext4 writes a truncated file out at once, which is slow
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
-
-  std::size_t entries() const {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator()));
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using Folder = TestFolder;
 
 inline std::string readAll(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
