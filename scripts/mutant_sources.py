@@ -144,13 +144,10 @@ class Rewriter:
     def _rewritten(self, match: re.Match[str]) -> str:
         if match.re is STRUCTURES:
             return self._structures(match)
-        lines = []
-        for part in parts(without_comments(match["rest"])):
-            one = ONE.fullmatch(part)
-            if one is None:
-                return match[0]
-            lines.append(self._number(match, one["name"], one["value"].strip()))
-        return "\n".join(lines)
+        declared = [ONE.fullmatch(part) for part in parts(without_comments(match["rest"]))]
+        if None in declared:  # a name without k among them
+            return match[0]
+        return "\n".join(self._number(match, d["name"], d["value"].strip()) for d in declared)
 
     def _number(self, match: re.Match[str], name: str, value: str) -> str:
         """The declaration of one constant; what follows from others is no longer constexpr."""

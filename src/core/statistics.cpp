@@ -53,7 +53,8 @@ double tukeyWeight(double residual_in_sigmas) {
 }
 
 double student95(double freedom) {
-  constexpr double kOne = 12.706204736432095, kTwo = 4.302652729911275, z = kNormal95;
+  constexpr double kOne = 12.706204736432095, kTwo = 4.302652729911275;
+  constexpr double z = kNormal95;
   if (!(freedom > 0.0)) return z;
   if (freedom <= 1.0) return kOne;
   if (freedom <= 2.0) return kTwo;

@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "core/parallel.h"
-#include "core/units.h"
 #include "setups/merged_scans.h"
 #include "setups/repeated_points.h"
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
+#include "setups/setup_verdicts.h"
 #include "setups/setup_views.h"
 #include "tank_datum/core/error.h"
 
@@ -52,29 +52,6 @@ void move(Ring& ring, const std::vector<Setup>& setups, int threads) {
   });
 }
 
-/// Leaves out the bad setups' points in arcs where another setup has as many as tell a foot.
-void dropBad(Ring& ring, const std::vector<Setup>& setups, const Eigen::Vector2d& center) {
-  constexpr std::size_t kEnough = 100;  // points of an arc
-  const auto arcOf = [&](const Eigen::Vector3d& p) {
-    const double turn = std::atan2(p.y() - center.y(), p.x() - center.x()) / kTwoPi;
-    return static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs) % SetupRing::kArcs;
-  };
-  const auto is_bad = [&](std::size_t i) { return setups[ring.setupOf(i)].verdict == SetupVerdict::Bad; };
-  std::vector<std::size_t> good(SetupRing::kArcs, 0);
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (!is_bad(i)) ++good[arcOf(ring.points[i])];
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (is_bad(i) && good[arcOf(ring.points[i])] >= kEnough) continue;
-    ring.points[kept] = ring.points[i];
-    ring.point_setups[kept] = ring.point_setups[i];
-    ++kept;
-  }
-  ring.points.resize(kept);
-  ring.point_setups.resize(kept);
-}
-
 /// Refuses places of setups that no file has: a name mistyped must not pass for a place not known.
 void requireKnown(const Scan& scan, const std::vector<Setup>& setups, const SetupOptions& options) {
   for (const auto& [name, place] : options.origins) {
@@ -85,25 +62,6 @@ void requireKnown(const Scan& scan, const std::vector<Setup>& setups, const Setu
     if (std::any_of(setups.begin(), setups.end(), is_named)) continue;
     if (std::any_of(scan.paths().begin(), scan.paths().end(), is_stem)) continue;
     throw Error(Error::Kind::Option, "setups", "origin of", name, "the stem of a scan, or a label");
-  }
-}
-
-SetupVerdict verdictOf(const Setup& setup, bool bad, bool overlaps) {
-  constexpr double kPlainly = 3.0;  // sigmas
-  if (setup.points == 0) return SetupVerdict::Unseen;
-  if (!overlaps) return SetupVerdict::Alone;
-  if (bad) return SetupVerdict::Bad;
-  const SetupMotion::Vector moved = setup.correction.vector(), sigma = setup.sigma.vector();
-  for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) {
-    if (std::abs(moved[i]) > kPlainly * sigma[i]) return SetupVerdict::Adjusted;
-  }
-  return SetupVerdict::Agrees;
-}
-
-void markDuplicates(SetupAgreement& agreement, const RepeatedPoints& repeated) {
-  constexpr double kAllOfIt = 0.9;
-  for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
-    if (repeated.of_setups[s] >= kAllOfIt) agreement.setups[s].verdict = SetupVerdict::Duplicate;
   }
 }
 
@@ -174,7 +132,7 @@ SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const
   requireKnown(scan, agreement.setups, options);
   const auto has_points = [](const Setup& setup) { return setup.points > 0; };
   if (std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points) < 2) {
-    markDuplicates(agreement, repeated);
+    markDuplicates(agreement.setups, repeated);
     ring.point_setups.clear();
     agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
     return agreement;
@@ -185,7 +143,7 @@ SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const
   const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
   agreement.given = {options.error, options.tilt, options.error};
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
-  markDuplicates(agreement, repeated);
+  markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);
   return agreement;

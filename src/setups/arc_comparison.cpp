@@ -10,9 +10,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kFewest = 12;       // points of a setup that make its offset worth looking at
-constexpr std::size_t kFewestOfBin = 6;   // points of a bin that tell its scatter
-constexpr std::size_t kFewestOfPart = 3;  // points of one setup in one bin that make a first median
+constexpr std::size_t kFewestOfSetup = 12;  // points of a setup that make its offset worth looking at
+constexpr std::size_t kFewestOfBin = 6;     // points of a bin that tell its scatter
+constexpr std::size_t kFewestOfPart = 3;    // points of one setup in one bin that make a first median
 
 /// The points of the bins that two setups or more have, by bin.
 struct Bin {
@@ -63,7 +63,7 @@ Arc sorted(const std::vector<ArcPoint>& points, double window) {
   Arc arc;
   std::map<std::uint16_t, std::uint16_t> index;
   for (const auto& [setup, count] : counts) {
-    if (count < kFewest) continue;
+    if (count < kFewestOfSetup) continue;
     index[setup] = static_cast<std::uint16_t>(arc.setups.size());
     arc.setups.push_back(setup);
   }

@@ -52,8 +52,8 @@ double varianceOf(const ArcOffsets& seen) {
 }  // namespace
 
 double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
-  constexpr std::size_t kFewest = 6;  // arcs
-  constexpr double kOther = 25.0;     // times the median: an arc where something else is seen
+  constexpr std::size_t kFewestArcs = 6;  // arcs
+  constexpr double kOther = 25.0;         // times the median: an arc where something else is seen
   if (ring.points.size() < 1000 || ring.setupCount() > 1) return 0.0;
   const Ring visits = visitsOf(ring, tank);
   if (visits.setups.size() < 2) return 0.0;
@@ -65,7 +65,7 @@ double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
     variances.push_back(varianceOf(view.seen));
     sizes.push_back(std::abs(variances.back()));
   }
-  if (variances.size() < kFewest) return 0.0;
+  if (variances.size() < kFewestArcs) return 0.0;
   const double most = kOther * median(sizes);
   double sum = 0.0, count = 0.0;
   for (const double v : variances) {

@@ -86,10 +86,10 @@ std::size_t worstSetup(const SetupSystem& system, const KindSigmas& usual, const
 /// The bad setups: one of three to nine, one in five of more. Where there seem to be more than that none is an
 /// exception, and the sigma of all is large.
 std::vector<bool> badSetups(const SetupSystem& system, const KindSigmas& usual, std::size_t setups) {
-  constexpr std::size_t kFewest = 3, kOneIn = 5;
+  constexpr std::size_t kFewestSetups = 3, kOneIn = 5;
   const std::size_t most = std::max<std::size_t>(1, setups / kOneIn);
   std::vector<bool> bad(setups, false);
-  for (std::size_t found = 0; setups >= kFewest; ++found) {
+  for (std::size_t found = 0; setups >= kFewestSetups; ++found) {
     const std::size_t worst = worstSetup(system, usual, bad);
     if (worst == setups) break;
     if (found == most) return std::vector<bool>(setups, false);

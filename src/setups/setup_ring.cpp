@@ -57,7 +57,7 @@ void SetupRing::sortIntoCells(const Ring& ring, const Eigen::Vector2d& center, i
 }
 
 void SetupRing::findOutline(const Tank& tank, double reach, int threads) {
-  constexpr std::size_t kFewest = 5;
+  constexpr std::size_t kFewestOfCell = 5;
   outline_.assign(kCells, kUnknown);
   forEachIndex(kCells, threads, [&](std::size_t cell) {
     std::vector<double> radii;
@@ -65,7 +65,7 @@ void SetupRing::findOutline(const Tank& tank, double reach, int threads) {
       if (e->z > tank.foot(e->azimuth) + 0.3 * reach) radii.push_back(e->radius);
     }
     std::sort(radii.begin(), radii.end());
-    if (radii.size() >= kFewest) outline_[cell] = halfSampleMode(radii);
+    if (radii.size() >= kFewestOfCell) outline_[cell] = halfSampleMode(radii);
   });
 }
 

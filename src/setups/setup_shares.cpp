@@ -43,8 +43,8 @@ class CellCounts {
 CellCounts::CellCounts(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                        const FoundationBand& band)
     : side_(tank.side == Side::Outside ? 1.0 : -1.0), reach_(ring.reach), band_(band) {
-  constexpr std::size_t kFewest = 360;
-  cells_ = stations.size() * ((kFewest + stations.size() - 1) / stations.size());
+  constexpr std::size_t kFewestCells = 360;
+  cells_ = stations.size() * ((kFewestCells + stations.size() - 1) / stations.size());
   first_ = stations.front().direction;
   step_ = kTwoPi / static_cast<double>(cells_);
   levels_ = levels(stations);

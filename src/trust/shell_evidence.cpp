@@ -12,7 +12,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kFewest = 5;  // points of a sector that have a middle
+constexpr std::size_t kFewestOfSector = 5;  // points of a sector that have a middle
 
 /// A point of the wall: its height above the foot, and its distance from the axis.
 struct WallPoint {
@@ -77,7 +77,7 @@ Middle middleOf(std::vector<WallPoint> points, double azimuth, double least_heig
 double spacingOf(const Sectors& sectors, double width) {
   std::vector<double> spacings;
   for (const auto& points : sectors) {
-    if (points.size() < kFewest) continue;
+    if (points.size() < kFewestOfSector) continue;
     const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                  [](const auto& a, const auto& b) { return a.height < b.height; });
     spacings.push_back(std::sqrt(width * (high->height - low->height) / static_cast<double>(points.size())));
@@ -96,7 +96,7 @@ std::vector<Middle> middlesOf(const Ring& ring, const Tank& tank, double& spacin
   const double width = kTwoPi / static_cast<double>(count);
   std::vector<Middle> middles;
   for (std::size_t i = 0; i < count; ++i) {
-    if (sectors[i].size() < kFewest) continue;
+    if (sectors[i].size() < kFewestOfSector) continue;
     middles.push_back(middleOf(sectors[i], (static_cast<double>(i) + 0.5) * width, 0.3 * ring.reach));
   }
   return middles;

@@ -217,5 +217,14 @@ TEST(CropRing, GathersAnotherPartOfTheScanInTheSamePass) {
   EXPECT_EQ(given, (Points{points[1], points[2], points[3]}));  // at least what is wanted, in order
 }
 
+TEST(RowStride, IsWorthItFromTwoAndAHalfTimesWhatTheFitsTake) {
+  Tank tank = tank10();
+  const Scan scan = Scan::fromRows(300'000'000, [](std::uint64_t) { return Eigen::Vector3d(1, 2, 3); });
+  tank.near_foot = 2.4 * 4e6 / 3e8;
+  EXPECT_EQ(rowStride(scan, tank, {}), 1U);
+  tank.near_foot = 2.6 * 4e6 / 3e8;
+  EXPECT_EQ(rowStride(scan, tank, {}), 3U);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -85,6 +85,8 @@ TEST(ShareAlone, OfAGrid) {
 TEST(FootUnit, MetresBetweenADrumAndTheLargestTank) {
   EXPECT_EQ(footUnit(1.0, 0.001), 1.0);
   EXPECT_EQ(footUnit(100.0, 0.001), 1.0);
+  EXPECT_DOUBLE_EQ(footUnit(0.99, 0.001), 0.099);
+  EXPECT_DOUBLE_EQ(footUnit(101.0, 0.001), 10.1);
   EXPECT_DOUBLE_EQ(footUnit(10'670.0, 10.0), 1067.0);
   EXPECT_DOUBLE_EQ(footUnit(0.1067, 0.0001), 0.01067);
   EXPECT_EQ(footUnit(0.0387, 0.001), 1.0);  // a mug of 39 points to its radius
@@ -101,6 +103,63 @@ TEST(FindStrays, OfAFloorSeenFourTimesInClustersNoneIs) {
   }
   const std::vector<char> is_stray = findStrays(points, 0.001);  // an edge at which the clusters close
   EXPECT_EQ(std::count(is_stray.begin(), is_stray.end(), 1), 0);
+}
+
+/// A floor of points 1 m apart and beside it, far from each other, groups of points 1 mm apart: `strays` of all points.
+/// Strays of one pair are `apart` from each other.
+Points floorAndStrays(double strays, double apart) {
+  Points points;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) points.emplace_back(0.5 + i, 0.5 + j, 0.5);
+  }
+  const int pairs = static_cast<int>(std::lround(0.5 * 4096.0 * strays / (1.0 - strays)));
+  for (int k = 0; k < pairs; ++k) {
+    const Eigen::Vector3d at(256.5 + 256.0 * (k % 64), 256.5 + 256.0 * (k / 64), 0.5);
+    points.push_back(at);
+    points.emplace_back(at.x() + apart, at.y(), at.z());
+  }
+  return points;
+}
+
+/// The floor closes at voxels of 2 m; pairs 4 m apart are alone in voxels of 4 m, not of 8 m.
+TEST(HoldsStrays, AreMoreThanASixthAtTwiceTheClosingEdgeOrATwentiethAtFourTimes) {
+  const auto holds = [](double strays, double apart) {
+    return holdsStrays(VoxelSample(floorAndStrays(strays, apart), 1'000'000, 0.125));
+  };
+  EXPECT_FALSE(holds(0.14, 4.0));
+  EXPECT_TRUE(holds(0.16, 4.0));
+  EXPECT_FALSE(holds(0.045, 64.0));
+  EXPECT_TRUE(holds(0.055, 64.0));
+}
+
+/// With 0.4 of the points strays that share voxels of 16 m, surfaces close at 2 m all the same.
+TEST(HoldsStrays, SurfacesCloseWhereSixInTenPointsMayBeAlone) {
+  EXPECT_TRUE(holdsStrays(VoxelSample(floorAndStrays(0.4, 8.0), 1'000'000, 0.125)));
+}
+
+TEST(ClosingEdge, IsWhereThreeInTenPointsShareTheirVoxels) {
+  EXPECT_EQ(closingEdge(VoxelSample(floorAndStrays(0.68, 16.0), 1'000'000, 0.125)), 2.0);
+  EXPECT_EQ(closingEdge(VoxelSample(floorAndStrays(0.72, 16.0), 1'000'000, 0.125)), 32.0);
+}
+
+/// How many points are found to be strays beside a floor of 1000 points within a millimetre.
+std::ptrdiff_t straysOf(std::size_t groups, std::size_t of_each) {
+  Points points(1000, {0.5, 0.5, 0.5});
+  for (std::size_t k = 0; k < groups; ++k) {
+    for (std::size_t i = 0; i < of_each; ++i) points.emplace_back(100.0 + 10.0 * static_cast<double>(k), 0.0, 0.001);
+  }
+  const std::vector<char> is_stray = findStrays(points, 0.1);
+  return std::count(is_stray.begin(), is_stray.end(), 1);
+}
+
+TEST(FindStrays, FivePointsTogetherAreASurfaceFourAreNot) {
+  EXPECT_EQ(straysOf(10, 4), 40);
+  EXPECT_EQ(straysOf(10, 5), 0);
+}
+
+TEST(FindStrays, SixInTenPointsAreStraysAtMost) {
+  EXPECT_EQ(straysOf(1400, 1), 1400);  // 0.58
+  EXPECT_EQ(straysOf(1600, 1), 0);     // 0.62
 }
 
 }  // namespace

@@ -130,5 +130,36 @@ TEST(MapWalls, DoNotDependOnTheOrderOfThePoints) {
 
 TEST(MapWalls, OfNothingAreNone) { EXPECT_TRUE(mapWalls({}, kVoxel).empty()); }
 
+/// Upright posts, each of one column, at these places.
+Points posts(const std::vector<Eigen::Vector2d>& places) {
+  Points points;
+  for (const auto& at : places) {
+    for (double z = 0.0; z < 2.0; z += kVoxel) points.emplace_back(at.x(), at.y(), z);
+  }
+  return points;
+}
+
+TEST(MapWalls, ColumnsLineUpWithThoseUpToTwoCellsAway) {
+  EXPECT_EQ(mapWalls(posts({{0.1, 0.1}, {0.5, 0.1}, {0.9, 0.1}}), kVoxel).size(), 1U);  // the one in the middle
+  EXPECT_TRUE(mapWalls(posts({{0.1, 0.1}, {0.7, 0.1}, {1.3, 0.1}}), kVoxel).empty());
+}
+
+/// Whether a row of columns that stand this far from its line, on alternate sides, is a wall.
+bool linesUp(double off) {
+  std::vector<Eigen::Vector2d> places;
+  for (int i = 0; i < 15; ++i) places.emplace_back(0.1 + 0.2 * i, 0.2 + (i % 2 == 0 ? off : -off));
+  const auto walls = mapWalls(posts(places), kVoxel);
+  return std::any_of(walls.begin(), walls.end(),
+                     [](const WallCell& w) { return std::abs(w.position.x() - 1.5) < 0.01; });
+}
+
+/// Of five columns 0.2 m apart the variance along the row is 0.08 m2, across it 0.96 of the square.
+TEST(MapWalls, ARowIsAWallUpToFifteenHundredthsOfItsVarianceAcrossIt) {
+  EXPECT_TRUE(linesUp(std::sqrt(0.14 * 0.08 / 0.96)));
+  EXPECT_FALSE(linesUp(std::sqrt(0.16 * 0.08 / 0.96)));
+  EXPECT_TRUE(linesUp(std::sqrt(0.09 * 0.08 / 0.96)));
+  EXPECT_FALSE(linesUp(std::sqrt(0.25 * 0.08 / 0.96)));
+}
+
 }  // namespace
 }  // namespace tank_datum

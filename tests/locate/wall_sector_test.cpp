@@ -84,5 +84,22 @@ TEST(HasFoundation, IsWhatLiesAboutAsHighAsTheFoot) {
   EXPECT_FALSE(hasFoundation({}, 0.0, kVoxel, 10.0));
 }
 
+/// How many points that lie this far outside of a band of 0.02 m are beside the shell.
+std::size_t besideAt(double off) {
+  const auto sectors = sectorsOf(Points(1, {10.02 + off, 0.0, 0.0}), 0.01, {{0.0, 0.0}, 10.0}, 0.02);
+  return sectors[0].outside.size();
+}
+
+TEST(SectorsOf, OnTopOfTheNarrowestRingwallNothingIsBeside) {
+  EXPECT_EQ(besideAt(0.09), 0U);
+  EXPECT_EQ(besideAt(0.11), 1U);
+}
+
+TEST(HasFoundation, TheGroundMayDropHalfAMetreAtARingwall) {
+  constexpr double kFine = 0.001;
+  EXPECT_TRUE(hasFoundation({-0.49}, 0.0, kFine, 10.0));
+  EXPECT_FALSE(hasFoundation({-0.52}, 0.0, kFine, 10.0));
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -40,6 +40,11 @@ TEST(VoxelSample, KeepsPointsOfDifferentVoxelsAndOneOfTwoInTheSame) {
   EXPECT_EQ(VoxelSample(Points(50, {1, 2, 3}), 100).points(), (Points{{1, 2, 3}}));
 }
 
+TEST(VoxelSample, OfFarPointsHasTheSmallestVoxelsThatTwentyBitsNumberOnEachSide) {
+  EXPECT_EQ(VoxelSample({{1048.5, 0, 0}, {0, -1048.5, 0}}, 100).voxel(), 0.001);
+  EXPECT_EQ(VoxelSample({{1048.6, 0, 0}, {0, 1, 0}}, 100).voxel(), 0.002);
+}
+
 TEST(VoxelSample, HoldsOneScanPointForEachOccupiedVoxelAndNoMore) {
   const Points points = randomPoints(5000, 1.0);
   const VoxelSample sample(points, 1000);

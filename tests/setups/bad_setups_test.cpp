@@ -41,7 +41,8 @@ TEST(BadSetups, TwoOfTenAreFoundWhereThreeAreNoException) {
   const std::vector<std::pair<int, double>> two = {{10, 0.015}, {30, -0.015}};
   const std::vector<bool> found = badOf(10, two);
   for (std::size_t s = 0; s < 10; ++s) EXPECT_EQ(found[s], s == 2 || s == 6) << s;
-  const std::vector<std::pair<int, double>> three = {{10, 0.015}, {30, -0.015}, {45, 0.015}};
+  // each so much larger than the next that none hides it
+  const std::vector<std::pair<int, double>> three = {{10, 0.300}, {30, -0.060}, {45, 0.015}};
   EXPECT_EQ(badOf(10, three), std::vector<bool>(10, false));
 }
 
@@ -51,6 +52,26 @@ TEST(SetupAdjustment, SetupsThatMeetNowhereAreAsGoodAsAGoodSurveyorsAre) {
   EXPECT_NEAR(sigmas[0], 0.002, 1e-9);
   EXPECT_NEAR(toArcSeconds(sigmas[1]), 10.0, 1e-6);
   EXPECT_NEAR(sigmas[3], 0.002, 1e-9);
+}
+
+TEST(BadSetups, OfTwoThatDisagreeNoneIsTheException) { EXPECT_EQ(badOf(2, {{5, 0.030}}), std::vector<bool>(2, false)); }
+
+/// Whether so many setups' sigmas come from their overlaps.
+bool tellTheirSigmas(std::size_t setups) {
+  Recipe recipe;
+  recipe.setups = setups;
+  recipe.half_view = 170.0 * kPi / 180.0;
+  recipe.sigma_arc = 1e-6;
+  std::mt19937_64 random(8);
+  const SetupAdjustment adjusted = adjustSetups(made(recipe, random).arcs, setups, {});
+  EXPECT_EQ(adjusted.height_estimated, adjusted.plan_estimated);
+  return adjusted.height_estimated;
+}
+
+/// The overlaps tell every parameter of all setups but one: three of height and tilt and two of place a setup.
+TEST(SetupAdjustment, SigmasAreEstimatedFromThreeParametersThatAreDetermined) {
+  EXPECT_FALSE(tellTheirSigmas(2));
+  EXPECT_TRUE(tellTheirSigmas(3));
 }
 
 }  // namespace

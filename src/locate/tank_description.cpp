@@ -1,0 +1,89 @@
+#include "locate/tank_description.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "fit/circle.h"
+#include "fit/harmonics.h"
+#include "locate/wall_sector.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kShortOfRingwall = 0.075;  // half of the way to the face of the narrowest ringwall [m]
+
+/// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
+/// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
+Circle refineCircle(const Sample& sample, const Circle& circle, const PeriodicFit& foot, double band) {
+  std::vector<Eigen::Vector2d> plan;
+  for (const auto& p : sample.points) {
+    const Eigen::Vector2d arm = p.head<2>() - circle.center;
+    const double above = p.z() - foot(std::atan2(arm.y(), arm.x()));
+    if (above > 2.0 * sample.voxel && std::abs(arm.norm() - circle.radius) <= band) plan.push_back(p.head<2>());
+  }
+  constexpr std::size_t kPlenty = 50'000;
+  const std::size_t stride = plan.size() / kPlenty + 1;
+  std::vector<Eigen::Vector2d> thinned;
+  for (std::size_t i = 0; i < plan.size(); i += stride) thinned.push_back(plan[i]);
+  const Circle fitted = fitCircleRobust(thinned, circle);
+  return fitted.valid() ? fitted : circle;
+}
+
+}  // namespace
+
+PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window) {
+  constexpr double kQuiet = 0.02;  // with a short arc the slope is what little data say, not an extrapolation
+  PeriodicFit fit;
+  fit.coefficients = Eigen::Vector3d(quantile(feet, 0.2), 0, 0);
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    std::vector<double> near_azimuths, near_feet;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      if (std::abs(feet[i] - fit(azimuths[i])) > window) continue;
+      near_azimuths.push_back(azimuths[i]);
+      near_feet.push_back(feet[i]);
+    }
+    if (near_feet.empty()) break;
+    fit = fitHarmonics(near_azimuths, near_feet, {}, {1, true, kQuiet});
+  }
+  return fit;
+}
+
+Tank describe(const Sample& sample, const Circle& circle, double rms) {
+  Tank tank;
+  tank.circle = circle;
+  tank.rms = rms;
+  tank.resolution = sample.voxel;
+  tank.strays = sample.strays;
+  auto sectors = sectorsOf(sample.points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
+  const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
+  std::vector<double> azimuths, feet, heights;
+  std::vector<char> outside, inside;  // whether a foundation was seen on that side
+  for (std::size_t s = 0; s < sectors.size(); ++s) {
+    double bottom = 0, top = 0;
+    if (!shellRun(sectors[s].shell, sample.voxel, thickness, bottom, top)) continue;
+    azimuths.push_back((static_cast<double>(s) + 0.5) * kTwoPi / static_cast<double>(sectors.size()));
+    feet.push_back(bottom);
+    heights.push_back(top - bottom);
+    outside.push_back(hasFoundation(sectors[s].outside, bottom, sample.voxel, circle.radius));
+    inside.push_back(hasFoundation(sectors[s].inside, bottom, sample.voxel, circle.radius));
+  }
+  tank.coverage = kTwoPi * static_cast<double>(feet.size()) / static_cast<double>(sectors.size());
+  tank.height = median(heights);
+  const auto seen_outside = std::count(outside.begin(), outside.end(), 1);
+  const auto seen_inside = std::count(inside.begin(), inside.end(), 1);
+  tank.side = seen_inside > seen_outside ? Side::Inside : Side::Outside;
+  const auto& foundation = tank.side == Side::Inside ? inside : outside;
+  tank.has_foundation = 4 * std::max(seen_inside, seen_outside) >= static_cast<std::ptrdiff_t>(feet.size());
+  for (std::size_t i = feet.size(); i-- > 0;) {  // a shell that ends above a shadow says nothing of the foot
+    if (foundation[i] || !tank.has_foundation) continue;
+    feet.erase(feet.begin() + static_cast<std::ptrdiff_t>(i));
+    azimuths.erase(azimuths.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  if (!feet.empty()) tank.foot = fitFootHeights(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
+  if (tank.foot.valid()) tank.circle = refineCircle(sample, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
+  return tank;
+}
+
+}  // namespace tank_datum

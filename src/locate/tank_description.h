@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "locate/sample_ladder.h"
+#include "tank_datum/locate/tank.h"
+
+namespace tank_datum {
+
+/// The foot against azimuth. Shells that end above a shadow outnumber, at times, those seen to their foot, but nothing
+/// of a shell lies below it: the fit starts from the lowest fifth, and takes what agrees with it.
+/// @param window  how far from the fit a foot may lie [m]
+PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window);
+
+/// Looks at the sample around a known circle: foot, side, coverage, height.
+/// @param rms  of the shell about the circle [m]
+Tank describe(const Sample& sample, const Circle& circle, double rms);
+
+}  // namespace tank_datum

@@ -1,0 +1,52 @@
+#include "setups/setup_verdicts.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "core/units.h"
+#include "setups/setup_ring.h"
+
+namespace tank_datum {
+
+SetupVerdict verdictOf(const Setup& setup, bool bad, bool overlaps) {
+  constexpr double kPlainly = 3.0;  // sigmas
+  if (setup.points == 0) return SetupVerdict::Unseen;
+  if (!overlaps) return SetupVerdict::Alone;
+  if (bad) return SetupVerdict::Bad;
+  const SetupMotion::Vector moved = setup.correction.vector(), sigma = setup.sigma.vector();
+  for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) {
+    if (std::abs(moved[i]) > kPlainly * sigma[i]) return SetupVerdict::Adjusted;
+  }
+  return SetupVerdict::Agrees;
+}
+
+void markDuplicates(std::vector<Setup>& setups, const RepeatedPoints& repeated) {
+  constexpr double kAllOfIt = 0.9;
+  for (std::size_t s = 0; s < setups.size(); ++s) {
+    if (repeated.of_setups[s] >= kAllOfIt) setups[s].verdict = SetupVerdict::Duplicate;
+  }
+}
+
+void dropBad(Ring& ring, const std::vector<Setup>& setups, const Eigen::Vector2d& center) {
+  constexpr std::size_t kEnough = 100;  // points of an arc
+  const auto arcOf = [&](const Eigen::Vector3d& p) {
+    const double turn = std::atan2(p.y() - center.y(), p.x() - center.x()) / kTwoPi;
+    return static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs) % SetupRing::kArcs;
+  };
+  const auto is_bad = [&](std::size_t i) { return setups[ring.setupOf(i)].verdict == SetupVerdict::Bad; };
+  std::vector<std::size_t> good(SetupRing::kArcs, 0);
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (!is_bad(i)) ++good[arcOf(ring.points[i])];
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (is_bad(i) && good[arcOf(ring.points[i])] >= kEnough) continue;
+    ring.points[kept] = ring.points[i];
+    ring.point_setups[kept] = ring.point_setups[i];
+    ++kept;
+  }
+  ring.points.resize(kept);
+  ring.point_setups.resize(kept);
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,57 @@
+#include "locate/nested_tanks.h"
+
+#include <gtest/gtest.h>
+
+namespace tank_datum {
+namespace {
+
+/// A tank seen all round on the ground, as a sample with so long voxels shows it.
+Tank tankOf(double radius, double height, double foot = 0.0, double resolution = 0.05) {
+  Tank tank;
+  tank.circle = {{3.0, 4.0}, radius};
+  tank.foot.coefficients = Eigen::Vector3d(foot, 0.0, 0.0);
+  tank.height = height;
+  tank.coverage = 4.0;
+  tank.resolution = resolution;
+  return tank;
+}
+
+/// The radius of the only one that is left.
+double leftOf(std::vector<Tank> tanks) {
+  dropNested(tanks);
+  return tanks.size() == 1 ? tanks[0].circle.radius : 0.0;
+}
+
+TEST(DropNested, OfOneShellFoundTwiceTheFinerStaysUnlessTheCoarserSawAQuarterMore) {
+  const Tank fine = tankOf(10.0, 8.0, 0.0, 0.05);
+  Tank coarse = tankOf(10.01, 8.0, 0.0, 0.1);
+  coarse.coverage = 1.2 * fine.coverage;
+  EXPECT_EQ(leftOf({fine, coarse}), 10.0);
+  coarse.coverage = 1.3 * fine.coverage;
+  EXPECT_EQ(leftOf({fine, coarse}), 10.01);
+  coarse.coverage = 0.9 * fine.coverage;
+  EXPECT_EQ(leftOf({coarse, fine}), 10.0);
+}
+
+TEST(DropNested, AHigherWallThatStandsDeeperUpToSixDecimetresOutsideIsARingwall) {
+  const Tank shell = tankOf(10.0, 2.0);
+  EXPECT_EQ(leftOf({shell, tankOf(10.58, 3.0, -3.5)}), 10.0);
+  EXPECT_EQ(leftOf({shell, tankOf(10.62, 3.0, -3.5)}), 10.62);
+  EXPECT_EQ(leftOf({shell, tankOf(10.35, 3.0, -3.5)}), 10.0);
+}
+
+TEST(DropNested, OfABundWallAndATankTheHigherStays) {
+  EXPECT_EQ(leftOf({tankOf(10.0, 8.0), tankOf(25.0, 1.5)}), 10.0);
+  EXPECT_EQ(leftOf({tankOf(1.0, 2.0), tankOf(25.0, 12.0)}), 25.0);
+}
+
+TEST(DropNested, TanksBesideEachOtherStay) {
+  Tank beside = tankOf(5.0, 8.0);
+  beside.circle.center.x() += 16.0;
+  std::vector<Tank> tanks{tankOf(10.0, 8.0), beside};
+  dropNested(tanks);
+  EXPECT_EQ(tanks.size(), 2U);
+}
+
+}  // namespace
+}  // namespace tank_datum

@@ -1,0 +1,87 @@
+#include "locate/tank_description.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kRadius = 10.0;
+constexpr Side kOutside = Side::Outside;
+
+/// Adds an upright face all round, `off` outside of the circle, at every 0.06 m of height and of the way round.
+void addFace(Points& points, double off, double from, double to) {
+  for (double a = 0.0; a < kTwoPi; a += 0.006) {
+    for (double z = from; z <= to; z += 0.06) {
+      points.emplace_back((kRadius + off) * std::cos(a), (kRadius + off) * std::sin(a), z);
+    }
+  }
+}
+
+/// The ground beside it, level.
+void addGround(Points& points, double z) {
+  for (double a = 0.0; a < kTwoPi; a += 0.006) {
+    for (double off = 0.3; off < 0.9; off += 0.1) {
+      points.emplace_back((kRadius + off) * std::cos(a), (kRadius + off) * std::sin(a), z);
+    }
+  }
+}
+
+/// The foot of a shell 4 m high above a face 0.4 m high that stands `off` outside of it.
+double footAbove(double off) {
+  Sample sample{{}, 0.1, false};
+  addFace(sample.points, 0.0, 0.4, 4.4);
+  addFace(sample.points, off, 0.0, 0.36);
+  addGround(sample.points, 0.0);
+  return describe(sample, {{0.0, 0.0}, kRadius}, 0.002).foot(1.0);
+}
+
+TEST(Describe, AFaceBelowTheShellIsARingwallsFrom75MillimetresOutside) {
+  EXPECT_NEAR(footAbove(0.06), 0.0, 0.03);
+  EXPECT_NEAR(footAbove(0.09), 0.4, 0.03);
+  EXPECT_NEAR(footAbove(0.14), 0.4, 0.03);
+}
+
+TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
+  Sample sample{{}, 0.1, false};
+  addFace(sample.points, 0.0, 0.4, 4.4);
+  addGround(sample.points, 0.3);
+  const Tank tank = describe(sample, {{0.0, 0.0}, kRadius}, 0.002);
+  EXPECT_EQ(tank.side, kOutside);
+  EXPECT_TRUE(tank.has_foundation);
+  EXPECT_NEAR(tank.circle.radius, kRadius, 1e-9);
+  EXPECT_NEAR(tank.coverage, kTwoPi, 1e-12);
+  EXPECT_NEAR(tank.height, 4.0, 0.06);
+}
+
+/// Feet over an arc of 40 degrees about azimuth 0, risen by `slope` per radian.
+double slopeOfArc(double slope) {
+  std::vector<double> azimuths, feet;
+  for (int i = -20; i <= 20; ++i) {
+    azimuths.push_back(toRadians(i));
+    feet.push_back(slope * std::sin(toRadians(i)));
+  }
+  return fitFootHeights(azimuths, feet, 1.0).coefficients[2] / slope;
+}
+
+/// The ridge of 0.02 of the data's weight stands against the mean of sin^2 over the arc, 0.0404.
+TEST(FitFootHeights, OfAShortArcTheSlopeIsDrawnToLevel) {
+  double squares = 0.0;
+  for (int i = -20; i <= 20; ++i) squares += std::pow(std::sin(toRadians(i)), 2) / 41.0;
+  EXPECT_NEAR(slopeOfArc(0.1), squares / (squares + 0.02), 0.04);  // the ends of the arc have less weight
+}
+
+TEST(FitFootHeights, ShellsThatEndAboveAShadowDoNotLiftTheFoot) {
+  std::vector<double> azimuths, feet;
+  for (int i = 0; i < 60; ++i) {
+    azimuths.push_back(kTwoPi * i / 60.0);
+    feet.push_back(i % 3 == 0 ? 0.0 : 2.0);
+  }
+  EXPECT_NEAR(fitFootHeights(azimuths, feet, 0.5)(1.0), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace tank_datum
