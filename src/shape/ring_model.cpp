@@ -48,9 +48,9 @@ RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.c
   data_.z += harmonicRows(data_.azimuths, 1) * plane_;
 }
 
-/// Takes the best plane out of z. What is solved for is how far the datum's mean and tilt are from it: what waves as large
-/// as the plane leaves, all along the arc, might do to them, and no more than some times that (Zellner's g-prior). Else
-/// the tilt of a short arc and the waves that it hides are traded for each other without bounds.
+/// Takes the best plane out of z. What is solved for is how far the datum's mean and tilt are from it: what waves as
+/// large as the plane leaves, all along the arc, might do to them, and no more than some times that (Zellner's
+/// g-prior). Else the tilt of a short arc and the waves that it hides are traded for each other without bounds.
 void RingModel::takeOutPlane() {
   constexpr double kWide = 10.0;
   const Eigen::MatrixXd rows = harmonicRows(data_.azimuths, 1);
