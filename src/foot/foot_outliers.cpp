@@ -66,14 +66,22 @@ bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
 }  // namespace
 
 std::vector<bool> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass) {
+  constexpr std::size_t kAsMany = 2;  // stations that stand to one below which the shell goes on; else none stands
   const std::vector<bool> supported = findSupport(foot, elevations, pass.sections);
   std::vector<FootFit> kept = pass.fits;
+  std::vector<char> before(kept.size(), 0);
   forEachIndex(kept.size(), 0, [&](std::size_t i) {
-    if (!foot.shell_seen[i] || !kept[i].valid() || !supported[i] || goesOnBelow(foot, i, kept[i]) ||
-        !isSameSurface(foot.points[i], kept[i], pass.priors.slope[i], pass.sections.at(i))) {
+    const bool seen = foot.shell_seen[i] && kept[i].valid() && supported[i];
+    before[i] = seen && goesOnBelow(foot, i, kept[i]);
+    if (!seen || before[i] || !isSameSurface(foot.points[i], kept[i], pass.priors.slope[i], pass.sections.at(i))) {
       kept[i] = {};
     }
   });
+  const auto stand = std::count_if(kept.begin(), kept.end(), [](const FootFit& fit) { return fit.valid(); });
+  const auto kerbs = std::count(before.begin(), before.end(), 1);
+  if (static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs)) {
+    return std::vector<bool>(kept.size(), true);
+  }
   std::vector<bool> outliers = findSteps(kept, 2.0 * foot.half_step * foot.radius);
   for (std::size_t i = 0; i < kept.size(); ++i) outliers[i] = outliers[i] || !kept[i].valid();
   return outliers;

@@ -124,12 +124,15 @@ bool isOutlier(int count) {
   return findOutliers(foot, elevations, pass)[50];
 }
 
-/// Whether a station is taken for something else where the shell is seen this far below it, by so many points.
-bool goesOnBelow(double below, int count) {
+/// The outliers of a level ring on which the shell is seen so far below so many stations, from the fiftieth on, by so
+/// many points at each.
+std::vector<bool> outliersWithShellBelow(double below, int count, int stations) {
   MadeFoot made;
   made.addAll(40, 0.02, 0.28, [](double) { return 0.0; });
-  for (int i = 0; i < 12; ++i) made.add(50.1 * made.step(), 0.0, 0.003 + 0.0015 * i);
-  for (int i = 0; i < count; ++i) made.add((49.8 + 0.05 * i) * made.step(), 0.0, -below);
+  for (int s = 50; s < 50 + stations; ++s) {
+    for (int i = 0; i < 12; ++i) made.add((s + 0.1) * made.step(), 0.0, 0.003 + 0.0015 * i);
+    for (int i = 0; i < count; ++i) made.add((s - 0.2 + 0.05 * i) * made.step(), 0.0, -below);
+  }
   Foot& foot = made.foot();
   const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
   FootPass pass;
@@ -140,7 +143,18 @@ bool goesOnBelow(double below, int count) {
   FootProfile& whole = pass.sections.whole;
   whole.bin = 0.003, whole.band_from = 0.015, whole.noise = 0.0005, whole.band_to = whole.edge = 0.3;
   pass.priors.slope.assign(360, 0.0);
-  return findOutliers(foot, elevations, pass)[50];
+  return findOutliers(foot, elevations, pass);
+}
+
+bool goesOnBelow(double below, int count) { return outliersWithShellBelow(below, count, 1)[50]; }
+
+TEST(FindOutliers, WhereTheShellGoesOnBelowAThirdOfTheStationsNoneStandsOnTheSurface) {
+  const auto dropped = [](int stations) {
+    const std::vector<bool> outliers = outliersWithShellBelow(0.010, 5, stations);
+    return std::count(outliers.begin(), outliers.end(), true);
+  };
+  EXPECT_EQ(dropped(115), 115);
+  EXPECT_EQ(dropped(125), 360);
 }
 
 TEST(FindOutliers, AShellSeenFurtherDownThanAStationShowsAKerbThatStandsBeforeIt) {
