@@ -72,7 +72,8 @@ bool isOfLevel(const FootProfile& section, double reach) {
 FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootSections& before) {
   FootPass pass;
   pass.sections = stackSections(foot, elevations.known);
-  if (before.whole.valid() && !isOfLevel(pass.sections.whole, foot.reach)) pass.sections = before;
+  const bool other = isResolved(foot) && !isOfLevel(pass.sections.whole, foot.reach);
+  if (other && before.whole.valid()) pass.sections = before;
   pass.priors = learnPriors(foot, elevations, pass.sections);
   pass.fits.resize(foot.directions.size());
   forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
