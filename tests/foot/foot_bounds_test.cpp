@@ -160,6 +160,7 @@ TEST(FindOutliers, WhereTheShellGoesOnBelowAThirdOfTheStationsNoneStandsOnTheSur
 TEST(FindOutliers, AShellSeenFurtherDownThanAStationShowsAKerbThatStandsBeforeIt) {
   EXPECT_TRUE(goesOnBelow(0.010, 5));
   EXPECT_FALSE(goesOnBelow(0.010, 3)) << "three are stray";
+  EXPECT_TRUE(goesOnBelow(0.010, 4));
   EXPECT_FALSE(goesOnBelow(0.0020, 5)) << "1 mm and three standard deviations are errors";
   EXPECT_TRUE(goesOnBelow(0.0030, 5));
   EXPECT_TRUE(goesOnBelow(0.0200, 5));

@@ -58,6 +58,26 @@ TEST(ClearestJump, IsSeenOverBinsThatHoldPointsOfBothSides) {
   EXPECT_FALSE(clearestJump(binsOf(ramp), {0.0025, 0.0, 0.06}).found());
 }
 
+TEST(ClearestJump, ALineOfOneBinIsAsSteepAsFoundationsUsuallyAre) {
+  // 5 mm between bins 20 mm apart: slopes of 0.05 either side make 0.7 mm of it, three times that are 2.1 mm
+  const auto pair = [](double by) {
+    return clearestJump({{0.02, 0.0, 1e-5}, {0.04, -by, 1e-5}}, {0.0025, 0.0, 0.06}).found();
+  };
+  EXPECT_FALSE(pair(0.0044));
+  EXPECT_TRUE(pair(0.0049));
+}
+
+TEST(ClearestJump, ToLeaveABinOutMustBeWorthATenth) {
+  // one bin between, almost of the lower side: without it the jump is larger by so much
+  const auto left_out = [](double above) {
+    const auto section = [above](double d) { return d < 0.06 ? 0.0 : d < 0.062 ? above - 0.01 : -0.01; };
+    const Jump jump = clearestJump(binsOf(section, 2e-4), kScales);
+    return jump.begin - jump.end;
+  };
+  EXPECT_EQ(left_out(0.0), 0U);
+  EXPECT_EQ(left_out(0.005), 1U);
+}
+
 TEST(ClearestJump, OfABankThatFallsEvenlyIsNone) {
   EXPECT_FALSE(clearestJump(binsOf([](double d) { return -0.37 * d; }), kScales).found());
   EXPECT_FALSE(clearestJump(binsOf([](double d) { return 0.05 - 0.1 * d; }), kScales).found());

@@ -72,5 +72,27 @@ TEST(FitStation, TheLevelOfASettledSlopeIsAsSureAsTheSlopeInTheMiddle) {
   EXPECT_NEAR(fit.sigma, 0.15 * 0.01, 0.00005);
 }
 
+/// How many times its own stretch a station looks at that may not look beyond two stations, where every n-th station
+/// has so many points.
+double sparseWindow(int points, int every) {
+  MadeFoot made;
+  made.options.widest_window = 0.2;
+  for (int s = 100 % every; s < 360; s += every) {
+    for (int i = 0; i < points; ++i) made.add(s * made.step(), 0.03 + 0.02 * i, i % 2 == 0 ? 0.002 : -0.002);
+  }
+  const Foot& foot = made.foot();
+  return fitStation(foot, 100, 0.0, padOf(0.003), priorsOf(1e-4, true)).half_width / foot.half_step;
+}
+
+TEST(FitStation, AWindowWithFewerThanEightPointsGrowsBeyondWhatWasAskedFor) {
+  // the outermost point of a station may lie on the surface's end and is not looked at
+  EXPECT_NEAR(sparseWindow(5, 1), std::pow(1.4, 3), 1e-9) << "twelve points in three stations";
+  EXPECT_NEAR(sparseWindow(3, 1), std::pow(1.4, 5), 1e-9) << "six in three, ten in five";
+}
+
+TEST(FitStation, ASparseWindowGrowsToFiveDegreesEitherWay) {
+  EXPECT_NEAR(sparseWindow(1, 3), std::pow(1.4, 7), 1e-9) << "half a degree times so much is 5.3";
+}
+
 }  // namespace
 }  // namespace tank_datum
