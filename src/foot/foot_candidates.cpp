@@ -135,8 +135,7 @@ void addParts(const std::vector<Bin>& run, const FootScales& scales, std::vector
   constexpr double kStep = 0.005, kLength = 0.2;  // of the reach
   std::vector<SectionBin> bins;
   for (const Bin& bin : run) bins.push_back({bin.d, bin.z, bin.error});
-  const double blur = 4.0 * scales.shell_noise;
-  const Jump jump = clearestJump(bins, {kStep * scales.reach, 2.0 * blur, kLength * scales.reach});
+  const Jump jump = clearestJump(bins, {kStep * scales.reach, 2.0 * scales.blur(), kLength * scales.reach});
   if (!jump.found()) {
     parts.push_back(run);
     return;
@@ -162,7 +161,7 @@ double endOfShell(const std::vector<FootPoint>& points, double noise) {
 
 std::vector<FootCandidate> findCandidates(const std::vector<FootPoint>& points, const FootScales& scales) {
   constexpr std::size_t kFewestPoints = 6;
-  const double near = std::max(scales.weld, 3.0 * scales.shell_noise);
+  const double near = scales.nearest();
   const std::vector<Bin> bins = binsOf(points, scales, near);
   const double end = endOfShell(points, scales.shell_noise);
   std::vector<FootCandidate> candidates;

@@ -22,11 +22,10 @@ struct Usual {
 
 /// What speaks against a stretch, 0 for none.
 double costOf(const FootCandidate& c, const Usual& usual, double reach) {
-  constexpr double kGap = 0.05;         // of the reach: a stretch that begins so much further out than usual
-  constexpr double kUsualSlope = 0.05;  // [m/m]
-  constexpr double kShellBelow =
-      0.004;                       // of the reach: shell seen that far below the stretch shows that it ends before
-  constexpr double kHidden = 0.2;  // of the reach: a shell seen no further down is hidden by something
+  constexpr double kGap = 0.05;          // of the reach: a stretch that begins so much further out than usual
+  constexpr double kUsualSlope = 0.05;   // [m/m]
+  constexpr double kShellBelow = 0.004;  // of the reach: the shell is seen that far below, so the stretch ends before
+  constexpr double kHidden = 0.2;        // of the reach: a shell seen no further down is hidden by something
   double cost = std::max(0.0, c.from - usual.from) / (kGap * reach);
   const double steep = std::max(0.0, std::abs(c.slope) - 2.0 * c.sigma_slope) / kUsualSlope;
   cost += 0.5 * steep * steep;

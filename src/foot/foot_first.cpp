@@ -15,9 +15,6 @@
 namespace tank_datum {
 namespace {
 
-/// Where the foundation begins: beyond the weld and the shell's noise [m].
-double nearestOf(const FootScales& scales) { return std::max(scales.weld, 3.0 * scales.shell_noise); }
-
 /// Whether a window's rows of points fill the section beside the shell well enough to tell its stretches apart.
 bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, double near) {
   constexpr std::size_t kCells = 10, kFilled = 7;  // of a fiftieth of the reach each
@@ -35,7 +32,7 @@ bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, do
 std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, const Tank& tank) {
   constexpr double kWidest = 5.0 * kPi / 180.0;  // half the arc that a sparse station may look at
   const FootScales& scales = foot.scales;
-  const double near = nearestOf(scales), direction = foot.directions[station], height = tank.foot(direction);
+  const double near = scales.nearest(), direction = foot.directions[station], height = tank.foot(direction);
   for (;; half = std::min(1.6 * half, kWidest)) {
     auto points = foot.ring.around(direction, half, height, foot.reach);
     for (FootPoint& p : points) p.z -= tank.foot(direction + p.t / foot.radius) - height;
@@ -72,7 +69,7 @@ std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
 /// nearest to the shell.
 FootElevations nearestToShell(const Foot& foot) {
   constexpr std::size_t kFew = 5;
-  const double near = nearestOf(foot.scales);
+  const double near = foot.scales.nearest();
   std::vector<double> guesses(foot.directions.size(), kUnknown);
   forEachIndex(guesses.size(), 0, [&](std::size_t i) {
     std::vector<double> heights;

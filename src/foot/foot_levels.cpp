@@ -129,12 +129,9 @@ OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<s
     if (!fit.valid()) continue;
     const double leverage = static_cast<double>(fit.points) * std::pow(fit.sigma / fit.noise, 2.0);
     fit.sigma = std::sqrt(fit.sigma * fit.sigma + rough * leverage);
-  }
-  for (std::size_t k = 0; k < stretches.size(); ++k) {
-    if (!own.fits[k].valid()) continue;
-    own.levels[stretches[k].middle()] = own.fits[k].z;
-    own.sigmas[stretches[k].middle()] = own.fits[k].sigma;
-    for (std::size_t i = 0; i < stretches[k].count; ++i) own.of_station[stretches[k].first + i] = &own.fits[k];
+    own.levels[stretches[k].middle()] = fit.z;
+    own.sigmas[stretches[k].middle()] = fit.sigma;
+    for (std::size_t i = 0; i < stretches[k].count; ++i) own.of_station[stretches[k].first + i] = &fit;
   }
   return own;
 }

@@ -38,8 +38,7 @@ Line robustLine(const FootProfile& profile, std::size_t first, std::size_t last)
 }
 
 /// The last bin before the section steps up or down for good: one stray bin is no step.
-/// @param mixed  width over which an edge may be blurred [m]
-std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first, double mixed) {
+std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first) {
   constexpr double kStep = 0.0025;  // the thinnest annular plates are 6 mm [m]
   constexpr double kLength = 0.06;  // of the lines on either side [m]
   std::vector<std::size_t> seen;
@@ -50,10 +49,8 @@ std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first, double
     bins.push_back({middle(profile, i), profile.height[i], profile.error[i]});
   }
   if (seen.empty()) return first;
-  for (Jump jump = clearestJump(bins, {kStep, mixed, kLength}); jump.found();
-       jump = clearestJump(bins, {kStep, mixed, kLength})) {
-    bins.resize(jump.end);
-  }
+  const JumpScales scales{kStep, 2.0 * profile.blur, kLength};
+  for (Jump jump = clearestJump(bins, scales); jump.found(); jump = clearestJump(bins, scales)) bins.resize(jump.end);
   return bins.size() == seen.size() ? seen.back() : seen[bins.size()] - 1;  // the surface may go on where none is seen
 }
 
@@ -73,7 +70,7 @@ double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double rea
   constexpr double kThickest = 0.03;  // annular plate [m]
   const std::size_t first = plate_end + 1 + static_cast<std::size_t>(std::ceil(2.0 * profile.blur / profile.bin));
   if (first >= profile.height.size()) return 0.0;
-  const std::size_t last = lastBeforeStep(profile, first, 2.0 * profile.blur);
+  const std::size_t last = lastBeforeStep(profile, first);
   if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
   const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
   return drop > 0.0 && drop < kThickest ? robustLine(profile, first, last).slope : 0.0;
@@ -121,7 +118,7 @@ Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t l
 
 /// The first bin that neither weld nor the shell's noise reaches.
 std::size_t firstBeyondWeld(const FootProfile& profile, const FootScales& scales) {
-  return static_cast<std::size_t>(std::max(scales.weld, 3.0 * scales.shell_noise) / profile.bin) + 1;
+  return static_cast<std::size_t>(scales.nearest() / profile.bin) + 1;
 }
 
 /// Reads the surface between two bins: noise, edge, kind, slope, and the band that is plainly it, with what is not seen
@@ -190,15 +187,15 @@ const char* nameOf(Surface surface) {
 FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, const std::vector<double>& datum,
                          const FootScales& scales) {
   FootProfile profile;
-  profile.blur = 4.0 * scales.shell_noise;
+  profile.blur = scales.blur();
   stackBins(profile, stations, datum, scales);
   const std::size_t bins = profile.height.size();
   std::size_t first = firstBeyondWeld(profile, scales);
   while (first < bins && !std::isfinite(profile.height[first])) ++first;
   if (first >= bins) return profile;
   // what is stacked right beside the shell may be stray points only: a surface is at least four bins wide
-  std::size_t last = lastBeforeStep(profile, first, 2.0 * profile.blur);
-  while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first, 2.0 * profile.blur);
+  std::size_t last = lastBeforeStep(profile, first);
+  while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first);
   if (last < first + 3) return profile;
   readSurface(profile, first, last, scales);
   const std::size_t end = lastOfRaised(profile, first, scales.reach);

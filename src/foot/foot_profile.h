@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "tank_datum/foot/refined.h"
@@ -17,6 +18,11 @@ struct FootScales {
   double reach;        ///< how far out the section goes [m]
   double shell_noise;  ///< of points about the shell [m]
   double weld;         ///< the largest fillet weld to expect in the corner [m]
+
+  /// Width over which an edge may be blurred [m].
+  double blur() const { return 4.0 * shell_noise; }
+  /// Where the foundation begins: beyond the weld and the shell's noise [m].
+  double nearest() const { return std::max(weld, 3.0 * shell_noise); }
 };
 
 /// Stacks the points of all stations, z relative to `datum` of their station, and finds the surface that meets the

@@ -6,7 +6,6 @@
 #include "core/statistics.h"
 
 namespace tank_datum {
-
 namespace {
 
 /// The bins with standard errors as large as they are seen to be: points of a bin lie in rows and on one patch of a

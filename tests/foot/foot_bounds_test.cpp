@@ -105,23 +105,29 @@ TEST(ProfileOf, PointsThirtyMillimetresOffTheFoundationAreSomethingElse) {
   EXPECT_EQ(kept(0.033), 2U);
 }
 
+/// The outliers of stations that are all fitted at 0 on one level section.
+std::vector<bool> outliersOfLevelRing(MadeFoot& made) {
+  Foot& foot = made.foot();
+  foot.points.resize(360);
+  const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
+  FootPass pass;
+  FootFit fit = fitAt(0.0, 0.0002);
+  fit.noise = 0.0004, fit.half_width = foot.half_step;
+  pass.fits.assign(360, fit);
+  pass.sections.stations = 360;
+  FootProfile& whole = pass.sections.whole;
+  whole.bin = 0.003, whole.band_from = 0.015, whole.noise = 0.0005, whole.band_to = whole.edge = 0.3;
+  pass.priors.slope.assign(360, 0.0);
+  return findOutliers(foot, elevations, pass);
+}
+
 /// Whether a station without a point of its own, between others of so many, is taken for something else.
 bool isOutlier(int count) {
   MadeFoot made;
   for (int s = 0; s < 360; ++s) {
     if (s != 50) made.addStation(s, count, 0.02, 0.28, [](double) { return 0.0; });
   }
-  Foot& foot = made.foot();
-  foot.points.assign(360, {});
-  const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
-  FootPass pass;
-  pass.fits.assign(360, fitAt(0.0, 0.0002));
-  FootSections& sections = pass.sections;
-  sections.stations = 360;
-  sections.whole.bin = 0.003, sections.whole.band_from = 0.015, sections.whole.noise = 0.0005;
-  sections.whole.band_to = sections.whole.edge = 0.3;
-  pass.priors.slope.assign(360, 0.0);
-  return findOutliers(foot, elevations, pass)[50];
+  return outliersOfLevelRing(made)[50];
 }
 
 /// The outliers of a level ring on which the shell is seen so far below so many stations, from the fiftieth on, by so
@@ -133,17 +139,7 @@ std::vector<bool> outliersWithShellBelow(double below, int count, int stations) 
     for (int i = 0; i < 12; ++i) made.add((s + 0.1) * made.step(), 0.0, 0.003 + 0.0015 * i);
     for (int i = 0; i < count; ++i) made.add((s - 0.2 + 0.05 * i) * made.step(), 0.0, -below);
   }
-  Foot& foot = made.foot();
-  const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
-  FootPass pass;
-  FootFit fit = fitAt(0.0, 0.0002);
-  fit.noise = 0.0004, fit.along = fit.bend = 0.0, fit.half_width = foot.half_step;
-  pass.fits.assign(360, fit);
-  pass.sections.stations = 360;
-  FootProfile& whole = pass.sections.whole;
-  whole.bin = 0.003, whole.band_from = 0.015, whole.noise = 0.0005, whole.band_to = whole.edge = 0.3;
-  pass.priors.slope.assign(360, 0.0);
-  return findOutliers(foot, elevations, pass);
+  return outliersOfLevelRing(made);
 }
 
 bool goesOnBelow(double below, int count) { return outliersWithShellBelow(below, count, 1)[50]; }
