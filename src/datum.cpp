@@ -16,6 +16,7 @@
 #include "locate/locate.h"
 #include "refusals.h"
 #include "setups/agreement.h"
+#include "setups/double_surface.h"
 #include "setups/setup_shares.h"
 #include "shape/analysis.h"
 #include "shell/shell_measures.h"
@@ -91,6 +92,11 @@ void shareErrors(Datum& datum, const Ring& ring) {
   const FootProfile& profile = datum.refined.profile;
   const FoundationBand band{profile.band_from, profile.band_to, profile.slope, profile.noise};
   const SetupShares shares = setupShares(ring, datum.tank, datum.stations, datum.circle.center, band);
+  if (ring.setupCount() == 1) {
+    const double doubled = doubleDisagreement(ring, datum.tank, datum.stations, datum.circle.center, band);
+    double& discrepancy = datum.agreement.unlabelled_discrepancy;
+    discrepancy = std::max(discrepancy, std::sqrt(2.0) * doubled);
+  }
   SharedErrors shared = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
   datum.covariance = std::move(shared.covariance);
   datum.stations = withParts(std::move(datum.stations), shared.stations);

@@ -60,8 +60,11 @@ SectionLine lineThrough(const std::vector<SectionBin>& bins, BinRange range, dou
     products += weight * d * (bins[i].z - line.height);
   }
   line.slope = products / squares;
-  line.variance = 1.0 / sum;
-  line.variance_slope = 1.0 / squares;
+  double misfit = line.slope * line.slope / (steepest * steepest);
+  for (std::size_t i = first; i < last; ++i) misfit += std::pow((bins[i].z - line.at(bins[i].d)) / bins[i].error, 2.0);
+  const double larger = std::max(1.0, misfit / std::max(1.0, static_cast<double>(last - first) - 1.0));
+  line.variance = larger / sum;
+  line.variance_slope = larger / squares;
   return line;
 }
 
@@ -70,6 +73,7 @@ Jump clearestJump(const std::vector<SectionBin>& given, const JumpScales& scales
   constexpr double kEach = 0.1;
   const std::vector<SectionBin> bins = withErrorsSeen(given);
   Jump clearest;
+  double best = 0.0;
   for (std::size_t end = 1; end < bins.size(); ++end) {
     std::size_t first = end - 1;
     while (first > 0 && bins[end - 1].d - bins[first - 1].d <= scales.length) --first;
@@ -82,8 +86,9 @@ Jump clearestJump(const std::vector<SectionBin>& given, const JumpScales& scales
       const double at = 0.5 * (bins[end - 1].d + bins[begin].d);
       const double error = 3.0 * std::sqrt(before.varianceAt(at) + after.varianceAt(at));
       const double over = std::abs(after.at(at) - before.at(at)) - scales.least - error;
-      const double wider = 1.0 + kEach * static_cast<double>(begin - end);  // to leave bins out must be worth it
-      if (over <= clearest.over * wider || isOneLine(bins, {first, end}, {begin, last}, scales.least)) continue;
+      const double worth = over / (1.0 + kEach * static_cast<double>(begin - end));  // to leave bins out costs
+      if (worth <= best || isOneLine(bins, {first, end}, {begin, last}, scales.least)) continue;
+      best = worth;
       clearest = {end, begin, over};
     }
   }

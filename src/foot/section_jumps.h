@@ -24,7 +24,8 @@ struct BinRange {
   std::size_t first, last;
 };
 
-/// Weighted least squares through bins, with the slope as one more observation of 0.
+/// Weighted least squares through bins, with the slope as one more observation of 0. Where bins lie further off the
+/// line than their errors allow, its variances are as much larger.
 /// @param steepest  standard error of that [m/m]
 SectionLine lineThrough(const std::vector<SectionBin>& bins, BinRange range, double steepest);
 

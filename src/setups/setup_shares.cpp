@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "setups/merged_scans.h"
 #include "setups/setup_system.h"
+#include "setups/station_cells.h"
 #include "stations/station_covariance.h"
 #include "tank_datum/core/unknown.h"
 
@@ -23,54 +24,21 @@ class CellCounts {
   /// Adds those within half a window of a cell's middle.
   void add(std::size_t cell, double half_window, Eigen::Ref<Eigen::RowVectorXd> foundation,
            Eigen::Ref<Eigen::RowVectorXd> shell) const;
-  std::size_t cellOf(double direction) const;
+  std::size_t cellOf(double direction) const { return cells_.cellOf(direction); }
   void count(const Ring& ring, const Eigen::Vector2d& center);
 
  private:
-  struct Level {
-    double radius, z;
-  };
-  /// Radius and elevation of the nearest station with both.
-  std::vector<Level> levels(const std::vector<Station>& stations) const;
-
-  std::size_t cells_;
-  double first_, step_, side_, reach_;
+  StationCells cells_;
+  double side_, reach_;
   FoundationBand band_;
-  std::vector<Level> levels_;
   Eigen::MatrixXd foundation_, shell_;  // [cells x setups]
 };
 
 CellCounts::CellCounts(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                        const FoundationBand& band)
-    : side_(tank.side == Side::Outside ? 1.0 : -1.0), reach_(ring.reach), band_(band) {
-  constexpr std::size_t kFewestCells = 360;
-  cells_ = stations.size() * ((kFewestCells + stations.size() - 1) / stations.size());
-  first_ = stations.front().direction;
-  step_ = kTwoPi / static_cast<double>(cells_);
-  levels_ = levels(stations);
+    : cells_(stations), side_(tank.side == Side::Outside ? 1.0 : -1.0), reach_(ring.reach), band_(band) {
   foundation_ = shell_ =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cells_), static_cast<Eigen::Index>(ring.setupCount()));
-}
-
-std::size_t CellCounts::cellOf(double direction) const {
-  const double turn = (direction - first_) / kTwoPi;
-  return static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * static_cast<double>(cells_))) % cells_;
-}
-
-std::vector<CellCounts::Level> CellCounts::levels(const std::vector<Station>& stations) const {
-  std::vector<Level> levels(cells_, {kUnknown, kUnknown});
-  for (const Station& s : stations) {
-    if (std::isfinite(s.z) && std::isfinite(s.radius)) levels[cellOf(s.direction)] = {s.radius, s.z};
-  }
-  const std::vector<Level> known = levels;
-  for (std::size_t i = 0; i < cells_; ++i) {
-    for (std::size_t away = 1; away < cells_ / 2 && std::isnan(levels[i].z); ++away) {
-      for (const std::size_t j : {(i + away) % cells_, (i + cells_ - away) % cells_}) {
-        if (std::isnan(levels[i].z) && std::isfinite(known[j].z)) levels[i] = known[j];
-      }
-    }
-  }
-  return levels;
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cells_.count()), static_cast<Eigen::Index>(ring.setupCount()));
 }
 
 void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
@@ -81,7 +49,7 @@ void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     const Eigen::Vector2d arm = ring.points[i].head<2>() - center;
     const std::size_t cell = cellOf(std::atan2(arm.y(), arm.x()));
-    const Level& level = levels_[cell];
+    const StationLevel& level = cells_.level(cell);
     const double d = side_ * (arm.norm() - level.radius), h = ring.points[i].z() - level.z;
     const auto row = static_cast<Eigen::Index>(cell), column = static_cast<Eigen::Index>(ring.setupOf(i));
     if (d >= band_.from && d <= band_.to && std::abs(h - band_.slope * d) < near) {
@@ -94,9 +62,10 @@ void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
 
 void CellCounts::add(std::size_t cell, double half_window, Eigen::Ref<Eigen::RowVectorXd> foundation,
                      Eigen::Ref<Eigen::RowVectorXd> shell) const {
-  const auto beside = static_cast<std::size_t>(std::max(0.0, std::floor(half_window / step_ + 1e-9)));
-  for (std::size_t k = 0; k <= 2 * std::min(beside, cells_ / 2 - 1); ++k) {
-    const auto row = static_cast<Eigen::Index>((cell + cells_ + k - std::min(beside, cells_ / 2 - 1)) % cells_);
+  const std::size_t count = cells_.count();
+  const auto beside = static_cast<std::size_t>(std::max(0.0, std::floor(half_window / cells_.step() + 1e-9)));
+  for (std::size_t k = 0; k <= 2 * std::min(beside, count / 2 - 1); ++k) {
+    const auto row = static_cast<Eigen::Index>((cell + count + k - std::min(beside, count / 2 - 1)) % count);
     foundation += foundation_.row(row);
     shell += shell_.row(row);
   }

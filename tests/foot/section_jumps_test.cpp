@@ -78,6 +78,26 @@ TEST(ClearestJump, ToLeaveABinOutMustBeWorthATenth) {
   EXPECT_EQ(left_out(0.005), 1U);
 }
 
+TEST(ClearestJump, OfAnEdgeWhoseFaceIsSeenIsAtTheEdge) {
+  // a plate 10 mm thick; three bins hold points of its face, one its face and the ringwall [mm]
+  const std::vector<double> heights = {0.02,  -0.07, -0.01, 0.05,  0.03,  0.00,  0.02,  -0.05, 0.06,
+                                       -0.05, -0.02, 0.00,  0.00,  -0.04, -0.12, -4.46, -4.90, -5.23,
+                                       -9.39, -10.0, -10.0, -10.0, -10.0, -10.0, -10.1, -10.0, -10.0};
+  std::vector<SectionBin> bins;
+  for (const double height : heights)
+    bins.push_back({0.0165 + 0.003 * static_cast<double>(bins.size()), 1e-3 * height, 4e-5});
+  EXPECT_EQ(clearestJump(bins, {0.0025, 0.009, 0.06}).end, 15U);
+}
+
+TEST(LineThrough, IsKnownNoBetterThanBinsLieOnIt) {
+  // alternating by two standard errors: of n bins the misfit is 4 n / (n - 1) of what errors explain
+  std::vector<SectionBin> bins;
+  for (int i = 0; i < 20; ++i) bins.push_back({0.003 * i, i % 2 == 0 ? 0.0002 : -0.0002, 1e-4});
+  EXPECT_NEAR(lineThrough(bins, {0, 20}, 0.05).variance, 1e-8 / 20.0 * 4.0 * 20.0 / 19.0, 5e-11);
+  for (SectionBin& bin : bins) bin.z = 0.0;
+  EXPECT_NEAR(lineThrough(bins, {0, 20}, 0.05).variance, 1e-8 / 20.0, 1e-15) << "never better than their errors say";
+}
+
 TEST(ClearestJump, OfABankThatFallsEvenlyIsNone) {
   EXPECT_FALSE(clearestJump(binsOf([](double d) { return -0.37 * d; }), kScales).found());
   EXPECT_FALSE(clearestJump(binsOf([](double d) { return 0.05 - 0.1 * d; }), kScales).found());

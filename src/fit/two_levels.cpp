@@ -1,0 +1,81 @@
+#include "fit/two_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/statistics.h"
+
+namespace tank_datum {
+namespace {
+
+/// Sums of the values weighted by how likely they belong to the lower level.
+struct Split {
+  double weight = 0, low = 0, high = 0, log_likelihood = 0;
+};
+
+/// How the model divides the values between its levels, and how likely it makes them but for a constant.
+Split divide(const TwoLevels& model, const std::vector<double>& values) {
+  Split split;
+  for (const double v : values) {
+    const double a = (v - model.low) / model.sigma, b = (v - model.high) / model.sigma;
+    // relative to the larger of the two densities, so that neither is lost far out
+    const double least = std::min(a * a, b * b);
+    const double low = model.share * std::exp(-0.5 * (a * a - least));
+    const double high = (1.0 - model.share) * std::exp(-0.5 * (b * b - least));
+    const double weight = low / (low + high);
+    split.weight += weight;
+    split.low += weight * v;
+    split.high += (1.0 - weight) * v;
+    split.log_likelihood += std::log(low + high) - 0.5 * least - std::log(model.sigma);
+  }
+  return split;
+}
+
+/// One step of the EM algorithm.
+TwoLevels improved(const Split& split, double squares, double count) {
+  TwoLevels next;
+  next.share = split.weight / count;
+  next.low = split.low / split.weight;
+  next.high = split.high / (count - split.weight);
+  const double explained = split.weight * next.low * next.low + (count - split.weight) * next.high * next.high;
+  next.sigma = std::sqrt((squares - explained) / count);
+  return next;
+}
+
+}  // namespace
+
+bool TwoLevels::isHigh(double value) const {
+  const double middle = 0.5 * (low + high), shift = sigma * sigma / apart() * std::log(share / (1.0 - share));
+  return value > middle + shift;
+}
+
+TwoLevels fitTwoLevels(const std::vector<double>& values) {
+  constexpr int kSteps = 40;
+  const auto count = static_cast<double>(values.size());
+  double mean = 0, squares = 0;
+  for (const double v : values) mean += v / count;
+  for (const double v : values) squares += (v - mean) * (v - mean);
+  std::vector<double> centred;
+  for (const double v : values) centred.push_back(v - mean);
+  const double alone = std::sqrt(squares / count);
+  const double single = -count * std::log(alone) - 0.5 * count;
+  TwoLevels best;
+  best.sigma = alone;
+  for (const double share : {0.2, 0.5, 0.8}) {
+    TwoLevels model{share, quantile(centred, 0.5 * share), quantile(centred, 0.5 + 0.5 * share), 0.5 * alone, 0.0};
+    Split split = divide(model, centred);
+    for (int step = 0; step < kSteps && split.weight > 1.0 && count - split.weight > 1.0; ++step) {
+      model = improved(split, squares, count);
+      if (!(model.sigma > 1e-6 * alone)) break;
+      split = divide(model, centred);
+    }
+    model.gain = split.log_likelihood - single;
+    if (model.gain > best.gain) best = model;
+  }
+  best.low += mean;
+  best.high += mean;
+  return best;
+}
+
+}  // namespace tank_datum
