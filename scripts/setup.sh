@@ -21,6 +21,9 @@ apt_install() {
 # configure: makes the build folder $build once, with the options in TANK_DATUM_CMAKE_OPTIONS.
 build="$root/build"
 configure() {
+  # of the same sources the programs and the Python module are built, with the same flags: ccache compiles them once
+  apt_install ccache
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
   apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
     libgtest-dev python3 libvtk9-dev libx11-dev node-d3
   [ ! -f "$build/build.ninja" ] || return 0
@@ -50,9 +53,13 @@ python_environment() {
 python_module() {
   local stamp="$root/.venv/tank_datum.installed" sources=(CMakeLists.txt src include apps scripts/pyproject.toml)
   [ -f "$stamp" ] && [ -z "$(cd "$root" && find "${sources[@]}" -newer "$stamp" -print -quit)" ] && return
-  apt_install python3-dev
+  apt_install python3-dev ccache
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
   say "building the Python module into .venv/"
   touch "$stamp.begun"
-  "$root/.venv/bin/pip" install --quiet --disable-pip-version-check --force-reinstall --no-deps "$root/scripts" >&2
+  local options=()
+  case "${TANK_DATUM_CMAKE_OPTIONS:-}" in *WERROR=ON*) options=(--config-settings=cmake.define.TANK_DATUM_WERROR=ON) ;; esac
+  CC=cc CXX=c++ "$root/.venv/bin/pip" install --quiet --disable-pip-version-check --force-reinstall --no-deps \
+    "${options[@]}" "$root/scripts" >&2
   mv "$stamp.begun" "$stamp"
 }
