@@ -3,6 +3,7 @@
 
 #include "background_records.h"
 #include "command_line.h"
+#include "core/parallel.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "exit_status.h"
@@ -47,7 +48,8 @@ std::vector<Datum> extract(const Command& command, const std::optional<Baseline>
   clock.begin("open");
   const double metres = command.metresPerUnit();
   if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.datum)};
-  Scan scan = Scan::open(command.scans, metres);
+  const ThreadScope threads(command.datum.threads);
+  Scan scan = Scan::open(command.scans, metres, command.reading);
   if (command.up != "z") scan = scan.turned(upRotation(command.up));
   scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
   callbacks.tanks = [&](const std::vector<Tank>& tanks) {
@@ -79,6 +81,7 @@ Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, c
                     const Command& command) {
   Provenance provenance = provenanceOf(files, command.units, command.datum, datum);
   provenance.up = command.up;
+  provenance.reading = command.reading;
   provenance.baseline = command.baseline;
   provenance.movement_options = command.movement;
   if (!baseline || !datum.usable()) return provenance;

@@ -13,6 +13,20 @@ Error unreadable(const std::string& flag, const std::string& typed, const std::s
   return Error(Error::Kind::Option, "command line", {flag, typed, expected});
 }
 
+/// The numbers between commas.
+template <typename Number>
+std::vector<Number> listFrom(const std::string& flag, const std::string& typed, const char* expected) {
+  std::vector<Number> numbers;
+  std::istringstream in(typed);
+  for (std::string cell; std::getline(in, cell, ',');) {
+    std::istringstream text(cell);
+    Number number = 0;
+    if (!(text >> number) || !(text >> std::ws).eof()) throw unreadable(flag, typed, expected);
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 double lengthFrom(const std::string& flag, const std::string& typed) {
@@ -39,15 +53,11 @@ Circle circleFrom(const std::string& flag, const std::string& typed) {
 }
 
 std::vector<double> numbersFrom(const std::string& flag, const std::string& typed) {
-  std::vector<double> numbers;
-  std::istringstream in(typed);
-  for (std::string cell; std::getline(in, cell, ',');) {
-    std::istringstream text(cell);
-    double number = 0;
-    if (!(text >> number) || !(text >> std::ws).eof()) throw unreadable(flag, typed, "H,H,... in metres");
-    numbers.push_back(number);
-  }
-  return numbers;
+  return listFrom<double>(flag, typed, "H,H,... in metres");
+}
+
+std::vector<int> codesFrom(const std::string& flag, const std::string& typed) {
+  return listFrom<int>(flag, typed, "whole numbers C,C,...");
 }
 
 }  // namespace tank_datum

@@ -16,5 +16,7 @@ double lengthFrom(const std::string& flag, const std::string& typed);
 Circle circleFrom(const std::string& flag, const std::string& typed);
 /// "H,H,..."; none of an empty text.
 std::vector<double> numbersFrom(const std::string& flag, const std::string& typed);
+/// "C,C,...", whole numbers; none of an empty text.
+std::vector<int> codesFrom(const std::string& flag, const std::string& typed);
 
 }  // namespace tank_datum

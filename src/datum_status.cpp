@@ -17,9 +17,9 @@ namespace {
 /// A word on coordinates too coarse for a datum of a fraction of a millimetre.
 void warnOfSteps(Datum& datum) {
   constexpr double kCoarse = 0.001;  // [m]
-  if (datum.coordinate_step < kCoarse) return;
+  if (datum.coordinate_step <= kCoarse) return;
   char text[96];
-  std::snprintf(text, sizeof text, "its 4-byte coordinates have steps of %g mm here: store 8-byte ones",
+  std::snprintf(text, sizeof text, "its coordinates have steps of %g mm here: store 8-byte ones, or a finer scale",
                 1000.0 * datum.coordinate_step);
   addClause(datum.message, text);
 }
@@ -67,7 +67,7 @@ ScanCounts countsOf(const Scan& scan, int threads) {
 Datum withoutTank(const Scan& scan, const DatumOptions& options) {
   Datum datum = startDatum(scan);
   datum.counts = countsOf(scan, options.threads);
-  const std::uint64_t finite = datum.counts.points - datum.counts.invalid;
+  const std::uint64_t finite = datum.counts.kept();
   if (finite < static_cast<std::uint64_t>(options.normals.k)) {
     return endDatum(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
   }

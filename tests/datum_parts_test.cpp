@@ -39,7 +39,8 @@ TEST(EndDatum, CoordinatesInStepsOfAMillimetreAreTold) {
     return endDatum(datum, Status::NoTank, "").message;
   };
   EXPECT_EQ(message(0.0008), "");
-  EXPECT_EQ(message(0.0015), "its 4-byte coordinates have steps of 1.5 mm here: store 8-byte ones");
+  EXPECT_EQ(message(0.001), "");  // the usual scale of LAS
+  EXPECT_EQ(message(0.0015), "its coordinates have steps of 1.5 mm here: store 8-byte ones, or a finer scale");
 }
 
 TEST(DoubtfulUnits, NoTankHasThreeHundredMetresOfDiameter) {

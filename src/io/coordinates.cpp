@@ -16,21 +16,56 @@ double loadAs(const char* from) {
   return static_cast<double>(value);
 }
 
+/// Of the other byte order.
+template <typename T>
+double loadSwapped(const char* from) {
+  char bytes[sizeof(T)];
+  std::reverse_copy(from, from + sizeof(T), bytes);
+  return loadAs<T>(bytes);
+}
+
 using Load = double (*)(const char*);
 
-Load loadOf(const CoordinateColumn& column) {
-  if (column.type == 'F') return column.size == 4 ? loadAs<float> : loadAs<double>;
-  const bool is_signed = column.type == 'I';
-  switch (column.size) {
+template <typename T>
+Load loadOf(bool swapped) {
+  return swapped ? loadSwapped<T> : loadAs<T>;
+}
+
+/// Of the number as it is stored, without its scale.
+Load loadOf(const StoredNumber& number) {
+  const bool swapped = number.swapped;
+  if (number.type == 'F') return number.size == 4 ? loadOf<float>(swapped) : loadOf<double>(swapped);
+  const bool is_signed = number.type == 'I';
+  switch (number.size) {
     case 1:
       return is_signed ? loadAs<std::int8_t> : loadAs<std::uint8_t>;
     case 2:
-      return is_signed ? loadAs<std::int16_t> : loadAs<std::uint16_t>;
+      return is_signed ? loadOf<std::int16_t>(swapped) : loadOf<std::uint16_t>(swapped);
     case 4:
-      return is_signed ? loadAs<std::int32_t> : loadAs<std::uint32_t>;
+      return is_signed ? loadOf<std::int32_t>(swapped) : loadOf<std::uint32_t>(swapped);
     default:
-      return is_signed ? loadAs<std::int64_t> : loadAs<std::uint64_t>;
+      return is_signed ? loadOf<std::int64_t>(swapped) : loadOf<std::uint64_t>(swapped);
   }
+}
+
+/// A stored number, scaled where it is.
+struct LoadNumber {
+  Load load;
+  bool scaled;
+  double scale, shift;
+
+  explicit LoadNumber(const StoredNumber& number)
+      : load(loadOf(number)), scaled(number.scaled), scale(number.scale), shift(number.shift) {}
+  double operator()(const char* from) const { return scaled ? load(from) * scale + shift : load(from); }
+};
+
+bool allFinite(const CoordinateColumns& xyz, const Frame& frame) {
+  constexpr double kLargest = 0x1p64;  // of what is stored as a whole number
+  return std::all_of(xyz.begin(), xyz.end(), [&frame](const CoordinateColumn& column) {
+    const StoredNumber& number = column.number;
+    const double most = std::abs(number.scale) * kLargest + std::abs(number.shift);
+    return number.type != 'F' && std::isfinite(most * frame.metres_per_unit);
+  });
 }
 
 /// The loop itself; load(axis, from) is inlined where the type is known when compiling.
@@ -60,16 +95,28 @@ void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& fra
   if (rows == 0) return points.clear();
   points.resize(rows);
   double* to = points.front().data();
-  const std::array<Load, 3> loads = {loadOf(xyz[0]), loadOf(xyz[1]), loadOf(xyz[2])};
-  const auto all_are = [&](Load one) { return loads[0] == one && loads[1] == one && loads[2] == one; };
+  const auto all_are = [&](Load one, bool scaled) {
+    return std::all_of(xyz.begin(), xyz.end(), [&](const CoordinateColumn& column) {
+      return loadOf(column.number) == one && column.number.scaled == scaled;
+    });
+  };
   std::size_t kept = 0;
-  if (all_are(loadAs<float>)) {
+  if (all_are(loadAs<float>, false)) {
     kept = decode(
         xyz, rows, frame, [](int, const char* from) { return loadAs<float>(from); }, to);
-  } else if (all_are(loadAs<double>)) {
+  } else if (all_are(loadAs<double>, false)) {
     kept = decode(
         xyz, rows, frame, [](int, const char* from) { return loadAs<double>(from); }, to);
+  } else if (all_are(loadAs<std::int32_t>, true)) {
+    const std::array<double, 3> scales = {xyz[0].number.scale, xyz[1].number.scale, xyz[2].number.scale};
+    const std::array<double, 3> shifts = {xyz[0].number.shift, xyz[1].number.shift, xyz[2].number.shift};
+    const auto load = [&](std::size_t axis, const char* from) {
+      return loadAs<std::int32_t>(from) * scales[axis] + shifts[axis];
+    };
+    kept = decode(xyz, rows, frame, load, to);
   } else {
+    const std::array<LoadNumber, 3> loads = {LoadNumber(xyz[0].number), LoadNumber(xyz[1].number),
+                                             LoadNumber(xyz[2].number)};
     kept = decode(
         xyz, rows, frame, [&](std::size_t axis, const char* from) { return loads[axis](from); }, to);
   }
@@ -85,11 +132,13 @@ std::uint32_t labelOf(double value) {
 void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, std::size_t rows, const Frame& frame,
                   Labels& labels) {
   labels.clear();
-  const std::array<Load, 3> loads = {loadOf(xyz[0]), loadOf(xyz[1]), loadOf(xyz[2])};
-  const Load load = loadOf(label);
+  const std::array<LoadNumber, 3> loads = {LoadNumber(xyz[0].number), LoadNumber(xyz[1].number),
+                                           LoadNumber(xyz[2].number)};
+  const LoadNumber load(label.number);
+  const bool all_finite = allFinite(xyz, frame);
   for (std::size_t i = 0; i < rows; ++i) {
     bool finite = true;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3 && !all_finite; ++axis) {
       const double stored = loads[axis](xyz[axis].first + i * xyz[axis].stride);
       finite = finite && std::isfinite(stored * frame.metres_per_unit - frame.origin[static_cast<Eigen::Index>(axis)]);
     }
@@ -98,7 +147,10 @@ void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, s
 }
 
 std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame) {
-  const auto is_float = [](const CoordinateColumn& column) { return column.type == 'F' && column.size == 4; };
+  if (allFinite(xyz, frame)) return 0;
+  const auto is_float = [](const CoordinateColumn& column) {
+    return column.number.type == 'F' && column.number.size == 4 && !column.number.swapped;
+  };
   const bool stays_finite =
       std::isfinite(frame.metres_per_unit * static_cast<double>(std::numeric_limits<float>::max()));
   if (!std::all_of(xyz.begin(), xyz.end(), is_float) || !stays_finite) {
@@ -118,6 +170,14 @@ std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const F
     finite += is_finite(x) & is_finite(y) & is_finite(z);
   }
   return rows - finite;
+}
+
+double stepAt(const StoredNumber& number, double value) {
+  if (number.scaled) return number.scale;
+  if (number.type != 'F') return 0.0;
+  if (number.size == 8) return std::nextafter(value, HUGE_VAL) - value;
+  const float stored = static_cast<float>(value);
+  return static_cast<double>(std::nextafter(stored, HUGE_VALF)) - static_cast<double>(stored);
 }
 
 }  // namespace tank_datum

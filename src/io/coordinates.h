@@ -3,16 +3,24 @@
 #include <array>
 #include <cstddef>
 
-#include "io/pcd_data.h"
+#include "io/block.h"
 
 namespace tank_datum {
 
-/// One coordinate of many rows somewhere in memory, unaligned.
+/// How a number is stored. Stored numbers are in the byte order of this machine unless swapped.
+struct StoredNumber {
+  char type = 'F';  ///< 'F' float, 'I' signed, 'U' unsigned
+  int size = 4;     ///< bytes
+  bool swapped = false;
+  bool scaled = false;  ///< stored * scale + shift is meant; of type I and 4 bytes, not swapped, alone
+  double scale = 1.0, shift = 0.0;
+};
+
+/// One number of many rows somewhere in memory, unaligned.
 struct CoordinateColumn {
   const char* first = nullptr;
   std::size_t stride = 0;  ///< bytes from one row to the next
-  char type = 'F';
-  int size = 4;  ///< bytes
+  StoredNumber number = {};
 };
 
 /// Appends the point if all of it is finite in the frame, else returns false.
@@ -37,5 +45,8 @@ void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, s
 
 /// How many of the rows decodeRows would leave out.
 std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame);
+
+/// From a value to the next that can be stored, both in the file's units; 0 of whole numbers without a scale.
+double stepAt(const StoredNumber& number, double value);
 
 }  // namespace tank_datum

@@ -1,13 +1,11 @@
-#include <charconv>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <string_view>
 
 #include "io/coordinates.h"
 #include "io/io_error.h"
 #include "io/pcd_data.h"
+#include "io/text_number.h"
 
 namespace tank_datum {
 namespace {
@@ -64,41 +62,14 @@ class LineReader {
   bool terminated_ = true;
 };
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-const char* skipBlanks(const char* at, const char* end) {
-  while (at != end && isBlank(*at)) ++at;
-  return at;
-}
-
 Error rowError(const InputFile& file, std::uint64_t row, const std::string& value, const std::string& expected) {
   return fileError("row " + std::to_string(row), file.path(), value, expected);
 }
 
-/// Behind what the C library of Windows wrote for a number that is not finite, 1.#QNAN or -1.#IND00, of which [at, end)
-/// begins with the #; null if it is none.
-const char* skipNotFinite(const char* at, const char* end) {
-  const std::string_view rest(at, static_cast<std::size_t>(end - at));
-  for (const std::string_view word : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
-    if (rest.substr(0, word.size()) != word) continue;
-    at += word.size();
-    while (at != end && *at == '0') ++at;
-    return at;
-  }
-  return nullptr;
-}
-
 /// The number at the beginning of [at, end), which blanks, a comma or the end must follow; else null.
-const char* parseNumber(const char* at, const char* end, double& value) {
-  if (end - at > 1 && *at == '+' && at[1] != '-') ++at;
-  auto [stop, code] = std::from_chars(at, end, value);
-  if (code == std::errc() && stop != end && *stop == '#' && std::abs(value) == 1.0) {
-    stop = skipNotFinite(stop, end);
-    if (stop == nullptr) return nullptr;
-    value = std::numeric_limits<double>::quiet_NaN();
-  }
-  const bool whole = stop == end || isBlank(*stop) || *stop == ',';
-  return code == std::errc() && whole ? stop : nullptr;
+const char* parseValue(const char* at, const char* end, double& value) {
+  const char* stop = parseNumber(at, end, value);
+  return stop != nullptr && (stop == end || isBlank(*stop) || *stop == ',') ? stop : nullptr;
 }
 
 /// Reads at most values.size() numbers; returns how many the line has, one more if there is something behind them.
@@ -108,7 +79,7 @@ std::size_t parseRow(std::string_view line, std::uint64_t row, const InputFile& 
   if (at != end && *at == '#') return 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (at == end) return i;
-    const char* stop = parseNumber(at, end, values[i]);
+    const char* stop = parseValue(at, end, values[i]);
     if (stop == nullptr) {
       const std::string_view rest(at, static_cast<std::size_t>(end - at));
       throw rowError(file, row, "\"" + echo(rest.substr(0, rest.find_first_of(" \t\r,", 1))) + "\"", "a number");
@@ -122,7 +93,7 @@ std::size_t parseRow(std::string_view line, std::uint64_t row, const InputFile& 
 bool beginsWithNumber(std::string_view line) {
   const char* end = line.data() + line.size();
   double value = 0.0;
-  return parseNumber(skipBlanks(line.data(), end), end, value) != nullptr;
+  return parseValue(skipBlanks(line.data(), end), end, value) != nullptr;
 }
 
 Error countError(const InputFile& file, const PcdHeader& header, const std::string& rows) {

@@ -11,47 +11,18 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kBlockBytes = std::size_t{4} << 20;  // wide rows: fewer of them to a block
-
-std::size_t rowsPerBlock(const PcdHeader& header) {
-  return std::clamp<std::size_t>(kBlockBytes / header.row_bytes, 1, kBlockRows);
-}
-
-/// x, y and z of the chosen ones of rows stored one after the other.
-CoordinateColumns columnsOfRows(const PcdHeader& header, const char* rows, const RowChoice& choice) {
-  CoordinateColumns xyz;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const PcdColumn& column = header.columns[header.xyz[axis]];
-    xyz[axis] = {rows + choice.first * header.row_bytes + column.offset, choice.step * header.row_bytes, column.type,
-                 column.size};
-  }
-  return xyz;
-}
-
 /// x, y and z of fields stored one after the other, from row begin on.
 CoordinateColumns columnsOfFields(const PcdHeader& header, const char* fields, std::size_t begin) {
   CoordinateColumns xyz;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PcdColumn& column = header.columns[header.xyz[axis]];
     const auto stride = static_cast<std::size_t>(column.size);
-    xyz[axis] = {fields + column.offset * header.points + begin * stride, stride, column.type, column.size};
+    xyz[axis] = {fields + column.offset * header.points + begin * stride, stride, {column.type, column.size}};
   }
   return xyz;
 }
 
-CoordinateColumn columnOf(const PcdColumn& column, const char* first, std::size_t stride) {
-  return {first, stride, column.type, column.size};
-}
-
-ScanCounts visitBinary(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit) {
-  ScanCounts counts;
-  BlockBuffer buffer;
-  for (std::uint64_t block = 0; block < binaryBlockCount(header); ++block) {
-    counts += decodeBinaryBlock(file, header, frame, {block}, buffer);
-    if (!buffer.points.empty() && !visit(buffer.points, buffer.labels)) break;
-  }
-  return counts;
-}
+RecordColumn columnOf(const PcdColumn& column) { return {column.offset, {column.type, column.size}}; }
 
 /// The fields of a compressed file, not initialised first: they may be gigabytes.
 std::unique_ptr<char[]> decompress(const InputFile& file, const PcdHeader& header) {
@@ -66,6 +37,19 @@ std::unique_ptr<char[]> decompress(const InputFile& file, const PcdHeader& heade
                     "LZF data of " + std::to_string(size) + " bytes");
   }
   return fields;
+}
+
+}  // namespace
+
+RecordRows recordRowsOf(const PcdHeader& header) {
+  RecordRows records{header.data_offset, header.points, header.row_bytes, xyzOf(header), {}, {}};
+  if (header.label) records.label = columnOf(header.columns[*header.label]);
+  return records;
+}
+
+std::array<RecordColumn, 3> xyzOf(const PcdHeader& header) {
+  return {columnOf(header.columns[header.xyz[0]]), columnOf(header.columns[header.xyz[1]]),
+          columnOf(header.columns[header.xyz[2]])};
 }
 
 ScanCounts visitCompressed(const InputFile& file, const PcdHeader& header, const Frame& frame,
@@ -83,50 +67,12 @@ ScanCounts visitCompressed(const InputFile& file, const PcdHeader& header, const
       const PcdColumn& column = header.columns[*header.label];
       const auto stride = static_cast<std::size_t>(column.size);
       const char* first = fields.get() + column.offset * header.points + counts.points * stride;
-      decodeLabels(columnOf(column, first, stride), xyz, rows, frame, labels);
+      decodeLabels({first, stride, {column.type, column.size}}, xyz, rows, frame, labels);
     }
     counts += {rows, rows - points.size()};
     if (!points.empty() && !visit(points, labels)) break;
   }
   return counts;
-}
-
-}  // namespace
-
-std::uint64_t binaryBlockCount(const PcdHeader& header) {
-  const std::size_t rows = rowsPerBlock(header);
-  return header.points / rows + (header.points % rows != 0 ? 1 : 0);
-}
-
-ScanCounts decodeBinaryBlock(const InputFile& file, const PcdHeader& header, const Frame& frame,
-                             const BlockRows& chosen, BlockBuffer& buffer) {
-  const RowChoice& choice = chosen.choice;
-  const std::uint64_t begin = chosen.block * rowsPerBlock(header);
-  const std::size_t rows = std::min<std::size_t>(rowsPerBlock(header), header.points - begin);
-  buffer.bytes.resize(rows * header.row_bytes);
-  file.read(header.data_offset + begin * header.row_bytes, buffer.bytes.data(), buffer.bytes.size());
-  const CoordinateColumns xyz = columnsOfRows(header, buffer.bytes.data(), choice);
-  decodeRows(xyz, choice.of(rows), frame, buffer.points);
-  buffer.labels.clear();  // of the file that the buffer held before
-  if (header.label) {
-    const PcdColumn& column = header.columns[*header.label];
-    const char* first = buffer.bytes.data() + choice.first * header.row_bytes + column.offset;
-    decodeLabels(columnOf(column, first, choice.step * header.row_bytes), xyz, choice.of(rows), frame, buffer.labels);
-  }
-  if (choice.step == 1) return {rows, rows - buffer.points.size()};
-  return {rows, countInvalid(columnsOfRows(header, buffer.bytes.data(), {}), rows, frame)};
-}
-
-ScanCounts visitPcd(const InputFile& file, const PcdHeader& header, const Frame& frame, const BlockVisitor& visit) {
-  switch (header.encoding) {
-    case PcdEncoding::Ascii:
-      return visitAscii(file, header, frame, visit);
-    case PcdEncoding::Binary:
-      return visitBinary(file, header, frame, visit);
-    case PcdEncoding::BinaryCompressed:
-      return visitCompressed(file, header, frame, visit);
-  }
-  return {};
 }
 
 }  // namespace tank_datum

@@ -12,6 +12,7 @@
 #include "io/io_error.h"
 #include "io/pcd_lines.h"
 #include "io/pcd_size.h"
+#include "io/setup_labels.h"
 
 namespace tank_datum {
 namespace {
@@ -114,7 +115,7 @@ void findXyz(const PcdLines& lines, PcdHeader& header) {
 
 /// The first of the names that a field of one value a row has.
 void findLabel(PcdHeader& header) {
-  for (const char* name : {"setup", "scan_id", "point_source_id"}) {
+  for (const char* name : kSetupLabels) {
     for (std::size_t i = 0; i < header.columns.size() && !header.label; ++i) {
       if (header.columns[i].name == name && header.columns[i].count == 1) header.label = i;
     }

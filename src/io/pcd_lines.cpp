@@ -31,12 +31,17 @@ bool isKeyword(std::string_view word) {
   return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
 }
 
+/// A keyword in upper case, by its present name.
+std::string keywordOf(std::string_view word) {
+  const std::string key = inCase(word, std::toupper);
+  return key == "COLUMNS" ? "FIELDS" : key;
+}
+
 /// Takes one line in; true when it is the last (DATA).
 bool addLine(std::string_view line, std::size_t line_number, PcdLines& lines) {
   Words words = splitWords(line);
   if (words.empty() || words[0][0] == '#') return false;
-  std::string key = inCase(words[0], std::toupper);
-  if (key == "COLUMNS") key = "FIELDS";
+  std::string key = keywordOf(words[0]);
   if (!isKeyword(key)) {
     throw fileError("header line " + std::to_string(line_number), lines.path, "\"" + echo(line) + "\"",
                     "VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS or DATA");
@@ -49,6 +54,11 @@ bool addLine(std::string_view line, std::size_t line_number, PcdLines& lines) {
 }
 
 }  // namespace
+
+bool beginsWithPcdKeyword(std::string_view line) {
+  const Words words = splitWords(line);
+  return !words.empty() && isKeyword(keywordOf(words[0]));
+}
 
 std::string inCase(std::string_view word, int (*to_case)(int)) {
   std::string changed(word);

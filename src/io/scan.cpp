@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/point_extent.h"
+#include "io/scan_format.h"
 #include "io/scan_source.h"
 #include "tank_datum/core/error.h"
 
@@ -37,6 +38,13 @@ Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>
                 : Eigen::Vector3d::Zero();
 }
 
+void requireClasses(const std::vector<int>& classes) {
+  for (const int code : classes) {
+    if (code >= 0 && code <= 255) continue;
+    throw Error(Error::Kind::Option, "io", "las_classes", std::to_string(code), "codes from 0 to 255");
+  }
+}
+
 const Points& turnInto(Points& turned, const Points& points, const Eigen::Matrix3d& rotation) {
   turned.clear();
   for (const Eigen::Vector3d& p : points) turned.push_back(rotation * p);
@@ -45,14 +53,15 @@ const Points& turnInto(Points& turned, const Points& points, const Eigen::Matrix
 
 }  // namespace
 
-Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit) {
+Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit, const ScanOptions& options) {
   if (paths.empty()) throw Error(Error::Kind::Option, "io", "scans", "none", "at least one file");
   if (!(metres_per_unit > 0.0 && std::isfinite(metres_per_unit))) {
     throw Error(Error::Kind::Option, "io", "metres_per_unit", std::to_string(metres_per_unit), "a number > 0");
   }
+  requireClasses(options.las_classes);
   Scan scan;
   scan.paths_ = paths;
-  for (const std::string& path : paths) scan.sources_.push_back(pcdSource(path, metres_per_unit));
+  for (const std::string& path : paths) scan.sources_.push_back(openSource(path, metres_per_unit, options));
   scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
   return scan;
 }
@@ -65,6 +74,13 @@ Scan Scan::fromPoints(const Points& points) {
 Scan Scan::fromRows(std::uint64_t rows, Row row) {
   Scan scan;
   scan.sources_.push_back(arraySource(rows, std::move(row)));
+  scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
+  return scan;
+}
+
+Scan Scan::fromBlocks(ScanBlocks blocks) {
+  Scan scan;
+  scan.sources_.push_back(streamSource(std::move(blocks)));
   scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
   return scan;
 }
@@ -126,16 +142,15 @@ bool Scan::tellsSetups() const {
 
 std::string Scan::setupName(SetupKey setup) const {
   const std::string field = sources_[setup.source]->labelField();
-  const std::string label = setup.label == SetupKey::kUnlabelled ? "none" : std::to_string(setup.label);
+  const std::string label = sources_[setup.source]->labelName(setup.label);
   const bool has_file = setup.source < paths_.size();
   const std::string file = has_file ? std::filesystem::path(paths_[setup.source]).stem().string() : "scan";
-  if (field.empty()) return file;
+  if (field.empty() || label.empty()) return file;
   return sources_.size() > 1 ? file + ":" + label : label;
 }
 
 std::optional<Eigen::Vector3d> Scan::setupOrigin(SetupKey setup) const {
-  if (!sources_[setup.source]->labelField().empty()) return std::nullopt;
-  std::optional<Eigen::Vector3d> place = sources_[setup.source]->viewpoint();
+  std::optional<Eigen::Vector3d> place = sources_[setup.source]->viewpoint(setup.label);
   if (place) *place -= stored_origin_;
   if (place && rotation_) *place = *rotation_ * *place;
   return place;

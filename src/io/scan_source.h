@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "io/pcd_data.h"
+#include "io/block.h"
 #include "tank_datum/io/scan.h"
 
 namespace tank_datum {
@@ -36,11 +36,17 @@ class Scan::Source {
   /// The field that tells the setups of one file apart; empty when there is none.
   virtual std::string labelField() const { return {}; }
 
-  /// Where the scanner stood [m], in the scan's own frame, if the file says so.
-  virtual std::optional<Eigen::Vector3d> viewpoint() const { return std::nullopt; }
+  /// What a label is called; empty: its points are those of the file itself.
+  virtual std::string labelName(std::uint32_t label) const {
+    return label == SetupKey::kUnlabelled ? "none" : std::to_string(label);
+  }
+
+  /// Where the scanner of a label stood [m], in the scan's own frame, if the file says so.
+  virtual std::optional<Eigen::Vector3d> viewpoint(std::uint32_t) const { return std::nullopt; }
 };
 
-std::shared_ptr<const Scan::Source> pcdSource(const std::string& path, double metres_per_unit);
 std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row);
+/// @throws Error (Option) when blocks has no start
+std::shared_ptr<const Scan::Source> streamSource(ScanBlocks blocks);
 
 }  // namespace tank_datum

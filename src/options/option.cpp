@@ -60,7 +60,8 @@ struct RefusedValue {
   Text operator()(const Path&) const { return {}; }
   Text operator()(const Places&) const { return {}; }
 
-  Text operator()(const std::vector<double>* values) const {
+  template <typename Number>
+  Text operator()(const std::vector<Number>* values) const {
     for (std::size_t i = 0; i < values->size(); ++i) {
       const double value = (*values)[i];
       if (!option.bounds.hold(value) || (i > 0 && !(value > (*values)[i - 1]))) return shown(value);
@@ -117,7 +118,9 @@ std::string Option::expected() const {
   if (std::holds_alternative<Places>(value)) return {};
   const bool bounded = std::isfinite(bounds.low) || std::isfinite(bounds.high);
   const std::string number = bounds.text() + (bounded ? suffixOf(unit) : "");
-  if (std::holds_alternative<std::vector<double>*>(value)) return number + " and above the one before";
+  const bool several =
+      std::holds_alternative<std::vector<double>*>(value) || std::holds_alternative<std::vector<int>*>(value);
+  if (several) return number + " and above the one before";
   if (std::holds_alternative<std::optional<Circle>*>(value)) return "X,Y,R, of which R " + number;
   return number;
 }

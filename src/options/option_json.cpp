@@ -15,6 +15,7 @@ struct ValueJson {
   Json operator()(const std::size_t* value) const { return *value; }
   Json operator()(const double* value) const { return option.typed(*value); }
   Json operator()(const std::vector<double>* values) const { return *values; }
+  Json operator()(const std::vector<int>* values) const { return *values; }
   Json operator()(const Fact& fact) const { return std::isfinite(*fact.value) ? Json(*fact.value) : Json(nullptr); }
   Json operator()(const Path& path) const { return path.path->empty() ? Json(nullptr) : Json(*path.path); }
   Json operator()(const std::optional<Circle>* circle) const {
@@ -40,6 +41,7 @@ struct Kind {
   std::string operator()(const std::size_t*) const { return "integer"; }
   std::string operator()(const double*) const { return "number"; }
   std::string operator()(const std::vector<double>*) const { return "numbers"; }
+  std::string operator()(const std::vector<int>*) const { return "integers"; }
   std::string operator()(const std::optional<Circle>*) const { return "circle"; }
   std::string operator()(const Fact&) const { return option.unit == Unit::Metres ? "length" : "fact"; }
   std::string operator()(const Path& path) const { return path.folder ? "folder" : "file"; }
@@ -79,8 +81,9 @@ Json optionsJson(const RunOptions& given) {
   RunOptions run = given;
   Json json;
   // what the chain asks first stands first, whatever the order of the table
-  for (const char* section : {"method", "locate", "crop", "normals", "growing", "centre_filter", "spline", "setups",
-                              "refine", "stations", "analysis", "shell", "pick", "accept", "level", "up", "tank"}) {
+  for (const char* section :
+       {"method", "locate", "crop", "normals", "growing", "centre_filter", "spline", "setups", "refine", "stations",
+        "analysis", "shell", "pick", "accept", "level", "up", "las_classes", "tank"}) {
     json[section] = nullptr;
   }
   putInto(json, optionsOf(run));

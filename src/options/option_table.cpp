@@ -112,6 +112,9 @@ void addInput(Table& t, RunOptions& run) {
   t.add("level", "level", &run.datum.level,
         "turn the scan so that the shell stands upright; results are in that frame");
   t.add("units", "", choiceOf(run.units, unitNames()), "units of the input");
+  t.add("las_classes", "las_classes", &run.reading.las_classes,
+        "classes of the points of LAS files that are read; none: all; points marked as withheld never are")
+      .within(within(0, 255));
 }
 
 void addMovement(Table& t, MovementOptions& o) {

@@ -17,6 +17,7 @@ struct RunOptions {
   MovementOptions movement;
   std::string units = "m";    ///< of the input
   std::string up = "z";       ///< the axis of the scan's frame that is vertical
+  ScanOptions reading;        ///< of files
   std::string baseline;       ///< datum.json or folder of an earlier survey, or empty
   std::string setup_origins;  ///< file of datum.setups.origins, or empty
   bool no_checksum = false;   ///< no SHA-256 of the scans

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/parallel.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "io/up_axis.h"
@@ -52,7 +53,7 @@ std::vector<Rows> rowsOf(const std::vector<py::array>& arrays) {
 }
 
 Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
-  if (!points.paths.empty()) return Scan::open(points.paths, options.metresPerUnit());
+  if (!points.paths.empty()) return Scan::open(points.paths, options.metresPerUnit(), options.reading);
   const double scale = options.metresPerUnit();
   return Scan::fromRows(rows.empty() ? 0 : rows.back().end, [rows, scale](std::uint64_t i) {
     std::size_t a = 0;
@@ -82,6 +83,7 @@ struct Job {
   std::exception_ptr error;
 
   void work() {
+    const ThreadScope threads(options.datum.threads);
     try {
       refuseFirst(firstError(options));
       std::optional<Baseline> baseline;
@@ -110,6 +112,7 @@ struct Job {
     const auto wanted = [this] { return !options.no_checksum; };
     result.provenance = provenanceOf(recordInputs(points.paths, wanted), options.units, options.datum, result.datum);
     result.provenance.up = options.up;
+    result.provenance.reading = options.reading;
     result.provenance.baseline = options.baseline;
     result.provenance.movement_options = options.movement;
     if (baseline && result.datum.usable()) {

@@ -29,6 +29,7 @@ Json optionsUsed(const Provenance& provenance) {
   run.datum = provenance.options;
   run.movement = provenance.movement_options;
   run.up = provenance.up;
+  run.reading = provenance.reading;
   run.baseline = provenance.baseline;
   return optionsJson(run);
 }
@@ -43,7 +44,8 @@ Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool
           {"kind", levelled ? "levelling" : "scan"},
           {"units", provenance.units},
           {"origin", {origin.x(), origin.y(), origin.z()}},
-          {"invalid_points", provenance.invalid_points}};
+          {"invalid_points", provenance.invalid_points},
+          {"left_out_points", provenance.left_out_points}};
 }
 
 Json tankJson(const Datum& datum) {

@@ -22,6 +22,7 @@ Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units
   provenance.files = std::move(files);
   provenance.units = units;
   provenance.invalid_points = datum.counts.invalid;
+  provenance.left_out_points = datum.counts.left_out;
   provenance.options = options;
   return provenance;
 }

@@ -113,14 +113,14 @@ TEST(PcdBinary, BlocksCanBeDecodedInAnyOrder) {
   std::vector<pcd_files::Row> rows;
   for (int i = 0; i < 40000; ++i) rows.push_back({1.0 * i, 2.0, i == 39999 ? std::nan("") : 3.0});
   const InputFile file(folder.file("a.pcd", pcd_files::pcd(pcd_files::kXyzFloat, rows, "binary")));
-  const PcdHeader header = readPcdHeader(file);
-  ASSERT_EQ(binaryBlockCount(header), 3U);
+  const RecordRows records = recordRowsOf(readPcdHeader(file));
+  ASSERT_EQ(recordBlockCount(records), 3U);
   const Frame frame{2.0, {10, 0, 0}};
   BlockBuffer buffer;
-  EXPECT_EQ(decodeBinaryBlock(file, header, frame, {2}, buffer).points, 40000U - 2 * kBlockRows);
+  EXPECT_EQ(decodeRecordBlock(file, records, frame, {2}, buffer).points, 40000U - 2 * kBlockRows);
   EXPECT_EQ(buffer.points.size(), 40000U - 2 * kBlockRows - 1);
   EXPECT_EQ(buffer.points.back(), Eigen::Vector3d(2 * 39998 - 10, 4, 6));
-  EXPECT_EQ(decodeBinaryBlock(file, header, frame, {0}, buffer).points, kBlockRows);
+  EXPECT_EQ(decodeRecordBlock(file, records, frame, {0}, buffer).points, kBlockRows);
   EXPECT_EQ(buffer.points[1], Eigen::Vector3d(-8, 4, 6));
 }
 
@@ -133,9 +133,9 @@ TEST(PcdBinary, ChosenRowsAreDecodedAndAllAreChecked) {
   for (const auto& fields :
        {pcd_files::kXyzFloat, std::vector<pcd_files::Field>{{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}}}) {
     const InputFile file(folder.file("a.pcd", pcd_files::pcd(fields, rows, "binary")));
-    const PcdHeader header = readPcdHeader(file);
+    const RecordRows records = recordRowsOf(readPcdHeader(file));
     for (const RowChoice choice : {RowChoice{0, 1}, RowChoice{2, 5}, RowChoice{4, 7}, RowChoice{999, 1001}}) {
-      const ScanCounts counts = decodeBinaryBlock(file, header, {}, {0, choice}, buffer);
+      const ScanCounts counts = decodeRecordBlock(file, records, {}, {0, choice}, buffer);
       EXPECT_EQ(counts.points, 1000U);
       EXPECT_EQ(counts.invalid, 3U) << choice.step;
       Points expected;

@@ -10,7 +10,14 @@ OPTIONAL = (int, float, type(None))
 KEYS: dict[str, Any] = {
     "schema": int,
     "version": TEXT,
-    "input": {"files": LIST, "kind": TEXT, "units": TEXT, "origin": LIST, "invalid_points": int},
+    "input": {
+        "files": LIST,
+        "kind": TEXT,
+        "units": TEXT,
+        "origin": LIST,
+        "invalid_points": int,
+        "left_out_points": int,
+    },
     "options": dict,
     "status": TEXT,
     "message": TEXT,

@@ -18,12 +18,16 @@ using Points = std::vector<Eigen::Vector3d>;
 
 /// What one pass over a scan met.
 struct ScanCounts {
-  std::uint64_t points = 0;   ///< rows in the files
-  std::uint64_t invalid = 0;  ///< rows dropped because x, y or z is not finite
+  std::uint64_t points = 0;    ///< rows in the files
+  std::uint64_t invalid = 0;   ///< rows dropped because x, y or z is not finite, or is a beam of PTX without return
+  std::uint64_t left_out = 0;  ///< rows dropped that LAS marks as withheld, or whose class is not asked for
+
+  std::uint64_t kept() const { return points - invalid - left_out; }
 
   ScanCounts& operator+=(const ScanCounts& other) {
     points += other.points;
     invalid += other.invalid;
+    left_out += other.left_out;
     return *this;
   }
 };
@@ -35,6 +39,26 @@ struct SetupKey {
 
   static constexpr std::uint32_t kUnlabelled = 0xffffffffU;  ///< what the field says is no number from 0 on
   bool operator==(const SetupKey& other) const { return source == other.source && label == other.label; }
+};
+
+/// How files are read.
+struct ScanOptions {
+  std::vector<int> las_classes;  ///< classification codes of the points of LAS files that are wanted; empty: all
+};
+
+/// Points that somebody else reads, block by block, in as many passes as the stages need.
+struct ScanBlocks {
+  struct Block {
+    Points points;            ///< in their own frame [m]
+    std::uint32_t setup = 0;  ///< of all of them
+  };
+  /// Replaces the block by the next one, of any size; false, and what it holds does not matter, behind the last.
+  using Next = std::function<bool(Block& block)>;
+
+  std::function<Next()> start;   ///< begins a pass over the same blocks
+  std::uint64_t size = 0;        ///< points in all of them; 0: not known
+  double coordinate_step = 0.0;  ///< between neighbouring coordinates that were stored [m]; 0: below what matters
+  bool tells_setups = false;     ///< Block::setup means something
 };
 
 /// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
@@ -49,16 +73,21 @@ class Scan {
   /// The i-th row of points somebody else holds, in their own frame [m].
   using Row = std::function<Eigen::Vector3d(std::uint64_t i)>;
 
-  /// Opens PCD files (ascii, binary, binary_compressed). Headers are read and checked here, data in forEachBlock.
+  /// Opens files of the formats known: PCD, LAS, PLY, PTS, PTX and text of columns. Which a file is tells its content,
+  /// not its name. Headers are read and checked here, data in forEachBlock.
   /// @param metres_per_unit  scale of the stored coordinates (0.001 for mm)
   /// @throws Error (File) naming the file, the value met and what was expected
-  static Scan open(const std::vector<std::string>& paths, double metres_per_unit = 1.0);
+  static Scan open(const std::vector<std::string>& paths, double metres_per_unit = 1.0,
+                   const ScanOptions& options = {});
 
   /// Points in memory, in their own frame [m]; not finite ones are dropped and counted like those of a file.
   static Scan fromPoints(const Points& points);
 
   /// The same without a copy: points of any kind in memory, asked for row by row in every pass.
   static Scan fromRows(std::uint64_t rows, Row row);
+
+  /// Points that somebody else reads, block by block. Size 0 has them counted in a pass of its own.
+  static Scan fromBlocks(ScanBlocks blocks);
 
   /// The same scan in a frame turned about the zero of its own, as when another of its axes looks up. Coordinates in
   /// the results are the turned frame's.
@@ -93,14 +122,14 @@ class Scan {
   ScanCounts forEachChosen(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n = 1) const;
 
   /// Whether the scan may hold several setups: several files, or points with labels (a field `setup`, `scan_id` or
-  /// `point_source_id`).
+  /// `point_source_id`; the scans of a PTX file, the blocks of a PTS file).
   bool tellsSetups() const;
 
   /// The file's name without its ending, the label, or both where both are needed.
   std::string setupName(SetupKey setup) const;
 
-  /// Where the scanner stood, as the file says (PCD VIEWPOINT), relative to origin() [m]; nothing when it does not, or
-  /// when the file holds several setups.
+  /// Where the scanner stood, as the file says (PCD VIEWPOINT, PTX position), relative to origin() [m]; nothing when it
+  /// does not.
   std::optional<Eigen::Vector3d> setupOrigin(SetupKey setup) const;
 
   /// Of about every n-th row the point, if it is finite, in file order.

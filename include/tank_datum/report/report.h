@@ -25,6 +25,8 @@ struct Provenance {
   std::string units = "m";
   std::string up = "z";  ///< the axis of the scan's frame that is vertical
   std::uint64_t invalid_points = 0;
+  std::uint64_t left_out_points = 0;  ///< withheld, or not of reading.las_classes
+  ScanOptions reading;                ///< how the files were read
   DatumOptions options;
   std::string baseline;  ///< the earlier survey compared with, or empty
   MovementOptions movement_options;

@@ -118,6 +118,9 @@ def extract_datum(
     level: bool = False,
     # units of the input
     units: Literal["ft", "in", "m", "mm", "us-ft"] = "m",
+    # classes of the points of LAS files that are read; none: all; points marked as
+    # withheld never are (0 to 255 and above the one before)
+    las_classes: Sequence[int] = ...,
     # datum.json of an earlier survey: movement since then
     baseline: _Path | None = None,
     # what is taken from the movement: nothing, the mean, mean and tilt; between

@@ -1,0 +1,104 @@
+#include "io/block_source.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/parallel.h"
+
+namespace tank_datum {
+namespace {
+
+/// What is chosen of a block, label by label.
+struct ChosenOfLabel {
+  std::uint32_t label = 0;
+  Points points;
+};
+
+/// Asks the chooser for a block: once, or once for each of its labels in rising order.
+void chooseByLabel(const Scan::Chooser& choose, std::uint64_t block, const Points& points, const Labels& labels,
+                   std::vector<ChosenOfLabel>& chosen) {
+  Labels found;  // most blocks have one: look for another before all are sorted
+  if (!labels.empty()) {
+    const auto is_first = [first = labels.front()](std::uint32_t label) { return label == first; };
+    found.assign(labels.begin(),
+                 std::all_of(labels.begin(), labels.end(), is_first) ? labels.begin() + 1 : labels.end());
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  chosen.resize(std::max<std::size_t>(1, found.size()));
+  if (found.size() < 2) {
+    chosen.front().label = found.empty() ? 0 : found.front();
+    chosen.front().points.clear();
+    choose(block, points, chosen.front().points);
+    return;
+  }
+  Points alike;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    alike.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (labels[i] == found[k]) alike.push_back(points[i]);
+    }
+    chosen[k].label = found[k];
+    chosen[k].points.clear();
+    choose(block, alike, chosen[k].points);
+  }
+}
+
+/// Tells what was chosen of one block, its counts with the first.
+void tell(const Scan::Source::ChosenVisitor& told, const ScanCounts& read, const std::vector<ChosenOfLabel>& chosen) {
+  for (std::size_t k = 0; k < chosen.size(); ++k) told(k == 0 ? read : ScanCounts{}, chosen[k].points, chosen[k].label);
+}
+
+}  // namespace
+
+ScanCounts BlockSource::visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const {
+  ScanCounts counts;
+  BlockBuffer buffer;
+  for (std::uint64_t block = 0; block < blockCount(); ++block) {
+    counts += decode(origin, {block}, buffer);
+    if (!buffer.points.empty() && !visit(buffer.points, buffer.labels)) break;
+  }
+  return counts;
+}
+
+void BlockSource::choose(const Eigen::Vector3d& origin, const Choice& choice, int threads, std::uint64_t& block,
+                         const ChosenVisitor& told) const {
+  constexpr std::uint64_t kRound = 64;  // blocks; a million rows between two calls of told
+  const std::uint64_t count = blockCount();
+  std::vector<std::vector<ChosenOfLabel>> chosen(kRound);
+  std::vector<ScanCounts> read(kRound);
+  for (std::uint64_t begin = 0; begin < count; begin += kRound) {
+    const auto blocks = static_cast<std::size_t>(std::min(kRound, count - begin));
+    forEachIndex(blocks, threads, [&](std::size_t i) {
+      thread_local BlockBuffer buffer;
+      const std::uint64_t number = block + begin + i;
+      read[i] = decode(origin, {begin + i, {number % choice.n, choice.n}}, buffer);
+      chooseByLabel(choice.choose, number, buffer.points, buffer.labels, chosen[i]);
+    });
+    for (std::size_t i = 0; i < blocks; ++i) tell(told, read[i], chosen[i]);
+  }
+  block += count;
+}
+
+void chooseInOrder(const Scan::Source& source, const Eigen::Vector3d& origin, const Scan::Source::Choice& choice,
+                   std::uint64_t& block, const Scan::Source::ChosenVisitor& told) {
+  Points thinned;
+  Labels labels;
+  std::vector<ChosenOfLabel> chosen;
+  std::uint64_t finite = 0;
+  const ScanCounts all = source.visit(origin, [&](const Points& points, const Labels& of_points) {
+    thinned.clear();
+    labels.clear();
+    for (std::size_t i = block % choice.n; i < points.size(); i += choice.n) {
+      thinned.push_back(points[i]);
+      if (!of_points.empty()) labels.push_back(of_points[i]);
+    }
+    chooseByLabel(choice.choose, block++, thinned, labels, chosen);
+    finite += points.size();
+    tell(told, {points.size(), 0}, chosen);
+    return true;
+  });
+  told({all.points - finite, all.invalid, all.left_out}, {}, 0);
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,87 @@
+#include "io/scan_format.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "io/input_file.h"
+#include "io/io_error.h"
+#include "io/las_header.h"
+#include "io/pcd_lines.h"
+#include "io/pcd_source.h"
+#include "io/ply_source.h"
+#include "io/record_source.h"
+#include "io/text_layout.h"
+#include "io/text_number.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kHead = 64 * 1024;  // bytes that are looked at
+
+bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+bool beginsLikePly(std::string_view head) {
+  return startsWith(head, "ply") && head.size() > 3 && (head[3] == '\n' || isBlank(head[3]));
+}
+
+bool isControl(char c) { return c >= '\0' && c < ' ' && c != '\t' && c != '\r' && c != '\n' && c != '\f'; }
+
+/// Whether a line is one of a PCD header: of those that hold something the first, or the comment that PCL begins with.
+bool beginsLikePcd(std::string_view head) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (startsWith(head, kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  while (!head.empty()) {
+    const std::string_view line = head.substr(0, head.find('\n'));
+    head.remove_prefix(std::min(head.size(), line.size() + 1));
+    const std::size_t first = line.find_first_not_of(" \t\r\v\f");
+    if (first == line.npos) continue;
+    if (line[first] != '#') return beginsWithPcdKeyword(line);
+    if (line.find(".PCD") != line.npos) return true;
+  }
+  return false;
+}
+
+std::shared_ptr<const Scan::Source> lasSource(std::shared_ptr<const InputFile> file, double metres_per_unit,
+                                              const ScanOptions& options) {
+  const RecordRows records = readLasHeader(*file, options.las_classes);
+  return recordSource(std::move(file), records, metres_per_unit, {"point_source_id", true, {}});
+}
+
+}  // namespace
+
+ScanFormat formatOf(const InputFile& file) {
+  std::string head(std::min<std::uint64_t>(kHead, file.size()), '\0');
+  head.resize(file.readSome(0, head.data(), head.size()));
+  if (head.empty()) throw fileError("header", file.path(), "an empty file", kKnownFormats);
+  if (startsWith(head, "LASF")) return ScanFormat::Las;
+  if (beginsLikePly(head)) return ScanFormat::Ply;
+  if (startsWith(head, "ASTM-E57")) return ScanFormat::E57;
+  if (beginsLikePcd(head)) return ScanFormat::Pcd;
+  if (startsWith(head, "\xff\xfe") || startsWith(head, "\xfe\xff")) {
+    throw fileError("format", file.path(), "UTF-16 text", "UTF-8 or ASCII text");
+  }
+  if (std::any_of(head.begin(), head.end(), isControl)) {
+    throw fileError("format", file.path(), "\"" + echo(head.substr(0, 12)) + "\"", kKnownFormats);
+  }
+  return ScanFormat::Text;
+}
+
+std::shared_ptr<const Scan::Source> openSource(const std::string& path, double metres_per_unit,
+                                               const ScanOptions& options) {
+  auto file = std::make_shared<const InputFile>(path);
+  switch (formatOf(*file)) {
+    case ScanFormat::Pcd:
+      return pcdSource(std::move(file), metres_per_unit);
+    case ScanFormat::Las:
+      return lasSource(std::move(file), metres_per_unit, options);
+    case ScanFormat::Ply:
+      return plySource(std::move(file), metres_per_unit, 0);
+    case ScanFormat::E57:
+      throw fileError("format", path, "E57", std::string(kKnownFormats) + "; convert it first, e.g. with PDAL");
+    case ScanFormat::Text:
+      return textSource(readTextLayout(std::move(file), 0), metres_per_unit);
+  }
+  return nullptr;
+}
+
+}  // namespace tank_datum

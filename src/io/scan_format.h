@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "io/scan_source.h"
+
+namespace tank_datum {
+
+enum class ScanFormat { Pcd, Las, Ply, E57, Text };
+
+class InputFile;
+
+/// What a file is, by its content: its name does not count. What begins like none of the others is PCD or, when it
+/// holds what could be a row of numbers or the names of x, y and z, text.
+/// @throws Error (File) naming the formats known when it is none of them
+ScanFormat formatOf(const InputFile& file);
+
+/// @throws Error (File) as the readers of the formats
+std::shared_ptr<const Scan::Source> openSource(const std::string& path, double metres_per_unit,
+                                               const ScanOptions& options);
+
+}  // namespace tank_datum
