@@ -160,7 +160,8 @@ std::shared_ptr<const Scan::Source> binarySource(std::shared_ptr<const InputFile
 std::shared_ptr<const Scan::Source> textSourceOf(std::shared_ptr<const InputFile> file, const PlyHeader& header,
                                                  const Vertices& vertices, const TextReading& reading) {
   const PlyElement& element = vertices.element;
-  TextRows text{file, TextLines(*file, header.data_offset, reading.threads), {}, {}, labelFieldOf(vertices)};
+  const TextColumns none;
+  TextRows text{file, TextLines(*file, header.data_offset, reading.threads), none, {}, labelFieldOf(vertices)};
   std::uint64_t first = 0;
   for (const PlyElement& before : header.elements) {
     const std::uint64_t most = text.lines.count() - first;
