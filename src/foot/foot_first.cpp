@@ -55,7 +55,7 @@ double guessAt(const std::vector<FootPoint>& points, const FootCandidate& chosen
   return heights.size() < kFew ? chosen.height : median(heights);
 }
 
-/// Stations within a few degrees of one where something was believed.
+/// Stations within a few degrees of one where a stretch was chosen.
 std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
   constexpr double kClose = 3.0 * kPi / 180.0;
   const auto count = static_cast<std::ptrdiff_t>(datum.size());

@@ -30,7 +30,7 @@ double lengthFound(double length, double share) {
   return likeliestPriors({normal, rhs, 0.0, 360, kOrder, 1.0}, {0.001, 1e-9, 0.0}).first.length;
 }
 
-TEST(LikeliestPriors, ALengthIsBelievedToAFactorOfTwoAndAQuarter) {
+TEST(LikeliestPriors, ALengthIsKnownBeforehandToAFactorOfTwoAndAQuarter) {
   // the slope of -2 ln of the likelihood against ln length, (g2 - g5) share with g = 12 / l^2 / (3 / l^2 + n^2), is
   // that of ((ln l - ln 8 degrees) / 0.8)^2
   const double length = toRadians(16.0), c = 3.0 / (length * length);
