@@ -38,6 +38,14 @@ TEST(LikeliestPriors, AnAmplitudeIsKnownBeforehandToAFactorOfTwo) {
   }
 }
 
+TEST(LikeliestPriors, AUsualWaveIsFoundHoweverFarItStandsAboveTheErrors) {
+  constexpr double kWave = 0.003;
+  for (const double times : {1e1, 1e2, 1e3, 1e4}) {
+    const RingPriors priors = priorsFrom({2.0 * kWave * kWave}, {kWave / times, kWave, {}});
+    EXPECT_NEAR(std::log(priors.amplitude / kWave), 0.0, 0.15) << times;
+  }
+}
+
 TEST(LikeliestPriors, APowerIsKnownBeforehandToThreeQuarters) {
   // n = 2 has four times the square of its amplitude, n = 3 nothing: ln(3/2) 4 = 2 (power - 2) / 0.75^2
   constexpr double kWave = 0.003;
