@@ -4,10 +4,10 @@
 
 It works in a copy of the sources (see mutant_sources.py), built once; the checkout is not touched.
 For each mutant those test cases run that ask for the constant, those of its own room and the quick
-ones first, until one fails or --seconds of them have passed. A mutant that none notices survives:
-its constant changes no result that is looked at, or lacks a test. Results are kept in the build
-folder; again run are mutants whose file, or whose tests, changed. mutants.toml names the constants
-that are left alone, and why. Exit status 1 when more than 5 % survive.
+ones first, until one fails or --seconds of them, of the processor, have passed. A mutant that none
+notices survives: its constant changes no result that is looked at, or lacks a test. Results are
+kept in the build folder; again run are mutants whose file, or whose tests, changed. mutants.toml
+names the constants that are left alone, and why. Exit status 1 when more than 5 % survive.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kFewest = 4;  // stations, for a plane and something left over
+constexpr std::size_t kFewestStations = 4;  // stations, for a plane and something left over
 /// Elevations over the diameter: ten times the tilt that any code allows. Beyond it they are in another unit [m/m].
 constexpr double kSteepest = 0.1;
 
@@ -126,7 +126,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
     throw refused("elevations", std::to_string(datum.level.range()) + " m apart",
                   "at most a tenth of the diameter; are they in option units, and the columns as the header says?");
   }
-  if (datum.level.measured < kFewest) {
+  if (datum.level.measured < kFewestStations) {
     datum.status = Status::TooFewPoints;
     datum.message = std::to_string(datum.level.measured) + " stations have an elevation, and a datum needs 4";
     datum.stations.clear();

@@ -64,7 +64,7 @@ void dropThin(std::vector<Bin>& bins, double width) {
 
 /// Bins that follow the points: narrow where there are many, none where there are none.
 std::vector<Bin> binsOf(const std::vector<FootPoint>& points, const FootScales& scales, double near) {
-  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kFewestOfLayer = 3;
   const double width = std::max(scales.reach / 50.0, scales.shell_noise);
   const double layer = std::max(0.02 * scales.reach, 6.0 * scales.shell_noise);
   const SortedSection section = sorted(points, near, scales.reach);
@@ -79,7 +79,7 @@ std::vector<Bin> binsOf(const std::vector<FootPoint>& points, const FootScales& 
       d += section.points[i].d / static_cast<double>(end - first);
     }
     keepLowestLayer(heights, layer);
-    if (heights.size() < kFewest) continue;
+    if (heights.size() < kFewestOfLayer) continue;
     const double z = median(heights), spread = robustSigma(heights, z);
     const double error = 1.2533 / std::sqrt(static_cast<double>(heights.size()));
     bins.push_back({d, z, spread, error, section.points[first].d, section.points[end - 1].d, heights.size()});

@@ -92,13 +92,13 @@ std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step) {
 }
 
 double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {
-  constexpr std::size_t kFewest = 20;
+  constexpr std::size_t kFewestDifferences = 20;
   // four in five of normal deviates are within 1.2816: more is heard of the tails than in a median, less than in a mean
   constexpr double kShare = 0.8, kWithin = 1.2816;
   std::vector<ThirdDifference> differences;  // at three lags, for their number
   for (std::size_t lag = apart; lag <= 3 * apart && 4 * lag < fits.size(); lag += apart)
     addDifferences(fits, lag, differences);
-  if (differences.size() < kFewest) return 0.0;
+  if (differences.size() < kFewestDifferences) return 0.0;
   std::vector<double> ratios(differences.size());
   const auto excess = [&](double common) {
     std::transform(differences.begin(), differences.end(), ratios.begin(), [&](const ThirdDifference& d) {

@@ -14,7 +14,7 @@ namespace tank_datum {
 /// places still stand at different levels, the dearer ones are dropped.
 /// @param arc    between neighbouring places [m]
 /// @param reach  of the sections [m]
-/// @return  per place the number of the candidate, none where nothing is believed
+/// @return  per place the number of the candidate, none where none is chosen
 std::vector<std::optional<std::size_t>> chooseRoundRing(const std::vector<std::vector<FootCandidate>>& places,
                                                         double arc, double reach);
 

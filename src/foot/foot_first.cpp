@@ -18,13 +18,13 @@ namespace {
 /// Whether a window's rows of points fill the section beside the shell well enough to tell its stretches apart.
 bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, double near) {
   constexpr std::size_t kCells = 10, kFilled = 7;  // of a fiftieth of the reach each
-  constexpr int kFewest = 10;
+  constexpr int kFewestInCell = 10;
   std::array<int, kCells> counts{};
   for (const FootPoint& p : points) {
     const double cell = (p.d - near) / (0.02 * scales.reach);
     if (cell >= 0.0 && cell < static_cast<double>(kCells)) ++counts[static_cast<std::size_t>(cell)];
   }
-  const auto full = std::count_if(counts.begin(), counts.end(), [](int count) { return count >= kFewest; });
+  const auto full = std::count_if(counts.begin(), counts.end(), [](int count) { return count >= kFewestInCell; });
   return static_cast<std::size_t>(full) >= kFilled;
 }
 
@@ -52,7 +52,7 @@ double guessAt(const std::vector<FootPoint>& points, const FootCandidate& chosen
   return heights.size() < kFew ? chosen.height : median(heights);
 }
 
-/// Stations within a few degrees of one where something was believed.
+/// Stations within a few degrees of one where a stretch was chosen.
 std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
   constexpr double kClose = 3.0 * kPi / 180.0;
   const auto count = static_cast<std::ptrdiff_t>(datum.size());

@@ -60,6 +60,11 @@ const FootProfile& FootSections::at(std::size_t station) const {
   return arcs.empty() ? whole : arcs[station * arcs.size() / stations];
 }
 
+bool isOfLevel(const FootProfile& section, double reach) {
+  constexpr double kLevel = 0.01;  // of the reach; plate, ringwall and crown are further apart
+  return section.valid() && std::abs(section.offset) < kLevel * reach;
+}
+
 FootSections stackSections(const Foot& foot, const std::vector<double>& elevations) {
   FootSections sections;
   sections.stations = foot.directions.size();

@@ -54,6 +54,9 @@ struct FootSections {
 /// only.
 FootSections stackSections(const Foot& foot, const std::vector<double>& elevations);
 
+/// Whether a section shows the surface that the elevations it was stacked with lie on.
+bool isOfLevel(const FootProfile& section, double reach);
+
 /// What is known of the surface's slope at every station before its own points are looked at.
 struct FootPriors {
   std::vector<double> slope, sigma_slope;  ///< [m/m]

@@ -61,12 +61,6 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
   return foot;
 }
 
-/// Whether a section shows the surface that the elevations it was stacked with lie on.
-bool isOfLevel(const FootProfile& section, double reach) {
-  constexpr double kLevel = 0.01;  // of the reach; plate, ringwall and crown are further apart
-  return section.valid() && std::abs(section.offset) < kLevel * reach;
-}
-
 /// Section, slopes and a fit of every station, from the elevations known so far.
 /// @param before  the sections of the pass before, which are kept where these show another surface
 FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootSections& before) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/statistics.h"
 
@@ -26,7 +27,8 @@ std::vector<SectionBin> withErrorsSeen(std::vector<SectionBin> bins) {
 
 /// Whether one line, however steep, goes through the bins on both sides of a jump.
 bool isOneLine(const std::vector<SectionBin>& bins, BinRange before, BinRange after, double least) {
-  constexpr double kAnySlope = 10.0, kTolerance = 0.2, kMisfit = 4.0;
+  constexpr double kAnySlope = std::numeric_limits<double>::infinity();
+  constexpr double kTolerance = 0.2, kMisfit = 4.0;
   std::vector<SectionBin> both;
   for (const BinRange& side : {before, after}) {
     for (std::size_t i = side.first; i < side.last; ++i) {

@@ -17,7 +17,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kFewest = 8;  ///< stations in common
+constexpr std::size_t kFewestStations = 8;  ///< stations in common
 
 std::string text(double value) {
   std::ostringstream out;
@@ -165,9 +165,9 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   std::vector<MatchedStation>& matched = matching.stations;
   movement.stations = stationsOf(baseline, current, matching, offset.value);
   movement.matched = matched.size();
-  if (matched.size() < kFewest) {
+  if (matched.size() < kFewestStations) {
     movement.message = "only " + std::to_string(matched.size()) + " stations are measured in both surveys, and " +
-                       std::to_string(kFewest) + " are needed";
+                       std::to_string(kFewestStations) + " are needed";
     return movement;
   }
   const double rim = options.registration_tilt * current.circle.radius;

@@ -67,13 +67,13 @@ void removeStandingWaves(std::vector<double>& values, const std::vector<MatchedS
 }  // namespace
 
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
-  constexpr std::size_t kFewest = 16, kDense = 65;
+  constexpr std::size_t kFewestStations = 16, kDense = 65;
   constexpr double kNone = 0.35;      // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;  // an arc is known to about a quarter
   constexpr double kWidest = 30.0 * kDegree;
   MovementErrors errors;
   const std::size_t n = stations.size();
-  if (n < kFewest) return errors;
+  if (n < kFewestStations) return errors;
   std::vector<MatchedStation> level = stations;
   CommonPart(level, Removal::Tilt, true).removeFrom(level);
   std::vector<double> values;

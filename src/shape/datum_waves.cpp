@@ -40,10 +40,10 @@ double excessOf(const WaveData& data, const std::vector<double>& residuals, doub
 /// The variance that noise gives to a fitted wave, over what the weights promise: the mean power of the residuals in
 /// the waves next above those fitted. Neighbours that share errors have more power there than among stations apart.
 double noisePower(const WaveData& data, const std::vector<double>& residuals, int order) {
-  constexpr int kBand = 20, kFewest = 8;
+  constexpr int kBand = 20, kFewestWaves = 8;
   const int last = std::min(order + kBand, static_cast<int>(data.count()) / 3);
   double sum = 0;
-  if (last - order < kFewest) {  // too few stations for waves above
+  if (last - order < kFewestWaves) {  // too few stations for waves above
     for (std::size_t i = 0; i < data.count(); ++i) sum += data.weights[i] * residuals[i] * residuals[i];
     return sum / (static_cast<double>(data.count()) - 2.0 * order - 1.0);
   }

@@ -89,7 +89,7 @@ void describePlane(const std::vector<Station>& stations, const std::vector<Stati
 
 /// Whether the measured stations are enough, and not in one line.
 bool spanPlane(const std::vector<Station>& stations, const Eigen::Vector2d& center) {
-  constexpr int kFewest = 4;
+  constexpr int kFewestStations = 4;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   int count = 0;
   for (const Station& s : stations) {
@@ -98,7 +98,7 @@ bool spanPlane(const std::vector<Station>& stations, const Eigen::Vector2d& cent
     normal += row * row.transpose();
     ++count;
   }
-  return count >= kFewest && Eigen::FullPivLU<Eigen::Matrix3d>(normal).isInvertible();
+  return count >= kFewestStations && Eigen::FullPivLU<Eigen::Matrix3d>(normal).isInvertible();
 }
 
 }  // namespace

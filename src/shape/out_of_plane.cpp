@@ -16,8 +16,8 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kSmallestDiameter = 18.6;  // 61 ft [m]
-constexpr std::size_t kFewest = 65;         // stations: "more than 64"
+constexpr double kSmallestDiameter = 18.6;   // 61 ft [m]
+constexpr std::size_t kFewestStations = 65;  // stations: "more than 64"
 constexpr int kLeastOrder = 4;
 
 /// 1 - (what an order leaves) / (what the plane leaves), each over its degrees of freedom, of orders 0 to `highest`.
@@ -120,7 +120,7 @@ void findLargestCurvature(const std::vector<Station>& stations, OutOfPlane& resu
 
 /// Why there is no regression of these; or empty.
 std::string objection(const WaveData& data, double radius) {
-  if (data.count() < kFewest)
+  if (data.count() < kFewestStations)
     return std::to_string(data.count()) + " stations measured; trigonometric regression is for more than 64";
   if (2.0 * radius < kSmallestDiameter)
     return "a diameter below 18.6 m (61 ft) is too small for trigonometric regression";

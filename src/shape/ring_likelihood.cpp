@@ -38,7 +38,7 @@ double misfit(const RingSums& sums, const RingPriors& priors) {
 
 /// What is known of the numbers beforehand, as -2 ln of a density: waves of foundations fall with about the square of
 /// their number; neighbours share errors over some degrees.
-double belief(const Numbers& x, double wave) {
+double hyperpriorMisfit(const Numbers& x, double wave) {
   constexpr double kAmplitudes = 0.7, kUsualPower = 2.0, kPowers = 0.75;
   constexpr double kUsualLength = 8.0 * kPi / 180.0, kLengths = 0.8;
   return std::pow((x[0] - std::log(wave)) / kAmplitudes, 2.0) + std::pow((x[1] - kUsualPower) / kPowers, 2.0) +
@@ -93,12 +93,14 @@ Eigen::VectorXd errorVariances(const RingPriors& priors, int order) {
   return variances;
 }
 
-std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs) {
-  const bool neighbours = beliefs.neighbours.has_value();
-  const double sigma = beliefs.sigma, shared = std::max(0.02 * sigma, beliefs.neighbours.value_or(0.0));
+std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingHyperprior& hyperprior) {
+  const bool neighbours = hyperprior.neighbours.has_value();
+  const double sigma = hyperprior.sigma, shared = std::max(0.02 * sigma, hyperprior.neighbours.value_or(0.0));
   const Numbers least = {std::log(1e-3 * sigma), 0.5, std::log(shared), std::log(2.0 * kPi / 180.0)};
   const Numbers most = {std::log(1e5 * sigma), 4.0, std::log(50.0 * sigma), std::log(30.0 * kPi / 180.0)};
-  const auto value = [&](const Numbers& x) { return misfit(sums, priorsOf(x, neighbours)) + belief(x, beliefs.wave); };
+  const auto value = [&](const Numbers& x) {
+    return misfit(sums, priorsOf(x, neighbours)) + hyperpriorMisfit(x, hyperprior.wave);
+  };
   Numbers start{};
   double before = 1e301;
   for (const double length : {4.0, 15.0}) {

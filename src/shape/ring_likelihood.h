@@ -32,14 +32,14 @@ Eigen::VectorXd waveVariances(const RingPriors& priors, int order);
 Eigen::VectorXd errorVariances(const RingPriors& priors, int order);
 
 /// What is known before the stations are looked at.
-struct RingBeliefs {
+struct RingHyperprior {
   double sigma = 0.0;                ///< usual error of a station [m]
   double wave = 0.0;                 ///< usual standard deviation of a coefficient of n = 2 [m]
   std::optional<double> neighbours;  ///< least standard deviation of the error that neighbours share [m]; nothing: none
 };
 
-/// Priors of the largest restricted marginal likelihood, times a wide belief in usual numbers.
+/// Priors of the largest restricted marginal likelihood, times a wide prior of usual numbers.
 /// @return them, and -2 ln of that likelihood, less what depends on the stations' own errors alone
-std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingBeliefs& beliefs);
+std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingHyperprior& hyperprior);
 
 }  // namespace tank_datum

@@ -31,8 +31,8 @@ Eigen::MatrixXd RingModel::product(const Eigen::MatrixXd& a, const Eigen::Matrix
 bool RingModel::dense() const { return data_.count() > kMostSparse; }
 
 RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.count())) {
-  constexpr Eigen::Index kFewest = 4;
-  if (data_.count() < kFewest) {
+  constexpr Eigen::Index kFewestStations = 4;
+  if (data_.count() < kFewestStations) {
     order_ = 0, solution_ = errors_ = Eigen::VectorXd::Zero(1);
     return;
   }
@@ -158,10 +158,10 @@ double RingModel::estimatePriors(double scale2) {
   const bool shape = many || data_.sigmas_known;  // else residuals cannot tell shape from error
   if (shape) {
     const RingSums sums{normal_, rhs_, squares_, data_.count(), order_, scale2};
-    RingBeliefs beliefs{data_.sigmas_known ? usual : usual * std::sqrt(scale2), data_.usual_wave, {}};
+    RingHyperprior hyperprior{data_.sigmas_known ? usual : usual * std::sqrt(scale2), data_.usual_wave, {}};
     // errors that stations do not show beside each other are shared ones
-    if (many) beliefs.neighbours = data_.sigmas_known ? usual * std::sqrt(std::max(0.0, 1.0 - scale2)) : 0.0;
-    std::tie(priors, misfit) = likeliestPriors(sums, beliefs);
+    if (many) hyperprior.neighbours = data_.sigmas_known ? usual * std::sqrt(std::max(0.0, 1.0 - scale2)) : 0.0;
+    std::tie(priors, misfit) = likeliestPriors(sums, hyperprior);
   }
   noise_.neighbours = priors.neighbours, noise_.length = priors.neighbours > 0.0 ? priors.length : 0.0;
   noise_.repeatability = std::sqrt(scale2 + std::pow(priors.neighbours / usual, 2.0));
@@ -186,7 +186,7 @@ void RingModel::factorPrecision() {
 
 /// Widens the prior of each wave that stands above what the others say.
 void RingModel::solve() {
-  constexpr double kBelief = 2.0;
+  constexpr double kPriorWeight = 2.0;  // in coefficients seen
   constexpr int kRounds = 6;
   for (int round = 0; round + 1 < kRounds; ++round) {
     const Eigen::MatrixXd inverse = posterior_.solve(Eigen::MatrixXd::Identity(normal_.rows(), normal_.cols()));
@@ -195,7 +195,7 @@ void RingModel::solve() {
       return share * errors_[j] + share * share * (solution_[j] * solution_[j] + inverse(j, j));
     };
     for (Eigen::Index j = 3; j < waveCount(); j += 2) {
-      const double lifted = (kBelief * waves_[j] + power(j) + power(j + 1)) / (kBelief + 2.0);
+      const double lifted = (kPriorWeight * waves_[j] + power(j) + power(j + 1)) / (kPriorWeight + 2.0);
       waves_[j] = waves_[j + 1] = std::max(waves_[j], lifted);
     }
     factorPrecision();

@@ -86,5 +86,16 @@ TEST(StackSections, OfAnArcWithFortyThousandPointsEverySecondIsTaken) {
   EXPECT_NEAR(there.error[20], 1.2533 * 0.0005 / std::sqrt(per_bin), 0.2 * there.error[20]);
 }
 
+TEST(StackSections, ASectionAHundredthOfTheReachOffItsElevationsIsOfAnotherSurface) {
+  const auto is_of_level = [](double off) {
+    FootProfile section;
+    section.band_to = 0.3, section.offset = off;
+    return isOfLevel(section, 0.5);
+  };
+  EXPECT_TRUE(is_of_level(0.0045) && is_of_level(-0.0045));
+  EXPECT_FALSE(is_of_level(0.0055) || is_of_level(-0.0055));
+  EXPECT_FALSE(isOfLevel({}, 0.5)) << "shows none";
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
+#include "fit/harmonics.h"
 #include "shape/ring_likelihood.h"
 #include "shape/ring_model.h"
 #include "support/made_surveys.h"
@@ -30,7 +33,7 @@ double lengthFound(double length, double share) {
   return likeliestPriors({normal, rhs, 0.0, 360, kOrder, 1.0}, {0.001, 1e-9, 0.0}).first.length;
 }
 
-TEST(LikeliestPriors, ALengthIsBelievedToAFactorOfTwoAndAQuarter) {
+TEST(LikeliestPriors, ALengthIsKnownBeforehandToAFactorOfTwoAndAQuarter) {
   // the slope of -2 ln of the likelihood against ln length, (g2 - g5) share with g = 12 / l^2 / (3 / l^2 + n^2), is
   // that of ((ln l - ln 8 degrees) / 0.8)^2
   const double length = toRadians(16.0), c = 3.0 / (length * length);
@@ -110,6 +113,18 @@ TEST(RingModel, TheVarianceOfTheOthersIsThatOfTheirPowerAndHalfAsMuchAgain) {
                                             {OneHighWave::kSigma, ring.data.usual_wave, {}})
                                 .first;
   EXPECT_NEAR(ring.priorOf(20) / waveVariances(priors, OneHighWave::kOrder)[2 * 20], 1.5, 0.01);
+}
+
+TEST(RingModel, MeanAndTiltOfAnArcAreWithinTenTimesWhatIsLeftOfItsBestPlane) {
+  // a fifth of the ring, level: waves of millimetres may hide in it, and stations known to a micrometre say nothing
+  constexpr double kSigma = 1e-6;
+  std::vector<double> z(60, kUnknown);
+  std::fill_n(z.begin(), 12, 0.0);
+  const RingData data = ringData(survey(z, 30.0, kSigma), 30.0, {});
+  const Eigen::MatrixXd rows = harmonicRows(data.azimuths, 1);
+  const Eigen::Matrix3d each = rows.transpose() * rows / (12.0 * kSigma * kSigma);  // of one station
+  const Eigen::Matrix3d covariance = RingModel(data).covariance().topLeftCorner<3, 3>();
+  EXPECT_NEAR(std::cbrt((covariance * each).determinant()), 10.0 * 10.0, 10.0);
 }
 
 }  // namespace

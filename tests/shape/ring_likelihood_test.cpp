@@ -10,14 +10,14 @@ namespace tank_datum {
 namespace {
 
 /// What many stations without errors say: the squares of the waves' amplitudes from n = 2 on.
-RingPriors priorsFrom(const std::vector<double>& squares, const RingBeliefs& beliefs, double weight = 1e16) {
+RingPriors priorsFrom(const std::vector<double>& squares, const RingHyperprior& hyperprior, double weight = 1e16) {
   const int order = 1 + static_cast<int>(squares.size());
   const Eigen::Index size = 2 * order + 1;
   Eigen::VectorXd waves = Eigen::VectorXd::Zero(size);
   for (std::size_t k = 0; k < squares.size(); ++k) waves[3 + 2 * static_cast<Eigen::Index>(k)] = std::sqrt(squares[k]);
   const Eigen::MatrixXd normal = weight * Eigen::MatrixXd::Identity(size, size);
   const Eigen::VectorXd rhs = weight * waves;
-  return likeliestPriors({normal, rhs, 0.0, 360, order, 1.0}, beliefs).first;
+  return likeliestPriors({normal, rhs, 0.0, 360, order, 1.0}, hyperprior).first;
 }
 
 TEST(LikeliestPriors, WithoutDataAreTheUsualOnes) {
@@ -27,7 +27,7 @@ TEST(LikeliestPriors, WithoutDataAreTheUsualOnes) {
   EXPECT_NEAR(std::log(priors.length / toRadians(8.0)), 0.0, 0.2);
 }
 
-TEST(LikeliestPriors, AnAmplitudeIsBelievedToAFactorOfTwo) {
+TEST(LikeliestPriors, AnAmplitudeIsKnownBeforehandToAFactorOfTwo) {
   // -2 ln of the density of one wave of amplitude a e^d: 4 d + X / e^(2d) with X = square / a^2, and (d / 0.7)^2
   constexpr double kWave = 0.003, kDeviation = 0.7;
   for (const double d : {-0.7, 0.7}) {
@@ -38,7 +38,15 @@ TEST(LikeliestPriors, AnAmplitudeIsBelievedToAFactorOfTwo) {
   }
 }
 
-TEST(LikeliestPriors, APowerIsBelievedToThreeQuarters) {
+TEST(LikeliestPriors, AUsualWaveIsFoundHoweverFarItStandsAboveTheErrors) {
+  constexpr double kWave = 0.003;
+  for (const double times : {1e1, 1e2, 1e3, 1e4}) {
+    const RingPriors priors = priorsFrom({2.0 * kWave * kWave}, {kWave / times, kWave, {}});
+    EXPECT_NEAR(std::log(priors.amplitude / kWave), 0.0, 0.15) << times;
+  }
+}
+
+TEST(LikeliestPriors, APowerIsKnownBeforehandToThreeQuarters) {
   // n = 2 has four times the square of its amplitude, n = 3 nothing: ln(3/2) 4 = 2 (power - 2) / 0.75^2
   constexpr double kWave = 0.003;
   const RingPriors priors = priorsFrom({4.0 * kWave * kWave, 0.0}, {0.001, kWave, {}});

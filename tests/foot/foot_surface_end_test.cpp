@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "foot/foot_profile.h"
+
+namespace tank_datum {
+namespace {
+
+/// Where the surface beside the shell ends, in a section of a hundred bins of 3 mm without noise [m].
+template <typename Section>
+double endOf(const Section& section) {
+  std::vector<FootPoint> points;
+  for (int bin = 0; bin < 100; ++bin) {
+    for (int i = 0; i < 120; ++i)
+      points.push_back({0.0, 0.003 * (bin + (i + 0.5) / 120), section(0.003 * (bin + 0.5))});
+  }
+  return stackProfile({points}, {0.0}, {0.3, 0.001, 0.013}).edge;
+}
+
+TEST(StackProfile, AGrooveOfEighteenMillimetresEndsTheSurfaceOneOfNineDoesNot) {
+  const auto groove = [](double width) {  // 4 mm deep, 150 mm from the shell
+    return [width](double d) { return d > 0.15 && d < 0.15 + width ? -0.004 : 0.0; };
+  };
+  EXPECT_NEAR(endOf(groove(0.009)), 0.3, 0.001);
+  EXPECT_NEAR(endOf(groove(0.018)), 0.15, 0.010);
+}
+
+/// Where the surface is taken to end that is so high above what lies beyond, and comes down to it evenly.
+double endOfRamp(double high, double width, double end) {
+  return endOf([=](double d) { return high * std::min(1.0, std::max(0.0, (end - d) / width)); });
+}
+
+TEST(StackProfile, WhatComesDownByAQuarterCentimetreIsNoPartOfWhatLiesBeyond) {
+  EXPECT_NEAR(endOfRamp(0.0020, 0.06, 0.08), 0.3, 0.001);
+  EXPECT_NEAR(endOfRamp(0.0045, 0.06, 0.08), 0.08, 0.003);
+}
+
+TEST(StackProfile, WhatComesDownWithinAFifthOfTheReachIsABlendWithTheShell) {
+  EXPECT_NEAR(endOfRamp(0.006, 0.03, 0.05), 0.3, 0.001);
+  EXPECT_NEAR(endOfRamp(0.006, 0.06, 0.07), 0.07, 0.003);
+}
+
+}  // namespace
+}  // namespace tank_datum
