@@ -34,7 +34,7 @@ struct ViewCommand {
 };
 
 void addOptions(CLI::App& app, ViewCommand& command) {
-  app.add_option("path", command.path, "a folder of results of tank_datum, or a scan (PCD): its datum is found first")
+  app.add_option("path", command.path, "a folder of results of tank_datum, or a scan: its datum is found first")
       ->required();
   app.add_option("--scan", command.scans, "the scan(s) of the folder, when no longer where datum.json says");
   app.add_option("--units", command.units, "units of a scan; a folder knows its own")->check(CLI::IsMember(kUnits));

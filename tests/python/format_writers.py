@@ -57,7 +57,7 @@ def write_rows(path: Path, scan: Setups, separator: str, header: str) -> Path:
     rows = np.column_stack([scan.labels(), scan.all()])
     with path.open("w", newline="") as file:
         file.write(header + "\r\n" if header else "")
-        np.savetxt(file, rows, fmt=["%d", "%.4f", "%.4f", "%.4f"], delimiter=separator)
+        np.savetxt(file, rows, fmt=["%d", "%.17g", "%.17g", "%.17g"], delimiter=separator)
     return path
 
 
@@ -65,7 +65,7 @@ def write_pts(path: Path, scan: Setups) -> Path:
     with path.open("w") as file:
         for points in scan.points:
             file.write(f"{len(points)}\n")
-            np.savetxt(file, np.column_stack([points, np.zeros((len(points), 4))]), fmt="%.4f")
+            np.savetxt(file, np.column_stack([points, np.zeros((len(points), 4))]), fmt="%.17g")
     return path
 
 
@@ -90,11 +90,11 @@ def write_ptx(path: Path, scan: Setups) -> Path:
             own[: len(points)] = (points - origin) @ turn  # turn's inverse is its transpose
             file.write(f"{columns}\n{rows}\n")
             np.savetxt(file, [origin], fmt="%.12f")
-            np.savetxt(file, turn.T, fmt="%.12f")
+            np.savetxt(file, turn.T, fmt="%.15f")
             matrix = np.eye(4)
             matrix[:3, :3], matrix[3, :3] = turn.T, origin
-            np.savetxt(file, matrix, fmt="%.12f")
-            np.savetxt(file, np.column_stack([own, np.full(len(own), 0.5)]), fmt="%.6f")
+            np.savetxt(file, matrix, fmt="%.15f")
+            np.savetxt(file, np.column_stack([own, np.full(len(own), 0.5)]), fmt="%.9f")
     return path
 
 
