@@ -81,7 +81,8 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   CLI::App app("The datum of a storage tank - the line where its shell meets the foundation - from a laser scan.",
                "tank_datum");
   app.option_defaults()->always_capture_default();
-  CLI::Option* scan = app.add_option("scan", command.scans, "scan(s) of any format known: scan stations of one tank, in one frame");
+  CLI::Option* scan =
+      app.add_option("scan", command.scans, "scan(s) of any format known: scan stations of one tank, in one frame");
   const OptionFlags flags(app, optionsOf(command));
   addRest(app, scan);
   if (!parse(app, argc, argv, command, status)) return false;
