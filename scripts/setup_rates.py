@@ -83,6 +83,7 @@ def compared(out: Path, truth_file: Path) -> Survey:
     at = azimuth[measured]
     plane = np.column_stack([np.ones(len(at)), np.cos(at), np.sin(at)])
     left = error - plane @ np.linalg.lstsq(plane, error)[0]
+    true_plane = np.linalg.lstsq(plane, np.interp(at, true_azimuth, true_z, period=2 * math.pi))[0]
     sigma = column(rows, "sigma_z")[measured]
     shared = column(rows, "sigma_setup")[measured]
     return Survey(
@@ -91,7 +92,7 @@ def compared(out: Path, truth_file: Path) -> Survey:
         out_of_plane=MM * float(np.sqrt(np.mean(left**2))),
         largest=MM * float(np.abs(left).max()),
         within=100 * float(np.mean(np.abs(error) <= 2 * sigma)),
-        tilt=tilt_error(datum["tilt"], truth["tilt"]),
+        tilt=tilt_error(datum["tilt"], true_plane[1:] / truth["radius"]),
         sigma=MM * float(np.median(sigma)),
         sigma_setup=MM * float(np.median(shared)),
         message=datum["message"],
@@ -99,10 +100,11 @@ def compared(out: Path, truth_file: Path) -> Survey:
     )
 
 
-def tilt_error(found: dict[str, Any], true: dict[str, Any]) -> float:
-    """Error of the slope along the true tilt, in sigmas."""
-    turned = math.radians(found["direction_deg"] - true["direction_deg"])
-    return float((found["slope"] * math.cos(turned) - true["slope"]) / found["sigma_slope"])
+def tilt_error(found: dict[str, Any], true: Array) -> float:
+    """Error of the slope along that of the truth's best plane, in sigmas."""
+    direction = math.radians(found["direction_deg"])
+    slope = found["slope"] * np.array([math.cos(direction), math.sin(direction)])
+    return float((slope @ true / np.hypot(*true) - np.hypot(*true)) / found["sigma_slope"])
 
 
 ERRORS = ("--setup-sigma-dz", 0.002, "--setup-sigma-plan", 0.002, "--setup-sigma-tilt-arcsec", 10)

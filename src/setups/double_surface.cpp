@@ -30,8 +30,8 @@ struct Surface {
   StationCells cells;
   Eigen::Vector2d center;
   FoundationBand band;
-  double side;  ///< 1 outside, -1 inside
-  double near;  ///< of the foundation [m]
+  double side;       ///< 1 outside, -1 inside
+  double tolerance;  ///< of the band at this reach [m]
 
   void add(const Eigen::Vector3d& point, ArcPoints& arcs) const;
 };
@@ -41,7 +41,7 @@ void Surface::add(const Eigen::Vector3d& point, ArcPoints& arcs) const {
   const double azimuth = std::atan2(arm.y(), arm.x()), turn = azimuth / kTwoPi;
   const StationLevel& level = cells.level(cells.cellOf(azimuth));
   const double d = side * (arm.norm() - level.radius), h = point.z() - level.z - band.slope * d;
-  if (!(d >= band.from && d <= band.to && std::abs(h) < near)) return;
+  if (!(d >= band.from && d <= band.to && std::abs(h) < tolerance)) return;
   const double place = (turn - std::floor(turn)) * kArcs;
   const auto arc = std::min(kArcs - 1, static_cast<std::size_t>(place));
   const double from_middle = place - static_cast<double>(arc) - 0.5;
@@ -126,7 +126,7 @@ double doubledBy(const BandPoints& points) {
   const BandPoints flat = withoutPlane(points);
   std::vector<double> heights;
   for (const BandPoint& p : flat) heights.push_back(p.h);
-  if (heights.size() < kFewestPoints || !(robustSigma(heights, 0.0) > 0.0)) return 0.0;
+  if (!(robustSigma(heights, 0.0) > 0.0)) return 0.0;
   const TwoLevels levels = fitTwoLevels(heights);
   if (levels.gain < kGain || levels.apart() < kApart * levels.sigma) return 0.0;
   if (std::min(levels.share, 1.0 - levels.share) < kShare) return 0.0;
@@ -139,10 +139,8 @@ double doubledBy(const BandPoints& points) {
 double doubleDisagreement(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                           const Eigen::Vector2d& center, const FoundationBand& band) {
   constexpr int kFewestArcs = 2;
-  constexpr double kNear = 5.0;      // noises of the foundation's points
-  constexpr double kRoughly = 0.01;  // what scans may disagree by [reach]
-  const double side = tank.side == Side::Outside ? 1.0 : -1.0, near = kNear * band.noise + kRoughly * ring.reach;
-  const ArcPoints arcs = pointsOfArcs(ring.points, {StationCells(stations), center, band, side, near});
+  const double side = tank.side == Side::Outside ? 1.0 : -1.0, tolerance = band.tolerance(ring.reach);
+  const ArcPoints arcs = pointsOfArcs(ring.points, {StationCells(stations), center, band, side, tolerance});
   std::vector<double> apart(arcs.size());
   forEachIndex(arcs.size(), 0, [&](std::size_t arc) { apart[arc] = doubledBy(thinned(arcs[arc])); });
   double squares = 0.0;

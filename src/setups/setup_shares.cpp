@@ -42,10 +42,8 @@ CellCounts::CellCounts(const Ring& ring, const Tank& tank, const std::vector<Sta
 }
 
 void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
-  constexpr double kNear = 5.0;       // noises of the foundation's points
-  constexpr double kRoughly = 0.01;   // what the datum may run in a cell, and the shell [reach]
   constexpr double kShellFrom = 0.1;  // above the datum [reach]
-  const double near = kNear * band_.noise + kRoughly * reach_;
+  const double near = band_.tolerance(reach_);
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     const Eigen::Vector2d arm = ring.points[i].head<2>() - center;
     const std::size_t cell = cellOf(std::atan2(arm.y(), arm.x()));
@@ -95,6 +93,12 @@ void fillInterpolated(const std::vector<Station>& stations, Eigen::MatrixXd& sha
 }
 
 }  // namespace
+
+double FoundationBand::tolerance(double reach) const {
+  constexpr double kNoises = 5.0;
+  constexpr double kRoughly = 0.01;  // of the reach
+  return kNoises * noise + kRoughly * reach;
+}
 
 SetupShares setupShares(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                         const Eigen::Vector2d& center, const FoundationBand& band) {

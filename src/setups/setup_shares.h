@@ -14,6 +14,10 @@ struct FoundationBand {
   double from, to;  ///< distances from the shell [m]
   double slope;     ///< outwards [m/m]
   double noise;     ///< of its points [m]
+
+  /// How far off the stations' datum its points may lie [m]: by noise, by what the datum runs beside a station, and by
+  /// what scans disagree.
+  double tolerance(double reach) const;
 };
 
 /// What each setup has in each station: shares that sum to 1 over the setups, or to 0 where a station is not known.
