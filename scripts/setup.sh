@@ -18,12 +18,17 @@ apt_install() {
   "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# compile_once: the programs and the Python module are built of the same sources, with the same flags; ccache compiles
+# them once.
+compile_once() {
+  apt_install ccache
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+}
+
 # configure: makes the build folder $build once, with the options in TANK_DATUM_CMAKE_OPTIONS.
 build="$root/build"
 configure() {
-  # of the same sources the programs and the Python module are built, with the same flags: ccache compiles them once
-  apt_install ccache
-  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  compile_once
   apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
     libfast-float-dev libgtest-dev python3 libvtk9-dev libx11-dev node-d3
   [ ! -f "$build/build.ninja" ] || return 0
@@ -53,8 +58,8 @@ python_environment() {
 python_module() {
   local stamp="$root/.venv/tank_datum.installed" sources=(CMakeLists.txt src include apps scripts/pyproject.toml)
   [ -f "$stamp" ] && [ -z "$(cd "$root" && find "${sources[@]}" -newer "$stamp" -print -quit)" ] && return
-  apt_install python3-dev ccache
-  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  compile_once
+  apt_install python3-dev
   say "building the Python module into .venv/"
   touch "$stamp.begun"
   local options=()

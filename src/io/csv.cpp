@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "io/words.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -18,7 +19,7 @@ std::string trimmed(const std::string& cell) {
 
 /// The text without a byte order mark and with \n alone for line ends.
 std::string plainLines(std::string text) {
-  if (text.rfind("\xef\xbb\xbf", 0) == 0) text.erase(0, 3);
+  text.erase(0, byteOrderMarkOf(text));
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -39,6 +40,12 @@ std::size_t InputFile::readSome(std::uint64_t offset, void* to, std::size_t coun
     done += static_cast<std::size_t>(got);
   }
   return done;
+}
+
+std::string InputFile::head(std::size_t count) const {
+  std::string bytes(std::min<std::uint64_t>(count, size_), '\0');
+  bytes.resize(readSome(0, bytes.data(), bytes.size()));
+  return bytes;
 }
 
 void InputFile::read(std::uint64_t offset, void* to, std::size_t count) const {

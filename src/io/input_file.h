@@ -24,6 +24,10 @@ class InputFile {
   /// @throws Error (File) when the device fails
   std::size_t readSome(std::uint64_t offset, void* to, std::size_t count) const;
 
+  /// The first bytes, as many as asked for or as there are.
+  /// @throws Error (File) when the device fails
+  std::string head(std::size_t count) const;
+
   /// Reads exactly count bytes.
   /// @throws Error (File) when the file is shorter
   void read(std::uint64_t offset, void* to, std::size_t count) const;

@@ -13,6 +13,7 @@
 #include "io/pcd_lines.h"
 #include "io/pcd_size.h"
 #include "io/setup_labels.h"
+#include "io/words.h"
 
 namespace tank_datum {
 namespace {
@@ -163,8 +164,7 @@ void parseEncoding(const PcdLines& lines, PcdHeader& header) {
 }  // namespace
 
 PcdHeader readPcdHeader(const InputFile& file) {
-  std::string text(std::min<std::uint64_t>(kLongestHeader, file.size()), '\0');
-  text.resize(file.readSome(0, text.data(), text.size()));
+  const std::string text = file.head(kLongestHeader);
   const PcdLines lines = splitPcdHeader(text, file);
   PcdHeader header;
   header.data_offset = lines.data_offset;

@@ -8,22 +8,14 @@
 
 #include "io/input_file.h"
 #include "io/io_error.h"
+#include "io/words.h"
 
 namespace tank_datum {
 namespace {
 
 using Words = std::vector<std::string_view>;
 
-Words splitWords(std::string_view line) {
-  constexpr std::string_view kBlank = " \t\r\v\f";
-  Words words;
-  for (std::size_t at = line.find_first_not_of(kBlank); at < line.size(); at = line.find_first_not_of(kBlank, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
+constexpr std::string_view kBlanks = " \t\r\v\f";
 
 bool isKeyword(std::string_view word) {
   constexpr std::array<std::string_view, 10> kKeywords = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
@@ -39,7 +31,7 @@ std::string keywordOf(std::string_view word) {
 
 /// Takes one line in; true when it is the last (DATA).
 bool addLine(std::string_view line, std::size_t line_number, PcdLines& lines) {
-  Words words = splitWords(line);
+  Words words = splitWords(line, kBlanks);
   if (words.empty() || words[0][0] == '#') return false;
   std::string key = keywordOf(words[0]);
   if (!isKeyword(key)) {
@@ -56,14 +48,8 @@ bool addLine(std::string_view line, std::size_t line_number, PcdLines& lines) {
 }  // namespace
 
 bool beginsWithPcdKeyword(std::string_view line) {
-  const Words words = splitWords(line);
+  const Words words = splitWords(line, kBlanks);
   return !words.empty() && isKeyword(keywordOf(words[0]));
-}
-
-std::string inCase(std::string_view word, int (*to_case)(int)) {
-  std::string changed(word);
-  for (char& c : changed) c = static_cast<char>(to_case(static_cast<unsigned char>(c)));
-  return changed;
 }
 
 const std::vector<std::string_view>& PcdLines::list(std::string_view key) const {
@@ -94,8 +80,7 @@ std::optional<std::uint64_t> PcdLines::number(std::string_view key) const {
 PcdLines splitPcdHeader(std::string_view text, const InputFile& file) {
   PcdLines lines;
   lines.path = file.path();
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
-  std::size_t begin = text.substr(0, kByteOrderMark.size()) == kByteOrderMark ? kByteOrderMark.size() : 0;
+  std::size_t begin = byteOrderMarkOf(text);
   for (std::size_t number = 1; begin < text.size(); ++number) {
     const std::size_t newline = text.find('\n', begin);
     if (newline == text.npos && text.size() < file.size()) {

@@ -36,7 +36,4 @@ PcdLines splitPcdHeader(std::string_view text, const InputFile& file);
 /// Whether the first word of a line is a keyword of the header, in any case.
 bool beginsWithPcdKeyword(std::string_view line);
 
-/// @param to_case  std::toupper or std::tolower
-std::string inCase(std::string_view word, int (*to_case)(int));
-
 }  // namespace tank_datum

@@ -9,6 +9,7 @@
 
 #include "io/input_file.h"
 #include "io/io_error.h"
+#include "io/words.h"
 
 namespace tank_datum {
 namespace {
@@ -19,17 +20,6 @@ constexpr const char* kTypes =
     "char, uchar, short, ushort, int, uint, float or double, or a sized name such as float32";
 
 using Words = std::vector<std::string_view>;
-
-Words splitWords(std::string_view line) {
-  constexpr std::string_view kBlank = " \t\r";
-  Words words;
-  for (std::size_t at = line.find_first_not_of(kBlank); at < line.size(); at = line.find_first_not_of(kBlank, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
 
 std::optional<StoredNumber> typeOf(std::string_view name) {
   struct Type {
@@ -58,7 +48,7 @@ class HeaderReader {
   /// False at the last line.
   bool take(std::string_view line) {
     ++number_;
-    const Words words = splitWords(line);
+    const Words words = splitWords(line, " \t\r");
     const std::string_view key = words.empty() ? std::string_view() : words[0];
     if (number_ == 1) {
       require(words.size() == 1 && key == "ply", line, "ply");
@@ -150,8 +140,7 @@ bool PlyElement::hasLists() const {
 }
 
 PlyHeader readPlyHeader(const InputFile& file) {
-  std::string text(std::min<std::uint64_t>(kLongestHeader, file.size()), '\0');
-  text.resize(file.readSome(0, text.data(), text.size()));
+  const std::string text = file.head(kLongestHeader);
   HeaderReader reader(file);
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t newline = text.find('\n', begin);

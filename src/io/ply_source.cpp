@@ -15,11 +15,6 @@
 namespace tank_datum {
 namespace {
 
-struct TextReading {
-  double metres_per_unit = 1.0;
-  int threads = 0;
-};
-
 /// Which properties of the vertices are read.
 struct Vertices {
   const PlyElement& element;
@@ -158,10 +153,10 @@ std::shared_ptr<const Scan::Source> binarySource(std::shared_ptr<const InputFile
 }
 
 std::shared_ptr<const Scan::Source> textSourceOf(std::shared_ptr<const InputFile> file, const PlyHeader& header,
-                                                 const Vertices& vertices, const TextReading& reading) {
+                                                 const Vertices& vertices, double metres_per_unit) {
   const PlyElement& element = vertices.element;
   const TextColumns none;
-  TextRows text{file, TextLines(*file, header.data_offset, reading.threads), none, {}, labelFieldOf(vertices)};
+  TextRows text{file, TextLines(*file, header.data_offset), none, {}, labelFieldOf(vertices)};
   std::uint64_t first = 0;
   for (const PlyElement& before : header.elements) {
     const std::uint64_t most = text.lines.count() - first;
@@ -174,17 +169,16 @@ std::shared_ptr<const Scan::Source> textSourceOf(std::shared_ptr<const InputFile
   text.columns.meaning.assign(last + 1, TextColumns::kPassedOver);
   for (int axis = 0; axis < 3; ++axis) text.columns.meaning[vertices.xyz[static_cast<std::size_t>(axis)]] = axis;
   if (vertices.label) text.columns.meaning[*vertices.label] = TextColumns::kLabel;
-  return textSource(std::move(text), reading.metres_per_unit);
+  return textSource(std::move(text), metres_per_unit);
 }
 
 }  // namespace
 
-std::shared_ptr<const Scan::Source> plySource(std::shared_ptr<const InputFile> file, double metres_per_unit,
-                                              int threads) {
+std::shared_ptr<const Scan::Source> plySource(std::shared_ptr<const InputFile> file, double metres_per_unit) {
   const PlyHeader header = readPlyHeader(*file);
   const Vertices vertices = verticesOf(header, *file);
   if (header.encoding == PlyEncoding::Ascii) {
-    return textSourceOf(std::move(file), header, vertices, {metres_per_unit, threads});
+    return textSourceOf(std::move(file), header, vertices, metres_per_unit);
   }
   return binarySource(std::move(file), header, vertices, metres_per_unit);
 }

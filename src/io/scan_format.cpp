@@ -12,6 +12,7 @@
 #include "io/record_source.h"
 #include "io/text_layout.h"
 #include "io/text_number.h"
+#include "io/words.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -29,8 +30,7 @@ bool isControl(char c) { return c >= '\0' && c < ' ' && c != '\t' && c != '\r' &
 
 /// Whether a line is one of a PCD header: of those that hold something the first, or the comment that PCL begins with.
 bool beginsLikePcd(std::string_view head) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (startsWith(head, kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  head.remove_prefix(byteOrderMarkOf(head));
   while (!head.empty()) {
     const std::string_view line = head.substr(0, head.find('\n'));
     head.remove_prefix(std::min(head.size(), line.size() + 1));
@@ -51,8 +51,7 @@ std::shared_ptr<const Scan::Source> lasSource(std::shared_ptr<const InputFile> f
 }  // namespace
 
 ScanFormat formatOf(const InputFile& file) {
-  std::string head(std::min<std::uint64_t>(kHead, file.size()), '\0');
-  head.resize(file.readSome(0, head.data(), head.size()));
+  const std::string head = file.head(kHead);
   if (head.empty()) throw fileError("header", file.path(), "an empty file", kKnownFormats);
   if (startsWith(head, "LASF")) return ScanFormat::Las;
   if (beginsLikePly(head)) return ScanFormat::Ply;
@@ -80,11 +79,11 @@ std::shared_ptr<const Scan::Source> openSource(const std::string& path, double m
     case ScanFormat::Las:
       return lasSource(std::move(file), metres_per_unit, options);
     case ScanFormat::Ply:
-      return plySource(std::move(file), metres_per_unit, 0);
+      return plySource(std::move(file), metres_per_unit);
     case ScanFormat::E57:
       throw fileError("format", path, "E57", std::string(kKnownFormats) + "; convert it first, e.g. with PDAL");
     case ScanFormat::Text:
-      return textSource(readTextLayout(std::move(file), 0), metres_per_unit);
+      return textSource(readTextLayout(std::move(file)), metres_per_unit);
   }
   return nullptr;
 }

@@ -7,6 +7,7 @@
 
 #include "io/setup_labels.h"
 #include "io/text_number.h"
+#include "io/words.h"
 
 namespace tank_datum {
 namespace {
@@ -42,9 +43,7 @@ bool hasInnerComma(std::string_view cell) {
 
 /// A name in lower case, without the unit behind it.
 std::string plainName(std::string_view cell) {
-  std::string name(trimmed(cell.substr(0, cell.find_first_of("[(")), " \t\r/#\"'_"));
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
+  return inCase(trimmed(cell.substr(0, cell.find_first_of("[(")), " \t\r/#\"'_"), std::tolower);
 }
 
 /// Where one of the names stands; nothing when none does, and when one stands twice.
@@ -62,11 +61,7 @@ std::optional<std::size_t> findOnce(const std::vector<std::string>& names, std::
 std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   if (separator == ' ') {
-    for (std::string_view rest = trimmed(line, kBlanks); !rest.empty();) {
-      const std::size_t length = std::min(rest.find_first_of(kBlanks), rest.size());
-      cells.push_back(trimmed(rest.substr(0, length), "\""));
-      rest = trimmed(rest.substr(length), kBlanks);
-    }
+    for (const std::string_view word : splitWords(line, kBlanks)) cells.push_back(trimmed(word, "\""));
     return cells;
   }
   for (std::size_t begin = 0, end = 0; end != line.npos; begin = end + 1) {

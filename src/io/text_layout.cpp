@@ -8,18 +8,12 @@
 #include "io/ptx_layout.h"
 #include "io/text_format.h"
 #include "io/text_number.h"
+#include "io/words.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
-constexpr std::size_t kHead = 64 * 1024;                     // bytes in which comments may name columns
-
-std::string headOf(const InputFile& file) {
-  std::string head(std::min<std::uint64_t>(kHead, file.size()), '\0');
-  head.resize(file.readSome(0, head.data(), head.size()));
-  return head;
-}
+constexpr std::size_t kHead = 64 * 1024;  // bytes in which comments may name columns
 
 /// The columns that the last comment before the first line names that does, else the first three.
 TextColumns columnsOfComments(std::string_view head) {
@@ -64,10 +58,6 @@ void readPts(TextRows& text) {
   if (text.sections.size() > 1) text.label_field = "block";
 }
 
-Error commaError(const TextRows& text, std::uint64_t line, const std::string& row) {
-  return text.lines.error(line, "\"" + echo(row) + "\"", "numbers with decimal points, not commas");
-}
-
 void readColumns(TextRows& text, std::string_view first) {
   std::uint64_t header_lines = 0;
   if (!beginsWithXyz(first)) {
@@ -75,7 +65,7 @@ void readColumns(TextRows& text, std::string_view first) {
     TextCursor cursor(text.lines);
     cursor.seek(1);
     const auto row = cursor.next();
-    if (hasDecimalCommas(header)) throw commaError(text, 0, header);
+    if (hasDecimalCommas(header)) throw commaError(text.lines, 0, header);
     const auto named = columnsOfHeader(header, separatorOf(row ? *row : header));
     if (!named) throw text.lines.error(0, "\"" + echo(header) + "\"", kKnownFormats);
     text.columns = *named;
@@ -92,18 +82,16 @@ void settleSeparator(TextRows& text) {
   const std::uint64_t line = text.sections.front().first_line;
   cursor.seek(line);
   const std::string row(cursor.next().value_or(std::string_view()));
-  if (hasDecimalCommas(row)) throw commaError(text, line, row);
+  if (hasDecimalCommas(row)) throw commaError(text.lines, line, row);
   text.columns.separator = separatorOf(row);
 }
 
 }  // namespace
 
-TextRows readTextLayout(std::shared_ptr<const InputFile> file, int threads) {
-  const std::string head = headOf(*file);
-  const bool marked = std::string_view(head).substr(0, kByteOrderMark.size()) == kByteOrderMark;
-  const std::uint64_t offset = marked ? kByteOrderMark.size() : 0;
-  TextRows text{
-      file, TextLines(*file, offset, threads), columnsOfComments(std::string_view(head).substr(offset)), {}, {}};
+TextRows readTextLayout(std::shared_ptr<const InputFile> file) {
+  const std::string head = file->head(kHead);
+  const std::size_t offset = byteOrderMarkOf(head);
+  TextRows text{file, TextLines(*file, offset), columnsOfComments(std::string_view(head).substr(offset)), {}, {}};
   TextCursor cursor(text.lines);
   const auto first_line = cursor.next();
   if (!first_line) throw fileError("header", file->path(), "no line but comments", kKnownFormats);

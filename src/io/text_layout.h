@@ -17,8 +17,7 @@ inline constexpr const char* kKnownFormats =
 ///   are points of the block too;
 /// - else a line a point, after a header line or not. A header may be a comment.
 /// Scans and blocks are setups, 0, 1, ..., when there are several.
-/// @param threads  that count its lines
 /// @throws Error (File) naming the line, what stands there and what was expected
-TextRows readTextLayout(std::shared_ptr<const InputFile> file, int threads);
+TextRows readTextLayout(std::shared_ptr<const InputFile> file);
 
 }  // namespace tank_datum

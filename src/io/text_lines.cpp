@@ -45,10 +45,10 @@ std::optional<std::string_view> takeLine(std::string_view& text) {
   return std::nullopt;
 }
 
-TextLines::TextLines(const InputFile& file, std::uint64_t offset, int threads) : file_(file), offset_(offset) {
+TextLines::TextLines(const InputFile& file, std::uint64_t offset) : file_(file), offset_(offset) {
   const std::uint64_t bytes = file.size() - std::min(offset, file.size());
   first_lines_.assign(bytes / kChunkBytes + 2, 0);
-  forEachIndex(first_lines_.size() - 1, threads, [&](std::size_t chunk) {
+  forEachIndex(first_lines_.size() - 1, 0, [&](std::size_t chunk) {
     thread_local std::vector<char> buffer;
     std::string_view text = read(chunk, buffer);
     while (takeLine(text)) ++first_lines_[chunk + 1];

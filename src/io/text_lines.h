@@ -18,7 +18,7 @@ class TextLines {
   /// Counts the lines, which needs a pass over the file.
   /// @param offset  bytes before the first line
   /// @throws Error (File) with a line above 64 KiB
-  TextLines(const InputFile& file, std::uint64_t offset, int threads);
+  TextLines(const InputFile& file, std::uint64_t offset);
 
   std::uint64_t count() const { return first_lines_.back(); }
   std::uint64_t chunkCount() const { return first_lines_.size() - 1; }

@@ -146,10 +146,14 @@ Error rowError(const TextLines& lines, std::uint64_t line, std::string_view text
   double value = 0.0;
   const char* stop = word.empty() ? nullptr : parseNumber(word.data(), word.data() + word.size(), value);
   if (stop != nullptr && stop != word.data() + word.size() && *stop == ',') {
-    return lines.error(line, "\"" + echo(word) + "\"", "numbers with decimal points, not commas");
+    return commaError(lines, line, word);
   }
   if (rest.empty()) return lines.error(line, "\"" + echo(text) + "\"", "more columns, up to x, y and z");
   return lines.error(line, "\"" + echo(word) + "\"", "a number");
+}
+
+Error commaError(const TextLines& lines, std::uint64_t line, std::string_view text) {
+  return lines.error(line, "\"" + echo(text) + "\"", "numbers with decimal points, not commas");
 }
 
 std::shared_ptr<const Scan::Source> textSource(TextRows rows, double metres_per_unit) {

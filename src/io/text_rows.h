@@ -49,6 +49,9 @@ const char* parseRow(std::string_view line, const TextColumns& columns, std::arr
 /// What the error of a line says that has no number at a place in it.
 Error rowError(const TextLines& lines, std::uint64_t line, std::string_view text, const char* at);
 
+/// The error of a line whose numbers have decimal commas.
+Error commaError(const TextLines& lines, std::uint64_t line, std::string_view text);
+
 /// The points of such a text, parsed by several threads, chunk by chunk.
 std::shared_ptr<const Scan::Source> textSource(TextRows rows, double metres_per_unit);
 

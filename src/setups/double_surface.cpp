@@ -30,22 +30,20 @@ struct Surface {
   StationCells cells;
   Eigen::Vector2d center;
   FoundationBand band;
-  double side;       ///< 1 outside, -1 inside
+  Side side;
   double tolerance;  ///< of the band at this reach [m]
 
   void add(const Eigen::Vector3d& point, ArcPoints& arcs) const;
 };
 
 void Surface::add(const Eigen::Vector3d& point, ArcPoints& arcs) const {
-  const Eigen::Vector2d arm = point.head<2>() - center;
-  const double azimuth = std::atan2(arm.y(), arm.x()), turn = azimuth / kTwoPi;
-  const StationLevel& level = cells.level(cells.cellOf(azimuth));
-  const double d = side * (arm.norm() - level.radius), h = point.z() - level.z - band.slope * d;
-  if (!(d >= band.from && d <= band.to && std::abs(h) < tolerance)) return;
+  const FootPlace foot = cells.placeOf(point, center, side);
+  const double h = foot.h - band.slope * foot.d, turn = foot.azimuth / kTwoPi;
+  if (!(foot.d >= band.from && foot.d <= band.to && std::abs(h) < tolerance)) return;
   const double place = (turn - std::floor(turn)) * kArcs;
   const auto arc = std::min(kArcs - 1, static_cast<std::size_t>(place));
   const double from_middle = place - static_cast<double>(arc) - 0.5;
-  arcs[arc].push_back({from_middle * kTwoPi / kArcs * level.radius, d, h});
+  arcs[arc].push_back({from_middle * kTwoPi / kArcs * cells.level(foot.cell).radius, foot.d, h});
 }
 
 /// The foundation's points in each arc, in the order of the ring.
@@ -139,8 +137,8 @@ double doubledBy(const BandPoints& points) {
 double doubleDisagreement(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                           const Eigen::Vector2d& center, const FoundationBand& band) {
   constexpr int kFewestArcs = 2;
-  const double side = tank.side == Side::Outside ? 1.0 : -1.0, tolerance = band.tolerance(ring.reach);
-  const ArcPoints arcs = pointsOfArcs(ring.points, {StationCells(stations), center, band, side, tolerance});
+  const Surface surface{StationCells(stations), center, band, tank.side, band.tolerance(ring.reach)};
+  const ArcPoints arcs = pointsOfArcs(ring.points, surface);
   std::vector<double> apart(arcs.size());
   forEachIndex(arcs.size(), 0, [&](std::size_t arc) { apart[arc] = doubledBy(thinned(arcs[arc])); });
   double squares = 0.0;

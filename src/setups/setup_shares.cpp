@@ -29,14 +29,15 @@ class CellCounts {
 
  private:
   StationCells cells_;
-  double side_, reach_;
+  Side side_;
+  double reach_;
   FoundationBand band_;
   Eigen::MatrixXd foundation_, shell_;  // [cells x setups]
 };
 
 CellCounts::CellCounts(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                        const FoundationBand& band)
-    : cells_(stations), side_(tank.side == Side::Outside ? 1.0 : -1.0), reach_(ring.reach), band_(band) {
+    : cells_(stations), side_(tank.side), reach_(ring.reach), band_(band) {
   foundation_ = shell_ =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cells_.count()), static_cast<Eigen::Index>(ring.setupCount()));
 }
@@ -45,10 +46,7 @@ void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
   constexpr double kShellFrom = 0.1;  // above the datum [reach]
   const double near = band_.tolerance(reach_);
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    const Eigen::Vector2d arm = ring.points[i].head<2>() - center;
-    const std::size_t cell = cellOf(std::atan2(arm.y(), arm.x()));
-    const StationLevel& level = cells_.level(cell);
-    const double d = side_ * (arm.norm() - level.radius), h = ring.points[i].z() - level.z;
+    const auto [cell, azimuth, d, h] = cells_.placeOf(ring.points[i], center, side_);
     const auto row = static_cast<Eigen::Index>(cell), column = static_cast<Eigen::Index>(ring.setupOf(i));
     if (d >= band_.from && d <= band_.to && std::abs(h - band_.slope * d) < near) {
       foundation_(row, column) += 1.0;

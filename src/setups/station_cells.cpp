@@ -31,4 +31,12 @@ std::size_t StationCells::cellOf(double direction) const {
   return static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * static_cast<double>(count()))) % count();
 }
 
+FootPlace StationCells::placeOf(const Eigen::Vector3d& point, const Eigen::Vector2d& center, Side side) const {
+  const Eigen::Vector2d arm = point.head<2>() - center;
+  const double azimuth = std::atan2(arm.y(), arm.x());
+  const std::size_t cell = cellOf(azimuth);
+  const double outwards = arm.norm() - levels_[cell].radius;
+  return {cell, azimuth, side == Side::Outside ? outwards : -outwards, point.z() - levels_[cell].z};
+}
+
 }  // namespace tank_datum
