@@ -56,6 +56,7 @@ Json tankJson(const Datum& datum) {
           {"sigma_radius", number(datum.refined.sigma_radius)},
           {"rms", number(datum.levelled ? kUnknown : datum.tank.rms)},
           {"coverage_deg", datum.levelled ? Json(nullptr) : Json(toDegrees(datum.tank.coverage))},
+          {"foot_points_per_degree", number(datum.foot_density)},
           {"side", datum.levelled ? Json(nullptr) : Json(datum.tank.side == Side::Inside ? "inside" : "outside")}};
 }
 

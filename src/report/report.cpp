@@ -50,7 +50,7 @@ void writeCloud(const std::string& path, const Points& points, const Eigen::Vect
 std::string stationsCsv(const Datum& datum) {
   std::string csv =
       "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,z_paper,z_tilt,u,u_fit,"
-      "curvature,n_setups,sigma_setup\n";
+      "curvature,n_setups,sigma_setup,reason\n";
   const Eigen::Vector3d& o = datum.origin;
   for (std::size_t i = 0; i < datum.stations.size(); ++i) {
     const Station& s = datum.stations[i];
@@ -70,7 +70,8 @@ std::string stationsCsv(const Datum& datum) {
                                  text(s.u_fit),
                                  text(s.curvature),
                                  text(s.n_setups),
-                                 text(s.sigma_setup)};
+                                 text(s.sigma_setup),
+                                 nameOf(s.reason)};
     csv += std::to_string(i);
     for (const std::string& cell : cells) csv += "," + cell;
     csv += "\n";

@@ -50,10 +50,10 @@ TEST(StationsCsv, HasTheContractsHeaderAndARowPerStation) {
   const std::string csv = stationsCsv(octagon());
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,z_paper,z_tilt,u,u_fit,"
-            "curvature,n_setups,sigma_setup");
+            "curvature,n_setups,sigma_setup,reason");
   const auto rows = rowsOf(csv);
   ASSERT_EQ(rows.size(), 9U);
-  for (const auto& row : rows) EXPECT_EQ(row.size(), 18U);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 19U);
   EXPECT_EQ(csv.back(), '\n');
 }
 

@@ -31,7 +31,7 @@ __all__ = [
     "extract_datum",
 ]
 
-_TEXTS = {"flag": "U12"}
+_TEXTS = {"flag": "U12", "reason": "U13"}
 _COUNTS = {"station": "i8"}
 
 
