@@ -9,6 +9,7 @@
 #include "io/point_extent.h"
 #include "io/scan_format.h"
 #include "io/scan_source.h"
+#include "io/setup_pick.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -62,8 +63,29 @@ Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit, c
   Scan scan;
   scan.paths_ = paths;
   for (const std::string& path : paths) scan.sources_.push_back(openSource(path, metres_per_unit, options));
+  if (!options.setups.empty()) scan.pickSetups(options.setups);
   scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
   return scan;
+}
+
+void Scan::pickSetups(const std::vector<std::string>& names) {
+  std::vector<std::string> missing = names;
+  std::string there;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const std::vector<std::uint32_t> labels = labelsIn(*sources_[i]);
+    std::vector<std::uint32_t> wanted;
+    for (const std::uint32_t label : labels) {
+      const std::string name = setupName({static_cast<std::uint32_t>(i), label});
+      const std::string own = sources_[i]->labelField().empty() ? name : sources_[i]->labelName(label);
+      const auto is_it = [&](const std::string& given) { return given == name || given == own; };
+      if (std::any_of(names.begin(), names.end(), is_it)) wanted.push_back(label);
+      missing.erase(std::remove_if(missing.begin(), missing.end(), is_it), missing.end());
+      there += (there.empty() ? "" : ", ") + name;
+    }
+    if (wanted.size() < labels.size()) sources_[i] = pickedSource(sources_[i], wanted);
+  }
+  if (missing.empty()) return;
+  throw Error(Error::Kind::Option, "io", "setups", missing.front(), "names of setups that the scan has: " + there);
 }
 
 Scan Scan::fromPoints(const Points& points) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/block.h"
 #include "tank_datum/io/scan.h"
@@ -40,6 +41,12 @@ class Scan::Source {
   virtual std::string labelName(std::uint32_t label) const {
     return label == SetupKey::kUnlabelled ? "none" : std::to_string(label);
   }
+
+  /// The labels that there are, where this is known without a pass over the points; else empty.
+  virtual std::vector<std::uint32_t> labels() const { return {}; }
+
+  /// The same source of the points of some labels alone, where it can pass over the others; else nothing.
+  virtual std::shared_ptr<const Source> ofLabels(const std::vector<std::uint32_t>&) const { return nullptr; }
 
   /// Where the scanner of a label stood [m], in the scan's own frame, if the file says so.
   virtual std::optional<Eigen::Vector3d> viewpoint(std::uint32_t) const { return std::nullopt; }

@@ -9,6 +9,10 @@
 namespace tank_datum {
 namespace {
 
+struct RowRange {
+  std::size_t begin = 0, end = 0;
+};
+
 /// Blocks of any size are handed on in blocks of kBlockRows, so that memory beside them is that of one.
 class BlockStream : public Scan::Source {
  public:
@@ -23,6 +27,30 @@ class BlockStream : public Scan::Source {
 
   std::string labelField() const override { return blocks_.tells_setups ? "setup" : ""; }
 
+  std::string labelName(std::uint32_t label) const override {
+    const auto known = blocks_.setups.find(label);
+    return known == blocks_.setups.end() ? Scan::Source::labelName(label) : known->second.name;
+  }
+
+  std::optional<Eigen::Vector3d> viewpoint(std::uint32_t label) const override {
+    const auto known = blocks_.setups.find(label);
+    return known == blocks_.setups.end() ? std::nullopt : known->second.viewpoint;
+  }
+
+  std::vector<std::uint32_t> labels() const override {
+    std::vector<std::uint32_t> all;
+    if (!blocks_.tells_setups || !blocks_.start_some) return all;
+    for (const auto& [label, setup] : blocks_.setups) all.push_back(label);
+    return all;
+  }
+
+  std::shared_ptr<const Scan::Source> ofLabels(const std::vector<std::uint32_t>& wanted) const override {
+    if (!blocks_.start_some) return nullptr;
+    auto some = std::make_shared<BlockStream>(*this);
+    some->blocks_.start = [start = blocks_.start_some, wanted] { return start(wanted); };
+    return some;
+  }
+
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     ScanCounts counts;
     ScanBlocks::Block block;
@@ -30,12 +58,11 @@ class BlockStream : public Scan::Source {
     Labels labels;
     const ScanBlocks::Next next = blocks_.start();
     while (next(block)) {
+      counts += {block.invalid + block.left_out, block.invalid, block.left_out};
       for (std::size_t begin = 0; begin < block.points.size(); begin += kBlockRows) {
         const std::size_t rows = std::min(kBlockRows, block.points.size() - begin);
-        points.clear();
-        for (std::size_t i = begin; i < begin + rows; ++i) appendFinite(block.points[i], {1.0, origin}, points);
+        fill(block, {begin, begin + rows}, origin, points, labels);
         counts += {rows, rows - points.size()};
-        if (blocks_.tells_setups) labels.assign(points.size(), block.setup);
         if (!points.empty() && !visit(points, labels)) return counts;
       }
     }
@@ -52,8 +79,19 @@ class BlockStream : public Scan::Source {
     std::uint64_t points = 0;
     ScanBlocks::Block block;
     const ScanBlocks::Next next = blocks_.start();
-    while (next(block)) points += block.points.size();
+    while (next(block)) points += block.points.size() + block.invalid + block.left_out;
     return points;
+  }
+
+  /// Replaces points and labels by those of rows of a block.
+  void fill(const ScanBlocks::Block& block, RowRange rows, const Eigen::Vector3d& origin, Points& points,
+            Labels& labels) const {
+    points.clear();
+    labels.clear();
+    for (std::size_t i = rows.begin; i < rows.end; ++i) {
+      const bool kept = appendFinite(block.points[i], {1.0, origin}, points);
+      if (kept && blocks_.tells_setups) labels.push_back(block.setups.empty() ? block.setup : block.setups[i]);
+    }
   }
 
   ScanBlocks blocks_;

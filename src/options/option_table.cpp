@@ -115,6 +115,8 @@ void addInput(Table& t, RunOptions& run) {
   t.add("las_classes", "las_classes", &run.reading.las_classes,
         "classes of the points of LAS files that are read; none: all; points marked as withheld never are")
       .within(within(0, 255));
+  t.add("setups", "setups.names", &run.reading.setups,
+        "A,B,... setups of the scanner that are read, by their names in the results; none: all");
 }
 
 void addMovement(Table& t, MovementOptions& o) {

@@ -6,9 +6,13 @@
 
 namespace tank_datum {
 
-std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted) {
+std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted,
+                                      ScanOptions reading) {
+  reading.setups.clear();  // the names may be those of other files; the rows of all setups count
   std::vector<InputRecord> files;
-  for (const std::string& path : paths) files.push_back({path, sha256OfFile(path, wanted), Scan::open({path}).size()});
+  for (const std::string& path : paths) {
+    files.push_back({path, sha256OfFile(path, wanted), Scan::open({path}, 1.0, reading).size()});
+  }
   return files;
 }
 

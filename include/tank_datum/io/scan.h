@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,7 +21,7 @@ using Points = std::vector<Eigen::Vector3d>;
 struct ScanCounts {
   std::uint64_t points = 0;    ///< rows in the files
   std::uint64_t invalid = 0;   ///< rows dropped because x, y or z is not finite, or is a beam of PTX without return
-  std::uint64_t left_out = 0;  ///< rows dropped that LAS marks as withheld, or whose class is not asked for
+  std::uint64_t left_out = 0;  ///< rows dropped that LAS marks as withheld, or whose class or setup is not asked for
 
   std::uint64_t kept() const { return points - invalid - left_out; }
 
@@ -41,24 +42,47 @@ struct SetupKey {
   bool operator==(const SetupKey& other) const { return source == other.source && label == other.label; }
 };
 
-/// How files are read.
-struct ScanOptions {
-  std::vector<int> las_classes;  ///< classification codes of the points of LAS files that are wanted; empty: all
-};
-
 /// Points that somebody else reads, block by block, in as many passes as the stages need.
 struct ScanBlocks {
   struct Block {
-    Points points;            ///< in their own frame [m]
-    std::uint32_t setup = 0;  ///< of all of them
+    Points points;                      ///< in their own frame [m]
+    std::uint32_t setup = 0;            ///< of all of them, unless each has its own
+    std::vector<std::uint32_t> setups;  ///< of each of them; empty: all are of `setup`
+    std::uint64_t invalid = 0;          ///< rows beside them that hold no point
+    std::uint64_t left_out = 0;         ///< rows beside them that are not wanted
   };
   /// Replaces the block by the next one, of any size; false, and what it holds does not matter, behind the last.
   using Next = std::function<bool(Block& block)>;
 
+  struct Setup {
+    std::string name;                          ///< empty: its points are those of the file itself
+    std::optional<Eigen::Vector3d> viewpoint;  ///< where the scanner stood, in the points' frame [m]
+  };
+
   std::function<Next()> start;   ///< begins a pass over the same blocks
-  std::uint64_t size = 0;        ///< points in all of them; 0: not known
+  std::uint64_t size = 0;        ///< rows in all of them; 0: not known
   double coordinate_step = 0.0;  ///< between neighbouring coordinates that were stored [m]; 0: below what matters
   bool tells_setups = false;     ///< Block::setup means something
+  std::map<std::uint32_t, Setup> setups;  ///< what is known of them; one that is not here is called by its number
+
+  /// Begins a pass over the blocks of some setups; rows of the others are told as left out. May be set where `setups`
+  /// has them all; where it is not set all are read.
+  std::function<Next(const std::vector<std::uint32_t>& wanted)> start_some;
+};
+
+/// A file of a format that is recognised, and read by somebody else.
+struct ForeignScan {
+  std::string path;
+  std::string format;            ///< "E57" or "LAZ", which COPC is too
+  double metres_per_unit = 1.0;  ///< of what the file holds
+  std::vector<int> las_classes;  ///< as ScanOptions has them
+};
+
+/// How files are read.
+struct ScanOptions {
+  std::vector<int> las_classes;     ///< classification codes of the points of LAS files that are wanted; empty: all
+  std::vector<std::string> setups;  ///< names of the setups that are wanted, see Scan::setupName; empty: all
+  std::function<ScanBlocks(const ForeignScan& scan)> foreign;  ///< reads such files; not set: they are refused
 };
 
 /// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
@@ -125,7 +149,7 @@ class Scan {
   /// `point_source_id`; the scans of a PTX file, the blocks of a PTS file).
   bool tellsSetups() const;
 
-  /// The file's name without its ending, the label, or both where both are needed.
+  /// The file's name without its ending, the label, or both where both are needed: "file:label".
   std::string setupName(SetupKey setup) const;
 
   /// Where the scanner stood, as the file says (PCD VIEWPOINT, PTX position), relative to origin() [m]; nothing when it
@@ -154,6 +178,8 @@ class Scan {
   class Source;  ///< one file or one array, see scan.cpp
 
  private:
+  void pickSetups(const std::vector<std::string>& names);
+
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> paths_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();

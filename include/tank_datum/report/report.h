@@ -25,7 +25,7 @@ struct Provenance {
   std::string units = "m";
   std::string up = "z";  ///< the axis of the scan's frame that is vertical
   std::uint64_t invalid_points = 0;
-  std::uint64_t left_out_points = 0;  ///< withheld, or not of reading.las_classes
+  std::uint64_t left_out_points = 0;  ///< withheld, or not of reading.las_classes or reading.setups
   ScanOptions reading;                ///< how the files were read
   DatumOptions options;
   std::string baseline;  ///< the earlier survey compared with, or empty
@@ -36,8 +36,10 @@ struct Provenance {
 /// The hashes and rows of files. This reads all of them once more and takes as long as the extraction, beside which it
 /// can run in a thread of its own.
 /// @param wanted  asked now and then; false: it returns soon, the rest of the hashes empty
+/// @param reading  how they were read; their rows are counted whatever it leaves out
 /// @throws Error (File) naming the file that cannot be read
-std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted = {});
+std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted = {},
+                                      ScanOptions reading = {});
 
 /// The record of a datum read from files.
 /// @param units  of the files, "m", "mm" or "ft"

@@ -121,6 +121,9 @@ def extract_datum(
     # classes of the points of LAS files that are read; none: all; points marked as
     # withheld never are (0 to 255 and above the one before)
     las_classes: Sequence[int] = ...,
+    # A,B,... setups of the scanner that are read, by their names in the results;
+    # none: all
+    setups: Sequence[str] = ...,
     # datum.json of an earlier survey: movement since then
     baseline: _Path | None = None,
     # what is taken from the movement: nothing, the mean, mean and tilt; between

@@ -1,0 +1,41 @@
+#include "command.h"
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <csignal>
+#include <future>
+#include <thread>
+
+#include "datum_command.h"
+#include "foreign.h"
+#include "results/manifest.h"
+#include "results/stop_signals.h"
+
+namespace py = pybind11;
+
+namespace tank_datum::python {
+
+int runCommand(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const OpenForeign foreign = foreignReader(std::make_shared<PythonGate>());
+  auto status = std::async(std::launch::async,
+                           [&] { return datumCommand(static_cast<int>(words.size()), arguments.data(), foreign); });
+  for (bool ended = false; !ended;) {
+    {
+      const py::gil_scoped_release unlocked;
+      ended = status.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready;
+    }
+    if (!ended && PyErr_CheckSignals() != 0) stopCommandBy(SIGINT);  // a handler has raised
+  }
+  return status.get();
+}
+
+void stopCommandBy(int signal_number) {
+  const py::gil_scoped_release unlocked;
+  results::stopBy(signal_number, results::kDatumProgram);
+}
+
+}  // namespace tank_datum::python

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tank_datum::python {
+
+/// Runs the command tank_datum in this process, in a thread of its own without the interpreter's lock; scans of formats
+/// that the library does not read go through the package's readers. Signals that Python handles are heard within a
+/// tenth of a second.
+/// @param words  the command line, the program's name first
+/// @return the exit status
+int runCommand(std::vector<std::string> words);
+
+/// Ends the process by a signal as the command does: cleaned up, and with a line on stderr.
+[[noreturn]] void stopCommandBy(int signal_number);
+
+}  // namespace tank_datum::python
