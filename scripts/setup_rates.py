@@ -154,14 +154,8 @@ def twice(folder: Path, seed: int) -> Files:
 
 
 KINDS: dict[str, Callable[[Path, int], Files]] = {
-    "separate": separate,
-    "labelled": labelled,
-    "merged": merged,
-    "shuffled": shuffled,
-    "perfect": perfect,
-    "one_high": one_high,
-    "one_tilted": one_tilted,
-    "twice": twice,
+    kind.__name__: kind
+    for kind in (separate, labelled, merged, shuffled, perfect, one_high, one_tilted, twice)
 }
 
 

@@ -12,6 +12,7 @@
 #include "io/record_source.h"
 #include "io/text_layout.h"
 #include "io/text_number.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
@@ -92,7 +93,11 @@ std::string foreignFormatOf(const std::string& path) {
 std::shared_ptr<const Scan::Source> openSource(const std::string& path, double metres_per_unit,
                                                const ScanOptions& options) {
   auto file = std::make_shared<const InputFile>(path);
-  switch (formatOf(*file)) {
+  const ScanFormat format = formatOf(*file);
+  if (!options.las_classes.empty() && format != ScanFormat::Las && format != ScanFormat::Laz) {
+    throw Error(Error::Kind::Option, "io", "las_classes", "given for " + path, "LAS files: others have no classes");
+  }
+  switch (format) {
     case ScanFormat::Pcd:
       return pcdSource(std::move(file), metres_per_unit);
     case ScanFormat::Las:

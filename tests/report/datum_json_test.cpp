@@ -114,7 +114,7 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
   EXPECT_EQ(keysOf(json["options"]),
             (std::vector<std::string>{"method", "locate", "crop", "normals", "growing", "centre_filter", "spline",
                                       "setups", "refine", "stations", "analysis", "shell", "pick", "accept", "level",
-                                      "up", "tank", "movement"}));
+                                      "up", "las_classes", "tank", "movement"}));
 }
 
 }  // namespace
