@@ -5,6 +5,8 @@
 
 namespace tank_datum::python {
 
+// Defined in apps/python_command.cpp, beside the command itself.
+
 /// Runs the command tank_datum in this process, in a thread of its own without the interpreter's lock; scans of formats
 /// that the library does not read go through the package's readers. Signals that Python handles are heard within a
 /// tenth of a second.

@@ -1,5 +1,3 @@
-#include "command.h"
-
 #include <pybind11/pybind11.h>
 
 #include <chrono>
@@ -8,7 +6,8 @@
 #include <thread>
 
 #include "datum_command.h"
-#include "foreign.h"
+#include "python/command.h"
+#include "python/foreign.h"
 #include "results/manifest.h"
 #include "results/stop_signals.h"
 
