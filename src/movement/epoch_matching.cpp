@@ -110,13 +110,13 @@ CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal remo
   const auto count = static_cast<Eigen::Index>(stations.size());
   const Eigen::Index terms = removal == Removal::Nothing ? 0 : removal == Removal::Mean ? 1 : 3;
   rows_.resize(count, terms);
+  if (terms == 0) return;
   Eigen::VectorXd weights(count), dz(count), sigmas(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const MatchedStation& m = stations[static_cast<std::size_t>(i)];
     rows_.row(i) = Eigen::RowVector3d(1.0, std::cos(m.direction), std::sin(m.direction)).head(terms);
     dz[i] = m.dz, sigmas[i] = m.sigma;
   }
-  if (terms == 0) return;
   const Eigen::VectorXd plain = sigmas.array().square().inverse();
   weights = plain;
   for (int iteration = 0; iteration <= (robust ? kAbsolute + kBiweight : 0); ++iteration) {

@@ -97,7 +97,7 @@ TEST(PclStages, CandidatesAndEdgePointsAreTheCloudsOwn) {
   ASSERT_GT(edge.indices.size(), 1000U);
   for (std::size_t i = 0; i < edge.indices.size(); i += 50) {
     const auto& p = (*tank())[static_cast<std::size_t>(edge.indices[i])];
-    EXPECT_NEAR(p.z - kShift.z(), elevation(edge.azimuths[i]), 0.1);
+    EXPECT_NEAR(p.z - kShift.z(), elevation(edge.azimuths[i]), 0.15);  // no further than its neighbours reach
   }
 }
 

@@ -101,6 +101,17 @@ TEST(DoubleSurface, LevelsMustBeThreeDeviationsApart) {
   EXPECT_GT(made.disagreement(), kNoise);
 }
 
+TEST(DoubleSurface, TwoLevelsMustBeMuchLikelierThanOne) {
+  // 4 deviations apart each point gains about 0.18 of the logarithm of the likelihood: 30 gain 5, 70 gain 12
+  const auto found = [](int points) {
+    MadeArcs made;
+    made.apart = 4.0 * kNoise, made.points = points;
+    return made.disagreement() > 0.0;
+  };
+  EXPECT_FALSE(found(28));
+  EXPECT_TRUE(found(75));
+}
+
 TEST(DoubleSurface, TwoArcsTellOneDoesNot) {
   MadeArcs made;
   made.arcs = 1;
