@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "command_line.h"
 #include "tank_datum/report/report.h"
 
 namespace tank_datum {
@@ -14,16 +13,15 @@ namespace tank_datum {
 /// nobody waits for it.
 class BackgroundRecords {
  public:
-  /// @param command  the files, how they are read, and whether their SHA-256 is wanted, which of one file only one
-  ///                 core can take
-  /// @param at_once  begin now; else only when they are taken
-  BackgroundRecords(const Command& command, bool at_once)
-      : wanted_(!command.no_checksum),
-        records_(std::async(at_once ? std::launch::async : std::launch::deferred,
-                            [this, paths = command.scans, reading = command.reading] {
-                              return recordInputs(
-                                  paths, [this] { return wanted_.load(); }, reading);
-                            })) {}
+  /// @param reading    how the files are read
+  /// @param at_once    begin now; else only when they are taken
+  /// @param checksums  take the files' SHA-256, which of one file only one core can
+  BackgroundRecords(const std::vector<std::string>& paths, const ScanOptions& reading, bool at_once, bool checksums)
+      : wanted_(checksums),
+        records_(std::async(at_once ? std::launch::async : std::launch::deferred, [this, paths, reading] {
+          return recordInputs(
+              paths, [this] { return wanted_.load(); }, reading);
+        })) {}
   ~BackgroundRecords() { wanted_ = false; }
   BackgroundRecords(const BackgroundRecords&) = delete;
   BackgroundRecords& operator=(const BackgroundRecords&) = delete;

@@ -135,7 +135,7 @@ int run(const Command& command) {
   std::optional<Baseline> baseline;
   if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.datum);
   StageClock clock(!command.quiet);
-  BackgroundRecords records(command, command.datum.threads != 1);
+  BackgroundRecords records(command.scans, command.reading, command.datum.threads != 1, !command.no_checksum);
   const std::vector<Datum> datums = extract(command, baseline, clock);
   clock.begin("hash");
   std::vector<InputRecord> files = records.take();

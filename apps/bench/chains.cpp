@@ -103,7 +103,7 @@ ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& o
   StageMeter meter;
   meter.begin("open");
   const Scan scan = Scan::open(paths);
-  BackgroundRecords records(paths, options.threads != 1, checksums);
+  BackgroundRecords records(paths, {}, options.threads != 1, checksums);
   datum = extractDatum(scan, options, {[&meter](const char* stage) { meter.begin(stage); }, {}, {}});
   meter.begin("hash");
   records.take();

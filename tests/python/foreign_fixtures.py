@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from format_writers import STEP, Setups, write_e57, write_las
+from format_writers import STEP, Setups, in_floats, write_e57, write_las
 from programs import TIMEOUT
 from results import Run, write_pcd
 from test_formats import labelled, scan  # noqa: F401
@@ -44,10 +44,13 @@ def installed() -> Runner:
 
 @pytest.fixture(scope="module")
 def jittered(scan: Setups) -> Setups:
-    """Off the grid of steps: no point lies on the edge of a cell, where a last digit decides."""
+    """Off the grid of steps: no point lies on the edge of a cell, where a last digit decides.
+
+    An E57 that pye57 writes holds these points.
+    """
     random = np.random.default_rng(1)
     points = [p + random.uniform(-0.5 * STEP, 0.5 * STEP, p.shape) for p in scan.points]
-    return Setups(points, scan.origins)
+    return in_floats(Setups(points, scan.origins))
 
 
 @pytest.fixture(scope="module")

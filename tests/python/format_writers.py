@@ -100,8 +100,17 @@ def write_ptx(path: Path, scan: Setups) -> Path:
     return path
 
 
+def in_floats(scan: Setups) -> Setups:
+    """The points that 4-byte floats in each scanner's own frame hold, as pye57 writes them."""
+    points = [
+        ((p - origin) @ turn).astype(np.float32).astype(np.float64) @ turn.T + origin
+        for p, origin, turn in zip(scan.points, scan.origins, poses(), strict=True)
+    ]
+    return Setups(points, scan.origins)
+
+
 def write_e57(path: Path, scan: Setups, names: Sequence[str]) -> Path:
-    """pye57 stores doubles; each scan in the scanner's own frame, beside its pose."""
+    """Each scan in the scanner's own frame, beside its pose; pye57 stores 4-byte floats."""
     with pye57.E57(str(path), "w") as file:
         for points, origin, turn, name in zip(
             scan.points, scan.origins, poses(), names, strict=True

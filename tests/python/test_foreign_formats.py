@@ -21,7 +21,7 @@ from foreign_fixtures import (  # noqa: F401
     scan,
     write_setups,
 )
-from format_writers import STEP, Setups, write_e57, write_las
+from format_writers import STEP, Setups, in_floats, poses, write_e57, write_las
 from results import Run, read_datum, write_pcd
 from test_formats import Result, assert_near, result_of
 
@@ -63,9 +63,9 @@ def test_files_beside_each_other(
 ) -> None:
     """A scan may mix what the library reads and what it does not."""
     files = write_setups(tmp_path, jittered)
-    two = Setups(jittered.points[1:], jittered.origins[1:])
+    two, turns = Setups(jittered.points[1:], jittered.origins[1:]), poses()[1:]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("format_writers.poses", lambda: [np.eye(3)] * 2)
+        patch.setattr("format_writers.poses", lambda: turns)
         path = write_e57(tmp_path / "two.e57", two, NAMES[1:])
     expected = result_of(run, files, tmp_path / "pcd")
     found = result_of(installed, [files[0], path], tmp_path / "mixed")
@@ -95,12 +95,13 @@ def test_module_and_record(
     assert (tmp_path / "out" / "report.html").exists()
 
 
-def test_units(e57: Path, jittered: Setups, installed: Runner, tmp_path: Path) -> None:
+def test_units(jittered: Setups, run: Runner, installed: Runner, tmp_path: Path) -> None:
     """--units scales the points and the places."""
     feet = 0.3048
     scaled = Setups([p / feet for p in jittered.points], [o / feet for o in jittered.origins])
     path = write_e57(tmp_path / "scan.dat", scaled, NAMES)
-    expected = result_of(installed, [e57], tmp_path / "m")
+    metres = Setups([p * feet for p in in_floats(scaled).points], jittered.origins)
+    expected = result_of(run, write_setups(tmp_path, metres), tmp_path / "m")
     assert installed(path, "-o", tmp_path / "ft", "--units", "ft").returncode == 0
     found = read_datum(tmp_path / "ft")["setups"]
     for got, wanted in zip(found, expected.setups, strict=True):
