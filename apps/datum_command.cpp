@@ -44,15 +44,17 @@ std::string fileToOpen(const Command& command, const std::string& part) {
   return command.output + "/" + (part.empty() ? "" : part + "/") + (command.no_report ? "datum.json" : "report.html");
 }
 
-std::vector<Datum> extract(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
+Scan scanOf(const Command& command) {
+  ScanOptions reading = command.reading;
+  reading.hash = command.checksumTaken() == Checksum::Xxh3;
+  const Scan scan = Scan::open(command.scans, command.metresPerUnit(), reading);
+  return command.up == "z" ? scan : scan.turned(upRotation(command.up));
+}
+
+std::vector<Datum> extract(Scan scan, const Command& command, const std::optional<Baseline>& baseline,
+                           StageClock& clock) {
   Callbacks callbacks;
   callbacks.stage = [&clock](const char* stage) { clock.begin(stage); };
-  clock.begin("open");
-  const double metres = command.metresPerUnit();
-  if (!command.levelling.empty()) return {readLevelling(command.levelling, metres, command.diameter, command.datum)};
-  const ThreadScope threads(command.datum.threads);
-  Scan scan = Scan::open(command.scans, metres, command.reading);
-  if (command.up != "z") scan = scan.turned(upRotation(command.up));
   scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
   callbacks.tanks = [&](const std::vector<Tank>& tanks) {
     if (baseline) requireAmong(tanks, scan.origin(), *baseline);
@@ -127,6 +129,26 @@ int announce(const std::vector<Datum>& datums, const Command& command) {
   return usable ? kUsable : kNoDatum;
 }
 
+/// What a run found, and what it was found in.
+struct Extracted {
+  std::vector<Datum> datums;
+  std::vector<InputRecord> files;
+};
+
+Extracted extractRecorded(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
+  clock.begin("open");
+  if (!command.levelling.empty()) {
+    Datum datum = readLevelling(command.levelling, command.metresPerUnit(), command.diameter, command.datum);
+    return {{datum}, {recordOfLevelling(command.levelling, datum, command.checksumTaken())}};
+  }
+  const ThreadScope threads(command.datum.threads);
+  const Scan scan = scanOf(command);
+  BackgroundRecords records(scan, command.checksumTaken(), command.datum.threads);
+  std::vector<Datum> datums = extract(scan, command, baseline, clock);
+  clock.begin("hash");
+  return {std::move(datums), records.take()};
+}
+
 int run(const Command& command) {
   refuseFirst(firstError(command));
   if (!command.baseline.empty()) settleToRead(command.baseline, kProgram);
@@ -135,11 +157,7 @@ int run(const Command& command) {
   std::optional<Baseline> baseline;
   if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.datum);
   StageClock clock(!command.quiet);
-  BackgroundRecords records(command.scans, command.reading, command.datum.threads != 1, !command.no_checksum);
-  const std::vector<Datum> datums = extract(command, baseline, clock);
-  clock.begin("hash");
-  std::vector<InputRecord> files = records.take();
-  if (!command.levelling.empty()) files.push_back(recordOfLevelling(command.levelling, datums.front()));
+  const auto [datums, files] = extractRecorded(command, baseline, clock);
   clock.begin("report");
   stageResults(folder, datums, files, baseline, command);
   clock.end();

@@ -33,8 +33,8 @@ struct OptionFlags::Declaration {
   CLI::Option* operator()(std::vector<int>* values) const {
     return text([name = flag, values](const std::string& typed) { *values = codesFrom(name, typed); });
   }
-  CLI::Option* operator()(std::vector<std::string>* names) const {
-    return text([flag_name = flag, names](const std::string& typed) { *names = namesFrom(flag_name, typed); });
+  CLI::Option* operator()(std::vector<std::string>* values) const {
+    return text([name = flag, values](const std::string& typed) { *values = namesFrom(name, typed); });
   }
   CLI::Option* operator()(std::optional<Circle>* circle) const {
     return text([name = flag, circle](const std::string& typed) { *circle = circleFrom(name, typed); });

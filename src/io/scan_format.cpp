@@ -90,9 +90,9 @@ std::string foreignFormatOf(const std::string& path) {
   }
 }
 
-std::shared_ptr<const Scan::Source> openSource(const std::string& path, double metres_per_unit,
+std::shared_ptr<const Scan::Source> openSource(std::shared_ptr<const InputFile> file, double metres_per_unit,
                                                const ScanOptions& options) {
-  auto file = std::make_shared<const InputFile>(path);
+  const std::string path = file->path();
   const ScanFormat format = formatOf(*file);
   if (!options.las_classes.empty() && format != ScanFormat::Las && format != ScanFormat::Laz) {
     throw Error(Error::Kind::Option, "io", "las_classes", "given for " + path, "LAS files: others have no classes");

@@ -20,7 +20,7 @@ ScanFormat formatOf(const InputFile& file);
 std::string foreignFormatOf(const std::string& path);
 
 /// @throws Error (File) as the readers of the formats, and of a foreign one that options.foreign does not read
-std::shared_ptr<const Scan::Source> openSource(const std::string& path, double metres_per_unit,
+std::shared_ptr<const Scan::Source> openSource(std::shared_ptr<const InputFile> file, double metres_per_unit,
                                                const ScanOptions& options);
 
 }  // namespace tank_datum

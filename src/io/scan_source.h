@@ -52,7 +52,7 @@ class Scan::Source {
   virtual std::optional<Eigen::Vector3d> viewpoint(std::uint32_t) const { return std::nullopt; }
 };
 
-std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row);
+std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row, RowNumbers numbers);
 /// @throws Error (Option) when blocks has no start
 std::shared_ptr<const Scan::Source> streamSource(ScanBlocks blocks);
 

@@ -21,6 +21,7 @@ class PickedSource : public Scan::Source {
   std::string labelField() const override { return source_->labelField(); }
   std::string labelName(std::uint32_t label) const override { return source_->labelName(label); }
   std::optional<Eigen::Vector3d> viewpoint(std::uint32_t label) const override { return source_->viewpoint(label); }
+  std::vector<std::uint32_t> labels() const override { return wanted_; }
 
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     if (wanted_.empty()) return {size(), 0, size()};  // nothing of the file is read

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 
 #include "io/block_source.h"
@@ -9,11 +8,8 @@
 namespace tank_datum {
 namespace {
 
-struct RowRange {
-  std::size_t begin = 0, end = 0;
-};
-
-/// Blocks of any size are handed on in blocks of kBlockRows, so that memory beside them is that of one.
+/// Blocks of any size are handed on in blocks of kBlockRows, as those of a file: what every n-th row is does not depend
+/// on how they come.
 class BlockStream : public Scan::Source {
  public:
   explicit BlockStream(ScanBlocks blocks) : blocks_(std::move(blocks)), size_(blocks_.size) {
@@ -59,13 +55,17 @@ class BlockStream : public Scan::Source {
     const ScanBlocks::Next next = blocks_.start();
     while (next(block)) {
       counts += {block.invalid + block.left_out, block.invalid, block.left_out};
-      for (std::size_t begin = 0; begin < block.points.size(); begin += kBlockRows) {
-        const std::size_t rows = std::min(kBlockRows, block.points.size() - begin);
-        fill(block, {begin, begin + rows}, origin, points, labels);
-        counts += {rows, rows - points.size()};
-        if (!points.empty() && !visit(points, labels)) return counts;
+      for (std::size_t i = 0; i < block.points.size(); ++i) {
+        const bool kept = appendFinite(block.points[i], {1.0, origin}, points);
+        counts += {1, kept ? 0U : 1U};
+        if (kept && blocks_.tells_setups) labels.push_back(block.setups.empty() ? block.setup : block.setups[i]);
+        if (points.size() < kBlockRows) continue;
+        if (!visit(points, labels)) return counts;
+        points.clear();
+        labels.clear();
       }
     }
+    if (!points.empty()) visit(points, labels);
     return counts;
   }
 
@@ -81,17 +81,6 @@ class BlockStream : public Scan::Source {
     const ScanBlocks::Next next = blocks_.start();
     while (next(block)) points += block.points.size() + block.invalid + block.left_out;
     return points;
-  }
-
-  /// Replaces points and labels by those of rows of a block.
-  void fill(const ScanBlocks::Block& block, RowRange rows, const Eigen::Vector3d& origin, Points& points,
-            Labels& labels) const {
-    points.clear();
-    labels.clear();
-    for (std::size_t i = rows.begin; i < rows.end; ++i) {
-      const bool kept = appendFinite(block.points[i], {1.0, origin}, points);
-      if (kept && blocks_.tells_setups) labels.push_back(block.setups.empty() ? block.setup : block.setups[i]);
-    }
   }
 
   ScanBlocks blocks_;

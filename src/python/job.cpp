@@ -1,5 +1,6 @@
 #include "job.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -59,11 +60,13 @@ Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const Run
     throw Error(Error::Kind::Option, "options", "setups", options.reading.setups.front(), "none: arrays have no names");
   }
   const double scale = options.metresPerUnit();
-  return Scan::fromRows(rows.empty() ? 0 : rows.back().end, [rows, scale](std::uint64_t i) {
+  const bool single = std::any_of(rows.begin(), rows.end(), [](const Rows& array) { return !array.is_double; });
+  const auto row = [rows, scale](std::uint64_t i) {
     std::size_t a = 0;
     while (i >= rows[a].end) ++a;
     return Eigen::Vector3d(rows[a].at(i, 0) * scale, rows[a].at(i, 1) * scale, rows[a].at(i, 2) * scale);
-  });
+  };
+  return Scan::fromRows(rows.empty() ? 0 : rows.back().end, row, {single, scale});
 }
 
 Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
@@ -112,9 +115,8 @@ struct Job {
       if (baseline) requireAmong(tanks, scan.origin(), *baseline);
     };
     result.datum = extractDatum(scan, options.datum, callbacks);
-    const auto wanted = [this] { return !options.no_checksum; };
     result.provenance =
-        provenanceOf(recordInputs(points.paths, wanted, options.reading), options.units, options.datum, result.datum);
+        provenanceOf(recordInputs(scan, options.checksumTaken()), options.units, options.datum, result.datum);
     result.provenance.up = options.up;
     result.provenance.reading = options.reading;
     result.provenance.reading.foreign = nullptr;  // Python's objects do not leave with the result
@@ -157,6 +159,7 @@ Result runJob(Points3 points, const RunOptions& options, const std::function<voi
   job->rows = rowsOf(job->points.arrays);
   job->options = options;
   job->options.reading.foreign = foreignReader(job->gate);
+  job->options.reading.hash = options.checksumTaken() == Checksum::Xxh3;
   // the arrays must be released with the lock held, so the worker is never the last to hold the job
   abandoned().push_back(job);
   std::thread([raw = job.get()] { raw->work(); }).detach();

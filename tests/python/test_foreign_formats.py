@@ -86,8 +86,8 @@ def test_module_and_record(
     written = read_datum(tmp_path / "out")
     assert datum.to_dict() == written
     (file,) = written["input"]["files"]
-    hashed = subprocess.run(["sha256sum", path], capture_output=True, text=True, check=True)
-    assert (file["path"], file["sha256"]) == (str(path), hashed.stdout.split()[0])
+    hashed = subprocess.run(["xxhsum", "-H2", path], capture_output=True, text=True, check=True)
+    assert (file["path"], file["hash"]["value"]) == (str(path), hashed.stdout.split()[0])
     assert sorted(p.name for p in (tmp_path / "out").iterdir())[-2:] == [
         "shell.csv",
         "stations.csv",

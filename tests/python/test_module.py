@@ -154,6 +154,7 @@ def test_defaults_are_the_commands(run: Runner) -> None:
         ({"level": True}, ["--level"]),
         ({"accept": True}, ["--accept"]),
         ({"no_checksum": True}, ["--no-checksum"]),
+        ({"checksum": "sha256"}, ["--checksum", "sha256"]),
     ],
 )
 def test_options_are_the_commands(

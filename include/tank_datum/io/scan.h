@@ -12,6 +12,10 @@
 
 #include "tank_datum/core/export.h"
 
+namespace tank_datum {
+class InputFile;
+}
+
 namespace TANK_DATUM_API tank_datum {
 
 /// Points relative to Scan::origin() [m].
@@ -78,11 +82,24 @@ struct ForeignScan {
   std::vector<int> las_classes;  ///< as ScanOptions has them
 };
 
+/// By which hash of their bytes files are known again.
+enum class Checksum { None, Xxh3, Sha256 };
+
+/// "none", "xxh3", "sha256"
+const char* nameOf(Checksum checksum);
+
 /// How files are read.
 struct ScanOptions {
   std::vector<int> las_classes;     ///< classification codes of the points of LAS files that are wanted; empty: all
   std::vector<std::string> setups;  ///< names of the setups that are wanted, see Scan::setupName; empty: all
   std::function<ScanBlocks(const ForeignScan& scan)> foreign;  ///< reads such files; not set: they are refused
+  bool hash = false;  ///< take the files' XXH3-128 from what is read of them, for Scan::hashOf
+};
+
+/// How rows in memory hold their coordinates.
+struct RowNumbers {
+  bool single = false;           ///< in 4-byte floats
+  double metres_per_unit = 1.0;  ///< of these; rows are asked for in metres
 };
 
 /// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
@@ -108,7 +125,7 @@ class Scan {
   static Scan fromPoints(const Points& points);
 
   /// The same without a copy: points of any kind in memory, asked for row by row in every pass.
-  static Scan fromRows(std::uint64_t rows, Row row);
+  static Scan fromRows(std::uint64_t rows, Row row, RowNumbers numbers = {});
 
   /// Points that somebody else reads, block by block. Size 0 has them counted in a pass of its own.
   static Scan fromBlocks(ScanBlocks blocks);
@@ -120,9 +137,17 @@ class Scan {
   /// The same scan turned about a point of its own frame, as when it was not level.
   Scan turnedAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation) const;
 
+  /// The same scan with another local origin: at zero, coordinates are those of its own frame to the last bit.
+  Scan relativeTo(const Eigen::Vector3d& origin) const;
+
   /// Visits every finite point once, in file order. May be called again for another pass.
   /// @throws Error (File) when the data are shorter or other than the header says
   ScanCounts forEachBlock(const Visitor& visit) const;
+
+  /// The same, told which file or array a block is of and the labels of its points; none: all are 0.
+  using LabelledVisitor =
+      std::function<void(const Points& block, std::uint32_t source, const std::vector<std::uint32_t>& labels)>;
+  ScanCounts forEachLabelled(const LabelledVisitor& visit) const;
 
   /// Local origin in the scan's own frame [m]; add it to go back. It is the first finite point, no stray and not at
   /// zero, so that the same tank has the same local coordinates, and so the same datum, wherever its frame lies.
@@ -149,6 +174,9 @@ class Scan {
   /// `point_source_id`; the scans of a PTX file, the blocks of a PTS file).
   bool tellsSetups() const;
 
+  /// The setups that there are, file by file in rising order of labels. Files that do not list them are read once more.
+  std::vector<SetupKey> setups() const;
+
   /// The file's name without its ending, the label, or both where both are needed: "file:label".
   std::string setupName(SetupKey setup) const;
 
@@ -167,9 +195,16 @@ class Scan {
 
   /// Rows announced by the headers.
   std::uint64_t size() const;
+  std::uint64_t sizeOf(std::size_t file) const;
+
+  /// XXH3-128 of the bytes of one of paths(), in hexadecimal digits as `xxhsum -H2` prints it. What passes have not
+  /// read of the file is read now: all of it without ScanOptions::hash, or when somebody else reads the format.
+  /// @param wanted  asked before each megabyte; false: an empty text is returned at once
+  /// @throws Error (File) when the file cannot be read
+  std::string hashOf(std::size_t file, const std::function<bool()>& wanted = {}) const;
 
   /// Step between neighbouring coordinates that the files can hold at the origin [m]: 0.25 for 4-byte floats near 4e6
-  /// m. Zero for points in memory.
+  /// m. Zero for points in memory that are doubles.
   double coordinateStep() const;
 
   /// Empty for points in memory.
@@ -182,6 +217,7 @@ class Scan {
 
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> paths_;
+  std::vector<std::shared_ptr<const InputFile>> files_;  ///< of paths_, open
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d stored_origin_ = Eigen::Vector3d::Zero();  ///< the same point in the frame of the files
   std::optional<Eigen::Matrix3d> rotation_;                  ///< from their frame to the scan's
