@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "command.h"
+#include "io/scan_format.h"
 #include "job.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
@@ -19,7 +21,7 @@ py::array pointsIn(const py::handle& given) {
   if (fits) return array;
   PyErr_Clear();
   throw py::type_error("points = " + py::repr(py::type::of(given)).cast<std::string>() +
-                       ", expected an array of shape (n, 3) in float32 or float64, or the path of a PCD file");
+                       ", expected an array of shape (n, 3) in float32 or float64, or the path of a scan");
 }
 
 py::array edgePoints(const Datum& datum) {
@@ -65,6 +67,9 @@ PYBIND11_MODULE(_core, module) {
     }
   });
   module.def("extract", &extract);
+  module.def("run_command", &runCommand);
+  module.def("stop_command_by", &stopCommandBy);
+  module.def("foreign_format", &foreignFormatOf);
   module.def("defaults", &defaults);
   module.def("keyword_help", &keywordHelp);
 }

@@ -1,5 +1,6 @@
 #include "job.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -12,6 +13,7 @@
 #include "core/parallel.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
+#include "foreign.h"
 #include "io/up_axis.h"
 #include "movement/baseline.h"
 #include "movement/movement.h"
@@ -54,12 +56,17 @@ std::vector<Rows> rowsOf(const std::vector<py::array>& arrays) {
 
 Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
   if (!points.paths.empty()) return Scan::open(points.paths, options.metresPerUnit(), options.reading);
+  if (!options.reading.setups.empty()) {
+    throw Error(Error::Kind::Option, "options", "setups", options.reading.setups.front(), "none: arrays have no names");
+  }
   const double scale = options.metresPerUnit();
-  return Scan::fromRows(rows.empty() ? 0 : rows.back().end, [rows, scale](std::uint64_t i) {
+  const bool single = std::any_of(rows.begin(), rows.end(), [](const Rows& array) { return !array.is_double; });
+  const auto row = [rows, scale](std::uint64_t i) {
     std::size_t a = 0;
     while (i >= rows[a].end) ++a;
     return Eigen::Vector3d(rows[a].at(i, 0) * scale, rows[a].at(i, 1) * scale, rows[a].at(i, 2) * scale);
-  });
+  };
+  return Scan::fromRows(rows.empty() ? 0 : rows.back().end, row, {single, scale});
 }
 
 Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
@@ -67,13 +74,12 @@ Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptio
   return options.up == "z" ? scan : scan.turned(upRotation(options.up));
 }
 
-struct GivenUp {};
-
-/// What the two threads share. The thread that works touches no Python object.
+/// What the two threads share. The thread that works touches Python's objects only through the gate.
 struct Job {
   Points3 points;  // keeps the arrays' memory
   std::vector<Rows> rows;
   RunOptions options;
+  std::shared_ptr<PythonGate> gate = std::make_shared<PythonGate>();
   std::atomic<bool> given_up{false};
   std::mutex mutex;
   std::condition_variable told;
@@ -109,10 +115,11 @@ struct Job {
       if (baseline) requireAmong(tanks, scan.origin(), *baseline);
     };
     result.datum = extractDatum(scan, options.datum, callbacks);
-    const auto wanted = [this] { return !options.no_checksum; };
-    result.provenance = provenanceOf(recordInputs(points.paths, wanted), options.units, options.datum, result.datum);
+    result.provenance =
+        provenanceOf(recordInputs(scan, options.checksumTaken()), options.units, options.datum, result.datum);
     result.provenance.up = options.up;
     result.provenance.reading = options.reading;
+    result.provenance.reading.foreign = nullptr;  // Python's objects do not leave with the result
     result.provenance.baseline = options.baseline;
     result.provenance.movement_options = options.movement;
     if (baseline && result.datum.usable()) {
@@ -151,6 +158,8 @@ Result runJob(Points3 points, const RunOptions& options, const std::function<voi
   job->points = std::move(points);
   job->rows = rowsOf(job->points.arrays);
   job->options = options;
+  job->options.reading.foreign = foreignReader(job->gate);
+  job->options.reading.hash = options.checksumTaken() == Checksum::Xxh3;
   // the arrays must be released with the lock held, so the worker is never the last to hold the job
   abandoned().push_back(job);
   std::thread([raw = job.get()] { raw->work(); }).detach();
@@ -163,6 +172,7 @@ Result runJob(Points3 points, const RunOptions& options, const std::function<voi
     }
   } catch (...) {
     job->given_up = true;
+    job->gate->shut();
     throw;
   }
   abandoned().remove(job);

@@ -121,5 +121,7 @@ def read_pcd(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def read_points(path: Path) -> Array:
+    """In the scan's frame, which a result's PCD has in fields of their own."""
     columns = read_pcd(path)
-    return np.column_stack([columns[n].astype(np.float64) for n in "xyz"])
+    names = [f"full_{n}" if f"full_{n}" in columns else n for n in "xyz"]
+    return np.column_stack([columns[n].astype(np.float64) for n in names])

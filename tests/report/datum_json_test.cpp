@@ -103,7 +103,8 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
   from.options.tank = Circle{{1, 2}, 3};
   from.options.stations.clockwise = true;
   const Json json = Json::parse(datumJson(octagon(), from));
-  EXPECT_EQ(json["input"]["files"][0], (Json{{"path", "a.pcd"}, {"sha256", "abc"}, {"points", 17}}));
+  const Json hash = {{"algorithm", "sha256"}, {"value", "abc"}};
+  EXPECT_EQ(json["input"]["files"][0], (Json{{"path", "a.pcd"}, {"sha256", "abc"}, {"hash", hash}, {"points", 17}}));
   EXPECT_EQ(json["input"]["files"].size(), 2U);
   EXPECT_EQ(json["input"]["units"], "mm");
   EXPECT_EQ(json["input"]["origin"], Json({500000.5, 4000000.25, 100.125}));

@@ -178,7 +178,8 @@ def extract_datum(
 
     points:
         an array of shape (n, 3), float32 or float64 of any stride, vertical z, in `units`; the
-        path of a PCD file; or a list of arrays or of paths, which are stations of one tank.
+        path of a scan of any format; or a list of arrays or of paths, which are stations of one
+        tank. E57, LAZ and COPC need pip install 'tank_datum[formats]'.
         Points that are not finite are dropped. Nothing is copied.
     progress:
         called with the name of each stage as it begins; what it raises ends the run.
