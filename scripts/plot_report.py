@@ -59,7 +59,7 @@ def figures(datum: dict[str, Any]) -> list[tuple[str, str]]:
     ]
     if tilt is not None:
         direction = value(tilt["direction_deg"], "deg", 0)
-        rows.append(("tilt", f"{tilt['angle_arcsec']:.1f} arc-seconds towards {direction}"))
+        rows.append(("tilt", f"{tilt['angle_arcsec']:.1f} arc-seconds, high side at {direction}"))
     rows.append(("antipodal height", value(ends["max_h"], "mm", 1, MM)))
     rows.append(("antipodal inclination", value(ends["angle_arcsec"], "arc-seconds", 1)))
     return rows

@@ -79,8 +79,9 @@ std::string tiltLine(const Datum& datum) {
     std::snprintf(bending, sizeof bending, "; out of plane at most %.1f mm at %.0f deg", 1e3 * rest.max_u,
                   toDegrees(rest.max_u_azimuth));
   }
-  return line("tilt", "%.1f arc-seconds towards %.0f deg%s", toArcSeconds(std::atan(datum.tilt.slope())),
-              toDegrees(datum.tilt.direction), bending);
+  const double high = std::fmod(std::round(toDegrees(datum.tilt.direction)), 360.0);
+  return line("tilt", "%.1f arc-seconds, high side at %.0f deg, low side at %.0f deg%s",
+              toArcSeconds(std::atan(datum.tilt.slope())), high, std::fmod(high + 180.0, 360.0), bending);
 }
 
 /// Settlements and rises of single places, the largest first.

@@ -167,7 +167,8 @@ def test_stations_csv(result: tuple[str, Path]) -> None:
     )
     for row in rows:
         assert len(row) == len(names)
-        known = {n for n, cell in zip(names, row, strict=True) if cell} - {"station", "flag", "reason"}
+        known = {n for n, cell in zip(names, row, strict=True) if cell}
+        known -= {"station", "flag", "reason"}
         assert (row[-1] == "") == (row[names.index("flag")] == "measured" or name == "paper")
         if row[names.index("flag")] == "missing":
             assert known == {"azimuth_deg", "x", "y"}  # its place on the circle, and nothing else

@@ -30,6 +30,7 @@ def in_its_unit(value: float | None, unit: str) -> str:
 
 
 def rows(page: Opened) -> list[list[str]]:
+    page.page.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; })")
     found = page.page.locator("#summary tbody tr").all()
     return [[c.strip() for c in row.locator("td").all_inner_texts()] for row in found]
 
@@ -63,7 +64,7 @@ def test_failures_come_first_and_the_verdict_names_them(still: Opened, sample_re
     assert f"{count('not applicable')} not applicable" in said
     datum = read_datum(sample_report)
     headline = datum["verdict"]
-    assert f"{headline['word']}: {headline['sentence']}" in said
+    assert headline["word"] in still.text(".verdict .word") and headline["sentence"] in said
     for check in datum["checks"]:
         if check["verdict"] == "fail":
             assert f"{check['code']} {check['name']}" in said
@@ -97,6 +98,31 @@ def test_words_of_a_result_are_never_markup(
     with opened(browser, path) as page:
         assert page.slips() == []
         assert verdict in page.page.locator(".verdict").get_attribute("class")
-        assert "<b>tilt</b>" in page.text(".verdict" if verdict == "fail" else "#summary tbody")
-        assert page.page.locator("main :is(i:not(.legend i), b, u, s)").count() == 0
+        assert "<b>tilt</b>" in page.text(".verdict" if verdict == "fail" else "#summary .bars")
+        assert page.page.locator("main :is(i:not(.legend i, .bars i), b, u, s)").count() == 0
         assert "no <i>evaluation</i>" in page.text("#summary li")
+
+
+def test_bars_are_shares_of_the_limits_the_fullest_first(
+    still: Opened, sample_report: Path
+) -> None:
+    judged = [
+        c
+        for c in read_datum(sample_report)["checks"]
+        if c["verdict"] in ("pass", "fail", "undecided") and c["limit"]
+    ]
+    shares = sorted((100 * c["value"] / c["limit"] for c in judged), reverse=True)
+    assert still.texts(".bars .number") == [f"{round(s)} %" for s in shares]
+    track = still.page.locator(".bars .track").first.bounding_box()["width"]
+    for bar, share in zip(still.page.locator(".bars i").all(), shares, strict=True):
+        width = bar.bounding_box()["width"]
+        assert width == pytest.approx(track * min(share, 100) / 100, abs=3)
+
+
+def test_what_passes_is_folded(page: Opened) -> None:
+    folded = page.page.locator("#summary details")
+    assert folded.count() == 2
+    for details in folded.all():
+        assert not details.get_by_role("table").is_visible()
+        details.locator("summary").click()
+        assert details.get_by_role("table").is_visible()

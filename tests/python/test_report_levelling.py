@@ -41,7 +41,7 @@ def test_a_table_is_not_called_a_scan(run: Runner, browser: Any, tmp_path: Path)
     datum = read_datum(tmp_path)
     with opened(browser, tmp_path / "report.html") as page:
         assert page.slips() == []
-        assert "Levelling survey: 14 stations measured" in page.text(".verdict")
+        assert "Levelling survey: 14 stations measured" in page.text(".quality")
         facts = page.text("#summary .facts")
         assert "21.0312 m as given" in " ".join(facts.split())
         assert "Shell seen" not in facts and "unknown" not in facts

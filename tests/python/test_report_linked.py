@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from report_pages import LINKED, Opened, scale_of
-from results import read_stations
+from results import read_datum, read_stations
 
 
 def test_hover_shows_the_station_and_marks_it_everywhere(page: Opened, sample_report: Path) -> None:
@@ -81,3 +81,30 @@ def test_series_can_be_left_out(page: Opened) -> None:
     assert page.page.locator("#elevation-chart path.reference").count() == 1
     page.page.get_by_label("paper\u2019s curve").uncheck()
     assert page.page.locator("#elevation-chart path.reference").count() == 0
+
+
+def chosen_station(page: Opened) -> int:
+    return int(page.texts("#station-values dd")[0].split(" at ")[0])
+
+
+def test_the_worst_station_is_chosen_first_or_the_one_that_the_address_names(
+    page: Opened, sample_report: Path
+) -> None:
+    stations = read_stations(sample_report)
+    worst = int(np.nanargmax(np.abs(stations["u"])))
+    datum = read_datum(sample_report)
+    governing = next(
+        c for c in datum["checks"] if f"{c['code']} {c['name']}" == datum["verdict"]["governing"]
+    )
+    assert governing["verdict"] != "not_evaluated"
+    assert chosen_station(page) == round(governing["azimuth_deg"]) != worst
+    assert page.page.locator("#station-number").input_value() == str(chosen_station(page))
+    page.page.goto((sample_report / "report.html").resolve().as_uri() + "#station=17")
+    assert chosen_station(page) == 17
+    for name, wanted in {
+        "worst out of plane": worst,
+        "highest": int(np.nanargmax(stations["z"])),
+        "lowest": int(np.nanargmin(stations["z"])),
+    }.items():
+        page.page.get_by_role("button", name=name, exact=True).click()
+        assert chosen_station(page) == wanted, name

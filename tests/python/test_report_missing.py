@@ -22,7 +22,7 @@ def test_gaps_are_shaded_and_named(browser: Any, gaps_report: Path) -> None:
     assert 25 <= len(missing) <= 35 and stations.where("interpolated").sum() >= 5
     with opened(browser, gaps_report / "report.html") as page:
         assert page.slips() == []
-        assert "Datum found in part" in page.text(".verdict")
+        assert "Datum found in part" in page.text(".quality")
         named = f"{missing[0] - 0.5:.1f}\u00b0 to {missing[-1] + 0.5:.1f}\u00b0"
         assert named in page.text("#summary")
         for chart in ("elevation-chart", "out-of-plane-chart"):

@@ -10,12 +10,14 @@ function embeddedJson(id) {
   return text === null ? null : JSON.parse(text);
 }
 
-/** A table as one object per row: numbers, null for an empty cell, `flag` a word. */
+const kWordColumns = ["flag", "reason"];
+
+/** A table as one object per row: numbers, null for an empty cell; some columns hold words. */
 function readTable(csv) {
   if (csv === null) return [];
   const [header, ...rows] = csv.trim().split("\n").map((line) => line.split(","));
   return rows.map((cells) => Object.fromEntries(header.map((name, i) => {
-    if (name === "flag") return [name, cells[i]];
+    if (kWordColumns.includes(name)) return [name, cells[i]];
     return [name, cells[i] === "" ? null : Number(cells[i])];
   })));
 }

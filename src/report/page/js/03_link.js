@@ -1,7 +1,23 @@
 // One azimuth is chosen and at most one hovered over; every chart marks both.
 
+/** The azimuth to look at first: what the address asks for, where the governing check is worst, or the largest settlement. */
+function firstAzimuth() {
+  if (datum === null || stations.length === 0) return 0;
+  const asked = /^#station=(\d+)$/.exec(window.location.hash);
+  if (asked && Number(asked[1]) < stations.length) return stations[Number(asked[1])].azimuth_deg;
+  const governing = datum.verdict && (datum.checks || []).find((c) => `${c.code} ${c.name}` === datum.verdict.governing);
+  if (governing && governing.verdict !== "not_evaluated" && known(governing.azimuth_deg)) return governing.azimuth_deg;
+  return extremeStation((s) => (known(s.u) ? Math.abs(s.u) : null)).azimuth_deg;
+}
+
+/** The measured station where a figure is largest; the first of all where there is none. */
+function extremeStation(value) {
+  const found = stations.filter((s) => s.flag === "measured" && known(value(s)));
+  return found.reduce((most, s) => (value(s) > value(most) ? s : most), found[0] || stations[0]);
+}
+
 const link = {
-  chosen: 0,
+  chosen: firstAzimuth(),
   hovered: null,
   marks: [],
   describe: describeStation,

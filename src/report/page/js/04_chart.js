@@ -1,6 +1,7 @@
 // A chart: a figure whose drawing is made anew for the width it has, with a legend and its own downloads.
 
 const charts = [];
+const kPaperHeight = 227;  // 60 mm [px]
 
 /**
  * @param section  where it stands
@@ -40,8 +41,8 @@ function drawChart(chart, width = Math.floor(chart.canvas.clientWidth)) {
   link.marks = link.marks.filter((mark) => mark !== chart.mark);
   chart.width = width;
   const ratio = typeof chart.ratio === "function" ? chart.ratio(width) : chart.ratio;
-  const paper = width === chart.paper;  // lower there, for a section a sheet
-  const height = Math.round((paper ? 0.84 : 1) * Math.min(chart.most, Math.max((paper ? 0.7 : 1) * chart.least, ratio * width)));
+  const paper = width === chart.paper;
+  const height = Math.round(Math.min(paper ? kPaperHeight : chart.most, Math.max(paper ? 0 : chart.least, ratio * width)));
   chart.canvas.replaceChildren();
   const svg = d3.select(chart.canvas).append("svg").attr("xmlns", "http://www.w3.org/2000/svg")
     .attr("width", width).attr("height", height).attr("viewBox", `0 0 ${width} ${height}`)

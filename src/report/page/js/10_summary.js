@@ -21,8 +21,10 @@ function worstVerdict() {
   return checksWith("pass").length > 0 ? "pass" : "none";
 }
 
-function verdictSentence() {
-  if (!usable) return sentence(datum.message || words(datum.status));
+const kVerdictIcons = { PASS: "\u2714", FAIL: "\u2716", UNDECIDED: "?", INCOMPLETE: "\u2026" };
+
+/** How many checks ended how. */
+function countsSentence() {
   const count = (verdict) => checksWith(verdict).length;
   const judged = count("pass") + count("fail") + count("undecided");
   if (judged === 0) return "No check of a code could be judged; see below for what each needs.";
@@ -32,8 +34,7 @@ function verdictSentence() {
   if (count("undecided") > 0) parts.push(`${count("undecided")} undecided`);
   if (count("not_evaluated") > 0) parts.push(`${count("not_evaluated")} not evaluated`);
   if (count("not_applicable") > 0) parts.push(`${count("not_applicable")} not applicable`);
-  const headline = datum.verdict ? `${datum.verdict.word}: ${datum.verdict.sentence} ` : "";
-  return `${headline}${parts.join("; ")}. Screening, not a code evaluation.`;
+  return `${parts.join("; ")}.`;
 }
 
 function statusSentence() {
@@ -44,9 +45,23 @@ function statusSentence() {
   return `${levelled ? "Levelling survey" : name}: ${found}.`;
 }
 
+/** The word of the verdict, what it rests on, and the counts; of a refusal its reason. */
 function verdictBox() {
+  const { word, sentence: why } = datum.verdict || {};
+  const lines = usable ? [why, countsSentence()] : [statusSentence(), sentence(datum.message || words(datum.status))];
+  const heading = usable ? word || "NO VERDICT" : "NO DATUM";
   return make("div", { class: `verdict ${worstVerdict()}`, role: "status" },
-    make("p", {}, make("strong", {}, statusSentence())), make("p", {}, verdictSentence()));
+    make("p", { class: "word" }, make("span", { "aria-hidden": "true" }, `${(usable && kVerdictIcons[word]) || "\u2013"} `), heading),
+    lines.filter(Boolean).map((line) => make("p", {}, line)));
+}
+
+/** What the data are worth, beneath the verdict. */
+function qualityLine() {
+  if (!usable) return null;
+  const sigmas = stations.filter((s) => s.flag === "measured" && known(s.sigma_z)).map((s) => s.sigma_z);
+  const error = sigmas.length > 0 ? ` Standard error of an elevation ${millimetres(d3.median(sigmas), 2)} (median).` : "";
+  const mind = datum.message ? ` ${sentence(datum.message)}` : "";
+  return make("p", { class: "quality" }, make("strong", {}, "Data: "), `${statusSentence()}${error}${mind}`);
 }
 
 /** [name, value, further words] of the tank. */
@@ -72,7 +87,7 @@ function datumFacts() {
   if (datum.tilt) {
     const p = datum.tilt.p_value < 0.001 ? "p < 0.001" : `p ${figure(datum.tilt.p_value, 3)}`;
     list.push(["Tilt", withUnit(datum.tilt.angle_arcsec, 1, "\u2033"),
-      `up towards ${degrees(datum.tilt.direction_deg)}, R\u00b2 ${figure(datum.tilt.r2, 3)}${known(datum.tilt.p_value) ? `, ${p}` : ""}`]);
+      `high side ${degrees(datum.tilt.direction_deg)}, low side ${degrees((datum.tilt.direction_deg + 180) % 360)}, R\u00b2 ${figure(datum.tilt.r2, 3)}${known(datum.tilt.p_value) ? `, ${p}` : ""}`]);
   }
   if (datum.antipodal && known(datum.antipodal.max_h)) {
     list.push(["Worst diameter", millimetres(datum.antipodal.max_h),
@@ -85,13 +100,16 @@ function addSummary() {
   const section = addSection("summary", "Verdict");
   const facts = [...tankFacts(), ...datumFacts()];
   section.append(verdictBox());
+  const quality = qualityLine();
+  if (quality !== null) section.append(quality);
   if (facts.length > 0) section.append(boxes(facts));
   section.append(make("h3", {}, "Checks of the codes"));
-  if (hasSection("checks") && datum.checks.length > 0) section.append(checksTable());
+  if (hasSection("checks") && datum.checks.length > 0) section.append(...checkTables());
   else sayAbsent(section, whyAbsent("Checks"));
   const missing = missingItems();
   section.append(make("h3", {}, "What is missing"), missing.length > 0 ? make("ul", {}, missing.map((item) => make("li", {}, typeset(item))))
     : make("p", {}, "Nothing: every station is measured or lies in a short gap that the curve bridges."));
   const notes = datum.notes || [];
   if (notes.length > 0) section.append(make("h3", {}, "Notes"), make("ul", {}, notes.map((note) => make("li", {}, typeset(note)))));
+  section.append(make("div", { class: "paper-only" }, ["Inspector", "Date", "Signature"].map((name) => make("span", {}, name))));
 }

@@ -1,7 +1,5 @@
 // The checks of the codes, each with its value, limit, verdict and how far its rule is trusted.
 
-const kVerdictOrder = ["fail", "undecided", "pass", "not_evaluated", "not_applicable"];
-
 /** [factor, unit, digits] of a check's figures: the unit that value and limit share. */
 function scaleOf(check) {
   if (check.unit === "m/m") return [1e3, "mm/m", 2];
@@ -34,9 +32,38 @@ function checkRow(check) {
     typeset(check.note || "")];
 }
 
-function checksTable() {
-  const order = (check) => kVerdictOrder.indexOf(check.verdict);
-  const rows = [...datum.checks].sort((a, b) => order(a) - order(b)).map(checkRow);
-  return table([["Check"], ["Value", "number"], ["Limit", "number"], ["Verdict"], ["Rule\u2019s source"], ["Note"]], rows,
-    "The rule\u2019s source says how its limit was read: verified in the standard, from a secondary source, or unverified.");
+/** The share of its limit that a check's figure takes; null where it has none. */
+function utilisation(check) {
+  return known(check.value) && known(check.limit) && check.limit > 0 ? Math.abs(check.value) / check.limit : null;
+}
+
+/** A bar for each judged check, the fullest first. */
+function utilisationBars() {
+  const judged = [...checksWith("fail"), ...checksWith("undecided"), ...checksWith("pass")].filter((check) => utilisation(check) !== null);
+  if (judged.length === 0) return null;
+  judged.sort((a, b) => utilisation(b) - utilisation(a));
+  return make("ul", { class: "bars", "aria-label": "Share of its limit that each judged check takes" }, judged.map((check) => {
+    const share = utilisation(check), bar = make("i", { class: check.verdict });
+    bar.style.width = `${Math.min(100, 100 * share)}%`;
+    return make("li", {}, make("span", {}, `${capital(check.name)}, ${check.code}`), make("span", { class: "track" }, bar),
+      make("span", { class: "number" }, `${Math.round(100 * share)} %`));
+  }));
+}
+
+const checkColumns = [["Check"], ["Value", "number"], ["Limit", "number"], ["Verdict"], ["Rule\u2019s source"], ["Note"]];
+
+/** A table of checks, folded under its heading where that is given. */
+function checksTable(checks, heading) {
+  if (checks.length === 0) return null;
+  const rows = table(checkColumns, checks.map(checkRow));
+  return heading ? make("details", { class: "checks" }, make("summary", {}, heading), rows) : rows;
+}
+
+/** What fails or is undecided in sight, the rest folded. */
+function checkTables() {
+  const open = [...checksWith("fail"), ...checksWith("undecided")], passes = checksWith("pass");
+  const rest = [...checksWith("not_evaluated"), ...checksWith("not_applicable")];
+  return [utilisationBars(), checksTable(open), checksTable(passes, passes.length === 1 ? "1 check passes" : `${passes.length} checks pass`),
+    checksTable(rest, `${rest.length} not evaluated or not applicable`),
+    make("p", { class: "quiet" }, "The rule\u2019s source says how its limit was read: verified in the standard, from a secondary source, or unverified.")].filter(Boolean);
 }

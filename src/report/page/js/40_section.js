@@ -26,7 +26,7 @@ function addStation() {
 const chosenSection = () => sections.stations[stationAt(link.chosen)];
 
 function stationControls() {
-  const number = make("input", { type: "number", id: "station-number", min: 0, max: stations.length - 1, value: 0 });
+  const number = make("input", { type: "number", id: "station-number", min: 0, max: stations.length - 1, value: stationAt(link.chosen) });
   const step = (label, text, by) => {
     const button = make("button", { type: "button", "aria-label": label }, text);
     button.addEventListener("click", () => link.choose(link.chosen + by * stepOfAzimuth()));
@@ -39,7 +39,14 @@ function stationControls() {
   });
   document.addEventListener("station", () => { number.value = stationAt(link.chosen); });
   return make("div", { class: "controls" }, make("label", { for: "station-number" }, "Station"),
-    step("previous station", "\u2039", -1), number, step("next station", "\u203a", 1));
+    step("previous station", "\u2039", -1), number, step("next station", "\u203a", 1),
+    goTo("worst out of plane", (s) => (known(s.u) ? Math.abs(s.u) : null)), goTo("highest", (s) => s.z), goTo("lowest", (s) => -s.z));
+}
+
+function goTo(label, value) {
+  const button = make("button", { type: "button" }, label);
+  button.addEventListener("click", () => link.choose(extremeStation(value).azimuth_deg));
+  return button;
 }
 
 /** The points of a section [mm], and whether each is of the shell. */

@@ -15,6 +15,10 @@ function addFooter() {
   document.getElementById("footer").append(make("p", {}, `Written by ${trend ? `tank_datum_compare ${trend.version}` : `tank_datum ${datum.version}`}. Figures are in the frame of the scan; azimuths in degrees.`), licences);
 }
 
+window.addEventListener("hashchange", () => {
+  if (window.location.hash.startsWith("#station=") && !trend) link.choose(firstAzimuth());
+});
+
 addHeading();
 if (trend) {
   addTrend();
