@@ -24,7 +24,7 @@ std::string writeScan(const std::string& path, int points) {
 std::string writeOctagon(const Folder& folder, const std::string& scan) {
   std::filesystem::create_directory(folder.path("out"));
   Provenance from;
-  from.files = {{scan, "abc", 3}};
+  from.files = {{scan, 3, Checksum::Sha256, "abc"}};
   writeResults(folder.path("out"), octagon(), from);
   return folder.path("out");
 }
