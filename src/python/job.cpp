@@ -1,5 +1,6 @@
 #include "job.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -14,7 +15,9 @@
 #include "datum_stages.h"
 #include "io/up_axis.h"
 #include "movement/baseline.h"
+#include "movement/epoch.h"
 #include "movement/movement.h"
+#include "report/provenance.h"
 
 namespace py = pybind11;
 
@@ -56,9 +59,9 @@ Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const Run
   if (!points.paths.empty()) return Scan::open(points.paths, options.metresPerUnit(), options.reading);
   const double scale = options.metresPerUnit();
   return Scan::fromRows(rows.empty() ? 0 : rows.back().end, [rows, scale](std::uint64_t i) {
-    std::size_t a = 0;
-    while (i >= rows[a].end) ++a;
-    return Eigen::Vector3d(rows[a].at(i, 0) * scale, rows[a].at(i, 1) * scale, rows[a].at(i, 2) * scale);
+    const auto in =
+        std::upper_bound(rows.begin(), rows.end(), i, [](std::uint64_t at, const Rows& a) { return at < a.end; });
+    return Eigen::Vector3d(in->at(i, 0) * scale, in->at(i, 1) * scale, in->at(i, 2) * scale);
   });
 }
 
@@ -69,26 +72,37 @@ Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptio
 
 struct GivenUp {};
 
+/// The movement of one of several tanks; of those that are not the baseline's it says so.
+Movement movementOf(const Datum& datum, const Baseline& baseline, const DatumOptions& options, bool several) {
+  try {
+    return movementSince(baseline, datum, options);
+  } catch (const Error& error) {
+    if (!several) throw;
+    Movement none;
+    none.baseline = baseline.epoch.name;
+    none.message = error.what();
+    return none;
+  }
+}
+
 /// What the two threads share. The thread that works touches no Python object.
 struct Job {
-  Points3 points;  // keeps the arrays' memory
+  Task task;  // keeps the arrays' memory
   std::vector<Rows> rows;
-  RunOptions options;
   std::atomic<bool> given_up{false};
   std::mutex mutex;
   std::condition_variable told;
-  std::vector<std::string> stages;
+  std::vector<Event> events;
+  std::string stage;
   bool done = false;
-  Result result;
+  Found found;
   std::exception_ptr error;
 
   void work() {
-    const ThreadScope threads(options.datum.threads);
+    const ThreadScope threads(task.options.datum.threads);
     try {
-      refuseFirst(firstError(options));
-      std::optional<Baseline> baseline;
-      if (!options.baseline.empty()) baseline = readBaseline(options.baseline, options.movement, options.datum);
-      extract(scanOf(points, rows, options), baseline);
+      refuseFirst(firstError(task.options));
+      task.wanted == Task::Wanted::Levelling ? level(baselineAsGiven()) : search(baselineAsGiven());
     } catch (...) {
       error = std::current_exception();
     }
@@ -97,26 +111,76 @@ struct Job {
     told.notify_one();
   }
 
-  void extract(const Scan& scan, const std::optional<Baseline>& baseline) {
+  std::optional<Baseline> baselineAsGiven() const {
+    const RunOptions& o = task.options;
+    if (o.baseline.empty()) return std::nullopt;
+    if (task.baseline_json.empty()) return readBaseline(o.baseline, o.movement, o.datum);
+    return baselineOf(epochIn(task.baseline_json, o.baseline), o.movement, o.datum);
+  }
+
+  void tell(const Event& event) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    const bool later = !events.empty() && !event.begins && !events.back().begins;
+    if (later) events.back() = event;
+    if (!later) events.push_back(event);
+    told.notify_one();
+  }
+
+  Callbacks callbacksFor(const Scan& scan, const std::optional<Baseline>& baseline) {
     Callbacks callbacks;
-    callbacks.stage = [this](const char* stage) {
+    callbacks.stage = [this, total = scan.size()](const char* name) {
       if (given_up) throw GivenUp();
-      const std::lock_guard<std::mutex> lock(mutex);
-      stages.emplace_back(stage);
-      told.notify_one();
+      stage = name;
+      tell({stage, 0, total, true});
     };
     callbacks.tanks = [&](const std::vector<Tank>& tanks) {
       if (baseline) requireAmong(tanks, scan.origin(), *baseline);
     };
-    result.datum = extractDatum(scan, options.datum, callbacks);
-    const auto wanted = [this] { return !options.no_checksum; };
-    result.provenance = provenanceOf(recordInputs(points.paths, wanted), options.units, options.datum, result.datum);
-    result.provenance.up = options.up;
-    result.provenance.reading = options.reading;
-    result.provenance.baseline = options.baseline;
-    result.provenance.movement_options = options.movement;
-    if (baseline && result.datum.usable()) {
-      result.provenance.movement = movementSince(*baseline, result.datum, options.datum);
+    return callbacks;
+  }
+
+  void search(const std::optional<Baseline>& baseline) {
+    Scan scan = scanOf(task.points, rows, task.options);
+    scan.setProgress([this, total = scan.size()](std::uint64_t read) { tell({stage, read, total, false}); });
+    const Callbacks callbacks = callbacksFor(scan, baseline);
+    const DatumOptions& options = task.options.datum;
+    if (task.wanted == Task::Wanted::Datum) return keep({extractDatum(scan, options, callbacks)}, baseline);
+    std::vector<Tank> tanks = findTanks(scan, options, callbacks);
+    found.origin = scan.origin();
+    if (task.wanted == Task::Wanted::Tanks) {
+      found.tanks = std::move(tanks);
+      return;
+    }
+    callbacks.tanks(tanks);
+    if (tanks.empty()) tanks.emplace_back();
+    std::vector<Datum> datums;
+    for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, options, callbacks));
+    keep(std::move(datums), baseline);
+  }
+
+  void level(const std::optional<Baseline>& baseline) {
+    const RunOptions& o = task.options;
+    keep({readLevelling(o.levelling, o.metresPerUnit(), o.diameter, o.datum)}, baseline);
+  }
+
+  std::vector<InputRecord> inputs(const Datum& first) const {
+    if (task.wanted == Task::Wanted::Levelling) return {recordOfLevelling(task.options.levelling, first)};
+    return recordInputs(task.points.paths, [this] { return !task.options.no_checksum && !given_up; });
+  }
+
+  void keep(std::vector<Datum> datums, const std::optional<Baseline>& baseline) {
+    const RunOptions& o = task.options;
+    const std::vector<InputRecord> files = inputs(datums.front());
+    for (Datum& datum : datums) {
+      Provenance provenance = provenanceOf(files, o.units, o.datum, datum);
+      provenance.up = o.up;
+      provenance.reading = o.reading;
+      provenance.baseline = o.baseline;
+      provenance.movement_options = o.movement;
+      if (baseline && datum.usable()) {
+        provenance.movement = movementOf(datum, *baseline, o.datum, task.wanted == Task::Wanted::Datums);
+      }
+      found.results.push_back({std::move(datum), std::move(provenance)});
     }
   }
 };
@@ -135,30 +199,30 @@ void dropEnded() {
 }
 
 /// Waits a tenth of a second at most; true when the job has ended.
-bool waitFor(Job& job, std::vector<std::string>& stages) {
+bool waitFor(Job& job, std::vector<Event>& events) {
   const py::gil_scoped_release unlocked;
   std::unique_lock<std::mutex> lock(job.mutex);
-  job.told.wait_for(lock, std::chrono::milliseconds(100), [&] { return job.done || !job.stages.empty(); });
-  stages.swap(job.stages);
+  job.told.wait_for(lock, std::chrono::milliseconds(100),
+                    [&] { return job.done || (!job.events.empty() && job.events.front().begins); });
+  events.swap(job.events);
   return job.done;
 }
 
 }  // namespace
 
-Result runJob(Points3 points, const RunOptions& options, const std::function<void(const std::string&)>& progress) {
+Found runJob(Task task, const std::function<void(const Event&)>& progress) {
   dropEnded();
   const auto job = std::make_shared<Job>();
-  job->points = std::move(points);
-  job->rows = rowsOf(job->points.arrays);
-  job->options = options;
+  job->task = std::move(task);
+  job->rows = rowsOf(job->task.points.arrays);
   // the arrays must be released with the lock held, so the worker is never the last to hold the job
   abandoned().push_back(job);
   std::thread([raw = job.get()] { raw->work(); }).detach();
   try {
     for (bool ended = false; !ended;) {
-      std::vector<std::string> stages;
-      ended = waitFor(*job, stages);
-      for (const std::string& stage : stages) progress(stage);
+      std::vector<Event> events;
+      ended = waitFor(*job, events);
+      for (const Event& event : events) progress(event);
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
   } catch (...) {
@@ -167,7 +231,7 @@ Result runJob(Points3 points, const RunOptions& options, const std::function<voi
   }
   abandoned().remove(job);
   if (job->error) std::rethrow_exception(job->error);
-  return std::move(job->result);
+  return std::move(job->found);
 }
 
 }  // namespace tank_datum::python
