@@ -113,41 +113,54 @@ double agreementOfNeighbours(const BandPoints& points, const TwoLevels& levels) 
   return chance < 1.0 ? (agree / count - chance) / (1.0 - chance) : 1.0;
 }
 
-/// The distance of the two levels that the points lie on [m]; 0 where one will do, or where they lie side by side.
-double doubledBy(const BandPoints& points) {
+/// What two levels say of an arc's points.
+struct ArcLevels {
+  double apart = 0.0;  ///< distance of the two [m]; 0 where one will do, or where they lie side by side
+  double gain = 0.0;   ///< of the logarithm of the likelihood against one level
+
+  bool isDouble() const { return apart > 0.0; }
+};
+
+ArcLevels levelsOf(const BandPoints& points) {
   constexpr std::size_t kFewestPoints = 20;
-  constexpr double kGain = 8.0;     // by chance once in some thousand arcs
   constexpr double kApart = 3.0;    // standard deviations; roughness of one surface is no dip between two
   constexpr double kShare = 0.1;    // of the points at least on either level
   constexpr double kBeside = 0.75;  // agreement of neighbours: roughness and steps of one surface; rows of a scan less
-  if (points.size() < kFewestPoints) return 0.0;
+  if (points.size() < kFewestPoints) return {};
   const BandPoints flat = withoutPlane(points);
   std::vector<double> heights;
   for (const BandPoint& p : flat) heights.push_back(p.h);
-  if (!(robustSigma(heights, 0.0) > 0.0)) return 0.0;
+  if (!(robustSigma(heights, 0.0) > 0.0)) return {};
   const TwoLevels levels = fitTwoLevels(heights);
-  if (levels.gain < kGain || levels.apart() < kApart * levels.sigma) return 0.0;
-  if (std::min(levels.share, 1.0 - levels.share) < kShare) return 0.0;
-  if (agreementOfNeighbours(flat, levels) > kBeside) return 0.0;
-  return levels.apart();
+  if (!(levels.gain > 0.0) || levels.apart() < kApart * levels.sigma) return {};
+  if (std::min(levels.share, 1.0 - levels.share) < kShare) return {};
+  if (agreementOfNeighbours(flat, levels) > kBeside) return {};
+  return {levels.apart(), levels.gain};
+}
+
+/// Whether two arcs side by side are double. Two scans overlap over more than an arc; one alone is chance.
+bool areDouble(const ArcLevels& a, const ArcLevels& b) {
+  constexpr double kGain = 16.0;  // of both; a rough surface gains up to 5 an arc
+  return a.isDouble() && b.isDouble() && a.gain + b.gain > kGain;
 }
 
 }  // namespace
 
 double doubleDisagreement(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                           const Eigen::Vector2d& center, const FoundationBand& band) {
-  constexpr int kFewestArcs = 2;
   const Surface surface{StationCells(stations), center, band, tank.side, band.tolerance(ring.reach)};
   const ArcPoints arcs = pointsOfArcs(ring.points, surface);
-  std::vector<double> apart(arcs.size());
-  forEachIndex(arcs.size(), 0, [&](std::size_t arc) { apart[arc] = doubledBy(thinned(arcs[arc])); });
-  double squares = 0.0;
-  int doubled = 0;
-  for (const double a : apart) {
-    squares += a * a;
-    doubled += a > 0.0 ? 1 : 0;
+  std::vector<ArcLevels> levels(kArcs);
+  forEachIndex(kArcs, 0, [&](std::size_t arc) { levels[arc] = levelsOf(thinned(arcs[arc])); });
+  double squares = 0.0, doubled = 0.0;
+  for (std::size_t arc = 0; arc < kArcs; ++arc) {
+    const ArcLevels &here = levels[arc], &before = levels[(arc + kArcs - 1) % kArcs],
+                    &after = levels[(arc + 1) % kArcs];
+    if (!areDouble(here, before) && !areDouble(here, after)) continue;
+    squares += here.apart * here.apart;
+    doubled += 1.0;
   }
-  return doubled < kFewestArcs ? 0.0 : std::sqrt(0.5 * squares / doubled);
+  return doubled > 0.0 ? std::sqrt(0.5 * squares / doubled) : 0.0;
 }
 
 }  // namespace tank_datum

@@ -58,13 +58,18 @@ double beyondOthers(const SetupSystem& system, const KindSigmas& usual, std::vec
   return beyond(solveSetups(system, priorSigmas(sigmas, freed)), setup, sigmas);
 }
 
-/// The setup furthest beyond what its sigmas allow, or none. Those with the largest errors are looked at.
-std::size_t worstSetup(const SetupSystem& system, const KindSigmas& usual, const std::vector<bool>& freed) {
+/// A setup and how far it is beyond what its sigmas allow: 1 is at the bound.
+struct Suspect {
+  std::size_t setup = 0;
+  double beyond = 0.0;
+};
+
+/// The setup furthest off. Those with the largest errors are looked at.
+Suspect worstSetup(const SetupSystem& system, const KindSigmas& usual, const std::vector<bool>& freed) {
   constexpr std::size_t kLookedAt = 8;
-  const std::size_t count = freed.size();
   const SetupSolution solution = solveSetups(system, priorSigmas(usual, freed));
   std::vector<std::pair<double, std::size_t>> suspects;
-  for (std::size_t s = 0; s < count; ++s) {
+  for (std::size_t s = 0; s < freed.size(); ++s) {
     double square = 0.0;
     for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) {
       const double error = solution.errors[static_cast<Eigen::Index>(s) * SetupMotion::kParameters + i];
@@ -74,26 +79,28 @@ std::size_t worstSetup(const SetupSystem& system, const KindSigmas& usual, const
   }
   std::sort(suspects.begin(), suspects.end());
   suspects.resize(std::min(suspects.size(), kLookedAt));
-  std::size_t worst = count;
-  double most = 1.0;
+  Suspect worst;
   for (const auto& suspect : suspects) {
     const double far = beyondOthers(system, usual, freed, suspect.second);
-    if (far > most) most = far, worst = suspect.second;
+    if (far > worst.beyond) worst = {suspect.second, far};
   }
   return worst;
 }
 
-/// The bad setups: one of three to nine, one in five of more. Where there seem to be more than that none is an
-/// exception, and the sigma of all is large.
+/// The bad setups: one of three to nine, one in five of more. Where one more is nearly as far off as the last of them
+/// none is an exception, and the sigma of all is large.
 std::vector<bool> badSetups(const SetupSystem& system, const KindSigmas& usual, std::size_t setups) {
   constexpr std::size_t kFewestSetups = 3, kOneIn = 5;
+  constexpr double kNearly = 0.5;
   const std::size_t most = std::max<std::size_t>(1, setups / kOneIn);
   std::vector<bool> bad(setups, false);
+  double last = 0.0;
   for (std::size_t found = 0; setups >= kFewestSetups; ++found) {
-    const std::size_t worst = worstSetup(system, usual, bad);
-    if (worst == setups) break;
-    if (found == most) return std::vector<bool>(setups, false);
-    bad[worst] = true;
+    const Suspect worst = worstSetup(system, usual, bad);
+    if (!(worst.beyond > 1.0)) break;
+    if (found == most) return worst.beyond > kNearly * last ? std::vector<bool>(setups, false) : bad;
+    bad[worst.setup] = true;
+    last = worst.beyond;
   }
   return bad;
 }

@@ -61,6 +61,17 @@ Eigen::VectorXd LocalShape::waves(int order) const {
   return coefficients;
 }
 
+bool LocalShape::isWithin(const LocalShape& other) const {
+  return apart(centre, other.centre) < std::max(half_width, other.half_width);
+}
+
+LocalShape LocalShape::joinedWith(const LocalShape& other) const {
+  const double offset = std::remainder(other.centre - centre, kTwoPi);
+  const double from = std::min(-half_width, offset - other.half_width);
+  const double to = std::max(half_width, offset + other.half_width);
+  return {centre + 0.5 * (from + to), 0.5 * (to - from), std::max(scale, other.scale), false};
+}
+
 std::vector<CandidateShape> candidateShapes(const Eigen::VectorXd& azimuths) {
   constexpr double kWidest = 30.0 * kPi / 180.0, kGrowth = 1.5, kNarrowest = 1.0 * kPi / 180.0;
   const double spacing = kTwoPi / static_cast<double>(azimuths.size());

@@ -18,6 +18,10 @@ struct LocalShape {
   double at(double azimuth) const;
   /// Coefficients 1, cos t, sin t, cos 2t, ... of a shape of height 1.
   Eigen::VectorXd waves(int order) const;
+  /// Whether the middle of one of the two lies in the other.
+  bool isWithin(const LocalShape& other) const;
+  /// The shape from where the first of the two begins to where the last ends.
+  LocalShape joinedWith(const LocalShape& other) const;
 };
 
 /// A shape that is looked for, with the stations that it reaches and its values there.

@@ -35,8 +35,8 @@ class RingModel {
   const RingData& data() const { return data_; }
   const RingNoise& noise() const { return noise_; }
 
-  /// Local settlements and rises: the datum in their middle above the mean of it at their ends, and its standard error
-  /// [m].
+  /// Local settlements and rises, one a place: the datum in their middle above the mean of it at their ends, and its
+  /// standard error [m].
   struct Local {
     LocalShape shape;
     double height, sigma;

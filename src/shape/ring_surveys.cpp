@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/deviates.h"
@@ -88,12 +89,24 @@ std::vector<RingModel::Local> RingModel::locals() const {
   if (shapes_.empty()) return locals;
   const Eigen::VectorXd datum = coefficients();
   const Eigen::MatrixXd errors = covariance();
-  for (const LocalShape& shape : shapes_) {
-    if (shape.detail) continue;
+  const auto local_of = [&](const LocalShape& shape) {
     const Eigen::MatrixXd rows =
         rowsAt(Eigen::Vector3d(shape.centre, shape.centre - shape.half_width, shape.centre + shape.half_width));
     const Eigen::RowVectorXd bent = rows.row(0) - 0.5 * (rows.row(1) + rows.row(2));
-    locals.push_back({shape, bent.dot(datum), std::sqrt(bent * errors * bent.transpose())});
+    return Local{shape, bent.dot(datum), std::sqrt(bent * errors * bent.transpose())};
+  };
+  for (const LocalShape& shape : shapes_) {
+    if (shape.detail) continue;
+    const Local here = local_of(shape);
+    const auto same = std::find_if(locals.begin(), locals.end(),
+                                   [&here](const Local& other) { return here.shape.isWithin(other.shape); });
+    if (same == locals.end()) {
+      locals.push_back(here);
+    } else if (here.height * same->height > 0.0) {
+      *same = local_of(here.shape.joinedWith(same->shape));
+    } else if (std::abs(here.height) > std::abs(same->height)) {
+      *same = here;  // a bend the other way at its flank is none of its own
+    }
   }
   return locals;
 }

@@ -41,9 +41,15 @@ TEST(BadSetups, TwoOfTenAreFoundWhereThreeAreNoException) {
   const std::vector<std::pair<int, double>> two = {{10, 0.015}, {30, -0.015}};
   const std::vector<bool> found = badOf(10, two);
   for (std::size_t s = 0; s < 10; ++s) EXPECT_EQ(found[s], s == 2 || s == 6) << s;
-  // each so much larger than the next that none hides it
-  const std::vector<std::pair<int, double>> three = {{10, 0.300}, {30, -0.060}, {45, 0.015}};
+  const std::vector<std::pair<int, double>> three = {{10, 0.020}, {30, -0.018}, {45, 0.017}};
   EXPECT_EQ(badOf(10, three), std::vector<bool>(10, false));
+}
+
+/// How far off counts by the square, under sigmas that the first's error raises while it is one of them.
+TEST(BadSetups, ASecondLessThanHalfAsFarOffDoesNotHideTheFirst) {
+  const std::vector<bool> first = badOf(6, {{10, 0.030}, {20, 0.0105}});
+  for (std::size_t s = 0; s < 6; ++s) EXPECT_EQ(first[s], s == 2) << s;
+  EXPECT_EQ(badOf(6, {{10, 0.030}, {20, 0.0125}}), std::vector<bool>(6, false));
 }
 
 TEST(SetupAdjustment, SetupsThatMeetNowhereAreAsGoodAsAGoodSurveyorsAre) {

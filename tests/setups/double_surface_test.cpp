@@ -18,6 +18,7 @@ const FoundationBand kBand{0.02, 0.25, 0.0, kNoise};
 /// Points of the foundation in arcs of five degrees.
 struct MadeArcs {
   int arcs = 6;
+  int every = 1;                                      ///< how many arcs further the next one is
   int points = 400;                                   ///< an arc
   double share = 0.5;                                 ///< of the second scan
   double apart = 0.004;                               ///< of the two scans
@@ -32,7 +33,8 @@ struct MadeArcs {
     ring.reach = kReach;
     for (int i = 0; i < arcs * points; ++i) {
       const double t = any(random), across = any(random), chance = any(random);
-      const double azimuth = toRadians(5.0 * (i / points + t)), d = kBand.from + (kBand.to - kBand.from) * across;
+      const double azimuth = toRadians(5.0 * (i / points * every + t)),
+                   d = kBand.from + (kBand.to - kBand.from) * across;
       const double r = side == Side::Outside ? kRadius + d : kRadius - d;
       const bool second = is_second ? is_second(t, across) : chance < share;
       ring.points.push_back({r * std::cos(azimuth), r * std::sin(azimuth), (second ? apart : 0.0) + normal(random)});
@@ -112,11 +114,15 @@ TEST(DoubleSurface, TwoLevelsMustBeMuchLikelierThanOne) {
   EXPECT_TRUE(found(75));
 }
 
-TEST(DoubleSurface, TwoArcsTellOneDoesNot) {
+TEST(DoubleSurface, TwoArcsSideBySideTellOthersDoNot) {
   MadeArcs made;
   made.arcs = 1;
   EXPECT_EQ(made.disagreement(), 0.0);
   made.arcs = 2;
+  EXPECT_GT(made.disagreement(), 0.002);
+  made.arcs = 36, made.every = 2;
+  EXPECT_EQ(made.disagreement(), 0.0);
+  made.arcs = 2, made.every = 71;  // the first and the last of the ring
   EXPECT_GT(made.disagreement(), 0.002);
 }
 

@@ -116,6 +116,27 @@ TEST(LocalSettlements, ASingleStationFarBelowTheOthersCounts) {
   EXPECT_GT(analysis.out_of_plane.u_interval.low, 0.006);
 }
 
+/// A dip that is no single cosine's bell takes several of them.
+TEST(LocalSettlements, OnePlaceIsToldOnce) {
+  for (const double half_width : {6.0 * kDegree, 12.0 * kDegree}) {
+    const auto dip = [&](double a) {
+      const double off = std::abs(std::remainder(a - 3.5, kTwoPi)) / half_width;
+      return foundation(a) - (off < 1.0 ? 0.012 * (1.0 - off * off) * (1.0 - off * off) : 0.0);
+    };
+    const Analysis analysis = analysed(noisy(wave(360, dip), kSigma, 3), kSigma);
+    ASSERT_EQ(analysis.local_settlements.size(), 1u) << half_width;
+    EXPECT_NEAR(analysis.local_settlements[0].azimuth, 3.5, 0.15 * half_width);
+    EXPECT_NEAR(analysis.local_settlements[0].width, 2.0 * half_width, 0.6 * half_width);
+    EXPECT_NEAR(analysis.local_settlements[0].height, -0.012, 0.003);
+  }
+}
+
+TEST(LocalSettlements, ShapesJoinFromTheFirstsBeginningToTheLastsEnd) {
+  const LocalShape joined = LocalShape{0.1, 0.2, 1.0, false}.joinedWith({kTwoPi - 0.1, 0.3, 2.0, false});
+  EXPECT_NEAR(std::remainder(joined.centre - -0.05, kTwoPi), 0.0, 1e-12);
+  EXPECT_NEAR(joined.half_width, 0.35, 1e-12);
+}
+
 TEST(LocalSettlements, SeveralDipsDoNotHideEachOther) {
   const auto shape = [](double a) {
     double z = foundation(a);
