@@ -51,12 +51,12 @@ py::array shellTable(const Datum& datum) {
     return numbers(name, [&points, value](std::size_t row) { return value(points[row]); });
   };
   using P = const ShellPoint&;
-  return table(points.size(),
-               {column("azimuth_deg", [](P p) { return toDegrees(p.azimuth); }),
-                column("height", [](P p) { return p.height; }), column("radius", [](P p) { return p.radius; }),
-                column("deviation", [](P p) { return p.deviation; }), column("sigma", [](P p) { return p.sigma; }),
-                column("n", [](P p) { return static_cast<double>(p.points); }),
-                column("offset", [](P p) { return p.offset; })});
+  return table(
+      points.size(),
+      {column("azimuth_deg", [](P p) { return toDegrees(p.azimuth); }), column("height", [](P p) { return p.height; }),
+       column("radius", [](P p) { return p.radius; }), column("deviation", [](P p) { return p.deviation; }),
+       column("sigma", [](P p) { return p.sigma; }), column("n", [](P p) { return static_cast<double>(p.points); }),
+       column("offset", [](P p) { return p.offset; })});
 }
 
 /// Writes the command's files into a folder that is there.
