@@ -33,6 +33,9 @@ struct OptionFlags::Declaration {
   CLI::Option* operator()(std::vector<int>* values) const {
     return text([name = flag, values](const std::string& typed) { *values = codesFrom(name, typed); });
   }
+  CLI::Option* operator()(std::vector<std::string>* values) const {
+    return text([name = flag, values](const std::string& typed) { *values = namesFrom(name, typed); });
+  }
   CLI::Option* operator()(std::optional<Circle>* circle) const {
     return text([name = flag, circle](const std::string& typed) { *circle = circleFrom(name, typed); });
   }

@@ -40,7 +40,7 @@ void growTo(Figures& figures, const Scan& scan, const Tank& tank, const Command&
   constexpr double kMillion = 1e6, kStep = 10.0;
   for (double millions = command.smallest; millions <= command.largest * (1.0 + 1e-9); millions *= kStep) {
     const auto points = static_cast<std::uint64_t>(millions * kMillion);
-    figures.growth.push_back(runOfSize({scan, tank, points}, command.options, !command.no_checksum, command.folder));
+    figures.growth.push_back(runOfSize({scan, tank, points}, command.options, command.checksum, command.folder));
   }
 }
 
@@ -58,7 +58,7 @@ int run(const Command& command) {
   }
   if (scan.size() <= command.stock_points) figures.whole.push_back(runStock(command.scan, command.options));
   Datum datum;
-  figures.whole.push_back(runCommand({command.scan}, command.options, !command.no_checksum, datum));
+  figures.whole.push_back(runCommand({command.scan}, command.options, command.checksum, datum));
   if (command.scale) growTo(figures, scan, tank, command);
   std::cout << tablesOf(figures);
   if (json) {

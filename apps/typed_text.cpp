@@ -60,4 +60,15 @@ std::vector<int> codesFrom(const std::string& flag, const std::string& typed) {
   return listFrom<int>(flag, typed, "whole numbers C,C,...");
 }
 
+std::vector<std::string> namesFrom(const std::string& flag, const std::string& typed) {
+  std::vector<std::string> names;
+  std::istringstream in(typed);
+  for (std::string cell; std::getline(in, cell, ',');) {
+    const std::size_t first = cell.find_first_not_of(' ');
+    if (first == std::string::npos) throw unreadable(flag, typed, "names A,B,...");
+    names.push_back(cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+  }
+  return names;
+}
+
 }  // namespace tank_datum

@@ -18,5 +18,7 @@ Circle circleFrom(const std::string& flag, const std::string& typed);
 std::vector<double> numbersFrom(const std::string& flag, const std::string& typed);
 /// "C,C,...", whole numbers; none of an empty text.
 std::vector<int> codesFrom(const std::string& flag, const std::string& typed);
+/// "A,B,..." without the blanks around; none of an empty text.
+std::vector<std::string> namesFrom(const std::string& flag, const std::string& typed);
 
 }  // namespace tank_datum

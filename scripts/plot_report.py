@@ -22,11 +22,18 @@ def value(number: float | None, unit: str, decimals: int, scale: float = 1.0) ->
     return "not known" if number is None else f"{scale * number:.{decimals}f} {unit}"
 
 
+def hash_of(file: dict[str, Any]) -> tuple[str, str]:
+    """The name of the hash of a scan, and its digits; of results of earlier versions SHA-256."""
+    known = file.get("hash") or {"algorithm": "sha256", "value": file["sha256"]}
+    name = {"xxh3_128": "XXH3-128", "sha256": "SHA-256"}[known["algorithm"]]
+    return (name, known["value"]) if known["value"] else ("hash", "not taken")
+
+
 def inputs(datum: dict[str, Any]) -> list[tuple[str, str]]:
     rows = [("tank_datum", f"version {datum['version']}, method {datum['options']['method']}")]
     for file in datum["input"]["files"]:
         rows.append(("scan", f"{file['path']}, {file['points']} points"))
-        rows.append(("SHA-256", file["sha256"] or "not taken"))
+        rows.append(hash_of(file))
     rows.append(("status", datum["status"]))
     if datum["message"]:
         rows.append(("", datum["message"]))

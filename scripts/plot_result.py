@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ Array = NDArray[np.float64]
 METRES = {"m": 1.0, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
 SCHEMA = 1  # of datum.json: what this version knows
 TEXT_COLUMNS = {"flag", "reason"}  # of stations.csv
+FULL = ("full_x", "full_y", "full_z")  # fields of a result's PCD beside x, y, z near an origin
 CLOUD_POINTS = 200_000
 """the most points of a scan that are drawn"""
 
@@ -95,17 +97,24 @@ def read_result(folder: Path) -> Result:
 
 
 def read_pcd(path: Path, most: int) -> Array:
-    """Finite x, y, z of a PCD (ascii or binary); every n-th row, so that at most `most` remain."""
+    """Finite x, y, z of a PCD (ascii or binary); every n-th row, so that at most `most` remain.
+
+    In the scan's own frame: full_x, full_y, full_z where they are, else about a comment's origin.
+    """
     header: dict[str, list[str]] = {}
+    origin = np.zeros(3)
     try:
         with path.open("rb") as file:
             while "DATA" not in header and (line := file.readline()):
                 words = line.decode("ascii", "replace").split()
+                if words[:3] == ["#", "tank_datum:", "origin"]:
+                    origin = np.array([float(word) for word in words[3:6]])
                 header[words[0] if words else ""] = words[1:]
             start = file.tell()
-        points = int(header["POINTS"][0])
-        step = max(1, math.ceil(points / most))
-        xyz = _rows(path, header, points, start, step)
+        step = max(1, math.ceil(int(header["POINTS"][0]) / most))
+        full = all(name in header["FIELDS"] for name in FULL)
+        xyz = _rows(path, header, start, step, FULL if full else tuple("xyz"))
+        xyz = xyz if full else xyz + origin
     except OSError as error:
         raise PlotError(f"{path}, {error.strerror}, expected a PCD") from None
     except (KeyError, IndexError, ValueError, TypeError):
@@ -115,10 +124,12 @@ def read_pcd(path: Path, most: int) -> Array:
     return xyz[np.isfinite(xyz).all(axis=1)]
 
 
-def _rows(path: Path, header: dict[str, list[str]], points: int, start: int, step: int) -> Array:
-    fields, kind = header["FIELDS"], header["DATA"][0]
+def _rows(
+    path: Path, header: dict[str, list[str]], start: int, step: int, names: Sequence[str]
+) -> Array:
+    fields, kind, points = header["FIELDS"], header["DATA"][0], int(header["POINTS"][0])
     if kind == "ascii":
-        columns = [fields.index(name) for name in "xyz"]
+        columns = [fields.index(name) for name in names]
         with path.open("rb") as file:
             file.seek(start)
             lines = [line for i, line in enumerate(file) if i % step == 0]
@@ -130,14 +141,14 @@ def _rows(path: Path, header: dict[str, list[str]], points: int, start: int, ste
     described = zip(fields, header["TYPE"], header["SIZE"], counts, strict=True)
     row = np.dtype(
         [
-            (f if f in "xyz" else f"{f}{i}", f"<{kinds[t]}{s}", (int(c),))
+            (f if f in names else f"{f}{i}", f"<{kinds[t]}{s}", (int(c),))
             for i, (f, t, s, c) in enumerate(described)
         ]
     )
     if points == 0:
         return np.empty((0, 3))
     table = np.memmap(path, row, "r", start, (points,))[::step]
-    return np.column_stack([table[name][:, 0].astype(np.float64) for name in "xyz"])
+    return np.column_stack([table[name][:, 0].astype(np.float64) for name in names])
 
 
 def read_cloud(result: Result, folder: Path, scans: list[Path]) -> Array:

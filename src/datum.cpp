@@ -25,6 +25,7 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/edge/find_edge_points.h"
 #include "tank_datum/search/estimate_normals.h"
+#include "trust/foot_density.h"
 #include "trust/tank_tests.h"
 #include "trust/tests_of_tank.h"
 
@@ -120,6 +121,7 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
   if (datum.refined.valid()) {
     for (const std::size_t i : stationsOffCircle(datum.stations, datum.circle, evidence)) {
       datum.stations[i].flag = StationFlag::Missing;
+      datum.stations[i].reason = Unmeasured::OffCircle;
     }
     shareErrors(datum, ring);
   }
@@ -198,6 +200,7 @@ Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   if (ring.search.size() < static_cast<std::size_t>(options.normals.k)) {
     return endDatum(datum, Status::TooFewPoints, "fewer points near the datum than neighbours asked for");
   }
+  datum.foot_density = footDensity(ring, tank);
   const ShellEvidence evidence = lookAtShell(ring, tank);
   datum.lean = evidence.lean;
   datum.tests = testsOfShell(tank, evidence);

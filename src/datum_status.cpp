@@ -9,6 +9,7 @@
 #include "setups/setup_report.h"
 #include "shape/deformation.h"
 #include "stations/stations.h"
+#include "trust/foot_density.h"
 #include "trust/tank_tests.h"
 
 namespace tank_datum {
@@ -24,6 +25,12 @@ void warnOfSteps(Datum& datum) {
   addClause(datum.message, text);
 }
 
+/// A datum that does not exist for want of a foot.
+Datum withoutCrease(Datum datum, std::string message) {
+  addClause(message, sparseFoot(datum.foot_density));
+  return endDatum(std::move(datum), Status::NoCrease, message);
+}
+
 /// A missing station keeps its place on the fitted circle, and nothing else.
 void blankMissing(Datum& datum) {
   for (Station& s : datum.stations) {
@@ -31,6 +38,7 @@ void blankMissing(Datum& datum) {
     Station blank;
     blank.azimuth = s.azimuth;
     blank.direction = s.direction;
+    blank.reason = s.reason;
     blank.x = datum.circle.center.x() + datum.circle.radius * std::cos(s.direction);
     blank.y = datum.circle.center.y() + datum.circle.radius * std::sin(s.direction);
     s = blank;
@@ -87,16 +95,16 @@ Datum describeStations(Datum datum, const DatumOptions& options) {
     return endDatum(datum, Status::FitFailed, "too few edge points for a closed curve");
   }
   if (!refined && isElsewhere(datum.circle, datum.tank, options.crop.reach)) {
-    return endDatum(datum, Status::NoCrease, candidate + "the edge points do not lie along the foot of the shell");
+    return withoutCrease(std::move(datum), candidate + "the edge points do not lie along the foot of the shell");
   }
   if (refined && !datum.refined.valid()) {
-    return endDatum(datum, Status::NoCrease,
-                    candidate + "no foundation surface meets the shell along enough of its foot");
+    return withoutCrease(std::move(datum),
+                         candidate + "no foundation surface meets the shell along enough of its foot");
   }
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {
-    return endDatum(datum, Status::NoCrease,
-                    candidate + "the shell meets one and the same surface at fewer than 8 stations");
+    return withoutCrease(std::move(datum),
+                         candidate + "the shell meets one and the same surface at fewer than 8 stations");
   }
   blankMissing(datum);
   return finishDatum(std::move(datum), options);
@@ -124,6 +132,7 @@ Datum finishDatum(Datum datum, const DatumOptions& options) {
   if (datum.level.missing > 0) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
                     " stations are missing: the datum is not seen there";
+    addClause(datum.message, sparseFoot(datum.foot_density));
   }
   addClause(datum.message, doubtfulUnits(datum.circle.radius));
   addClause(datum.message, setupMessage(datum.agreement, datum.stations));

@@ -98,12 +98,15 @@ ChainRun runOwn(const Points& points, SearchEngine engine, DatumOptions options)
   return run;
 }
 
-ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& options, bool checksums, Datum& datum) {
+ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& options, Checksum checksum,
+                    Datum& datum) {
   ChainRun run{"tank_datum", 0, {}, {}};
   StageMeter meter;
   meter.begin("open");
-  const Scan scan = Scan::open(paths);
-  BackgroundRecords records(paths, options.threads != 1, checksums);
+  ScanOptions reading;
+  reading.hash = checksum == Checksum::Xxh3;
+  const Scan scan = Scan::open(paths, 1.0, reading);
+  BackgroundRecords records(scan, checksum, options.threads);
   datum = extractDatum(scan, options, {[&meter](const char* stage) { meter.begin(stage); }, {}, {}});
   meter.begin("hash");
   records.take();

@@ -27,8 +27,10 @@ ChainRun runStock(const std::string& path, const DatumOptions& options);
 /// The same steps here, with an engine.
 ChainRun runOwn(const Points& points, SearchEngine engine, DatumOptions options);
 
-/// The whole command but for writing its results: the scan's checksums, if wanted, in a thread beside it.
-ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& options, bool checksums, Datum& datum);
+/// The whole command but for writing its results: the scan's checksum, in a thread beside it where the command takes it
+/// so.
+ChainRun runCommand(const std::vector<std::string>& paths, const DatumOptions& options, Checksum checksum,
+                    Datum& datum);
 
 /// How two runs on the same points agree.
 struct Agreement {

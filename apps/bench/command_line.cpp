@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 
 #include "core/units.h"
 #include "parsed.h"
@@ -29,7 +30,11 @@ void addOptions(CLI::App& app, Command& command, double& angle_deg) {
   app.add_option("--repeats", command.repeats, "of the chains on the ring; the fastest counts")->check(positive);
   app.add_option("--stock-points", command.stock_points,
                  "the stock chain is run on the whole scan if it has at most so many points");
-  app.add_flag("--no-checksum", command.no_checksum, "the command without the scan's SHA-256");
+  const std::map<std::string, Checksum> checksums = {
+      {"xxh3", Checksum::Xxh3}, {"sha256", Checksum::Sha256}, {"none", Checksum::None}};
+  app.add_option("--checksum", command.checksum, "of the scan, by the command")
+      ->transform(CLI::CheckedTransformer(checksums))
+      ->default_str("xxh3");
   app.add_flag("--scale", command.scale, "make scans of 1, 10, 100 million points of this one, and run the command");
   app.add_option("--smallest", command.smallest, "scan that --scale makes [million points]")->check(positive);
   app.add_option("--largest", command.largest, "scan that --scale makes [million points]; 1000 needs 12 GB of disk")

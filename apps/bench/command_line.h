@@ -15,7 +15,7 @@ struct Command {
   std::uint64_t stock_points = 8'000'000;  ///< the stock chain is run on whole scans of at most so many
   int repeats = 3;                         ///< of the chains on the ring; the fastest counts
   bool scale = false;
-  bool no_checksum = false;                ///< the command without the scan's SHA-256
+  Checksum checksum = Checksum::Xxh3;      ///< of the scan, by the command
   double smallest = 1.0, largest = 100.0;  ///< scans that --scale makes, each ten times the last [M points]
   DatumOptions options;
 };

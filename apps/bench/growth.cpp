@@ -74,7 +74,7 @@ void writeScanOfSize(const GrownScan& scan, const std::string& path) {
   writer.commit();
 }
 
-GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, bool checksums, const std::string& folder) {
+GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, Checksum checksum, const std::string& folder) {
   results::removeStale(folder);
   // a folder of its own: what stands in the one named is somebody else's
   auto staging = std::make_unique<results::Staging>(folder);
@@ -85,7 +85,7 @@ GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, bool che
   run.bytes = std::filesystem::file_size(path);
   secondsToRead(path);  // into the page cache, as far as it goes
   run.read_seconds = secondsToRead(path);
-  run.chain = runCommand({path}, options, checksums, run.datum);
+  run.chain = runCommand({path}, options, checksum, run.datum);
   const results::NoStop hold;
   on_stop.reset();
   staging.reset();

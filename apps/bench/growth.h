@@ -29,7 +29,7 @@ struct GrownScan {
 void writeScanOfSize(const GrownScan& scan, const std::string& path);
 
 /// Makes a scan of so many points in a folder, runs the command on it, and removes it.
-GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, bool checksums, const std::string& folder);
+GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, Checksum checksum, const std::string& folder);
 
 /// The largest difference of two runs' elevations over its standard error, of the stations that both have measured.
 double largestInSigmas(const Datum& a, const Datum& b);

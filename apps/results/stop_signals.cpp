@@ -3,6 +3,7 @@
 #include <pthread.h>
 #include <signal.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <map>
@@ -25,20 +26,24 @@ Shared& shared() {
 
 void waitAndEnd(const sigset_t& signals, const std::string& program) {
   int number = 0;
-  if (sigwait(&signals, &number) != 0) return;
-  shared().busy.lock();  // for good: nobody begins a step any more
-  auto& actions = shared().actions;
-  for (auto latest = actions.rbegin(); latest != actions.rend(); ++latest) latest->second();
-  std::cerr << program << ": stopped by " << strsignal(number) << "\n" << std::flush;
-  signal(number, SIG_DFL);
-  sigset_t one;
-  sigemptyset(&one);
-  sigaddset(&one, number);
-  pthread_sigmask(SIG_UNBLOCK, &one, nullptr);
-  raise(number);
+  if (sigwait(&signals, &number) == 0) stopBy(number, program);
 }
 
 }  // namespace
+
+void stopBy(int signal_number, const std::string& program) {
+  shared().busy.lock();  // for good: nobody begins a step any more
+  auto& actions = shared().actions;
+  for (auto latest = actions.rbegin(); latest != actions.rend(); ++latest) latest->second();
+  std::cerr << program << ": stopped by " << strsignal(signal_number) << "\n" << std::flush;
+  signal(signal_number, SIG_DFL);
+  sigset_t one;
+  sigemptyset(&one);
+  sigaddset(&one, signal_number);
+  pthread_sigmask(SIG_UNBLOCK, &one, nullptr);
+  raise(signal_number);
+  std::abort();  // the signal ends the process before
+}
 
 void stopCleanly(const std::string& program) {
   sigset_t signals;

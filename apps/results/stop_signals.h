@@ -11,6 +11,9 @@ namespace tank_datum::results {
 /// @param program  the name that begins the line on stderr
 void stopCleanly(const std::string& program);
 
+/// Cleans up, says so on stderr and ends the process by a signal, for a program that hears of its signals otherwise.
+[[noreturn]] void stopBy(int signal_number, const std::string& program);
+
 /// What is to be cleaned up when a signal comes, as long as this lives.
 class OnStop {
  public:

@@ -91,8 +91,9 @@ struct Datum {
   Analysis analysis;
   double asked_height = kUnknown;  ///< of the shell, as it was given for the checks [m]
   ShellSurvey shell;
-  std::vector<TankTest> tests;  ///< of whether it is a tank
-  ShellLean lean;               ///< of the shell near its foot
+  std::vector<TankTest> tests;     ///< of whether it is a tank
+  ShellLean lean;                  ///< of the shell near its foot
+  double foot_density = kUnknown;  ///< points a degree beside the foot, on the foundation's side
 
   bool usable() const { return status == Status::Ok || status == Status::Partial; }
   /// Whether there are stations to look at: of a usable datum, or of a doubtful one.

@@ -65,32 +65,41 @@ bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
 
 }  // namespace
 
-std::vector<bool> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass) {
+std::vector<Unmeasured> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass) {
   constexpr std::size_t kAsMany = 2;  // stations that stand to one below which the shell goes on; else none stands
   const std::vector<bool> supported = findSupport(foot, elevations, pass.sections);
-  std::vector<FootFit> kept = pass.fits;
-  std::vector<char> before(kept.size(), 0);
-  forEachIndex(kept.size(), 0, [&](std::size_t i) {
-    const bool seen = foot.shell_seen[i] && kept[i].valid() && supported[i];
-    before[i] = seen && goesOnBelow(foot, i, kept[i]);
-    if (!seen || before[i] || !isSameSurface(foot.points[i], kept[i], pass.priors.slope[i], pass.sections.at(i))) {
-      kept[i] = {};
+  std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
+  std::vector<char> before(reasons.size(), 0);
+  forEachIndex(reasons.size(), 0, [&](std::size_t i) {
+    const FootFit& fit = pass.fits[i];
+    if (!foot.shell_seen[i]) {
+      reasons[i] = Unmeasured::NoShell;
+    } else if (!fit.valid() || !supported[i]) {
+      reasons[i] = Unmeasured::NoFoundation;
+    } else {
+      before[i] = goesOnBelow(foot, i, fit);
+      const bool same = isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
+      if (before[i] || !same) reasons[i] = Unmeasured::OtherSurface;
     }
   });
-  const auto stand = std::count_if(kept.begin(), kept.end(), [](const FootFit& fit) { return fit.valid(); });
+  const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
   const auto kerbs = std::count(before.begin(), before.end(), 1);
-  if (static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs)) {
-    return std::vector<bool>(kept.size(), true);
+  const bool none = static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs);
+  std::vector<FootFit> kept = pass.fits;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (reasons[i] != Unmeasured::None) kept[i] = {};
   }
-  std::vector<bool> outliers = findSteps(kept, 2.0 * foot.half_step * foot.radius);
-  for (std::size_t i = 0; i < kept.size(); ++i) outliers[i] = outliers[i] || !kept[i].valid();
-  return outliers;
+  const std::vector<bool> steps = findSteps(kept, 2.0 * foot.half_step * foot.radius);
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    if (reasons[i] == Unmeasured::None && (none || steps[i])) reasons[i] = Unmeasured::OtherSurface;
+  }
+  return reasons;
 }
 
-std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<bool>& outliers) {
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<Unmeasured>& outliers) {
   std::vector<double> kept = elevations;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (outliers[i]) kept[i] = kUnknown;
+    if (outliers[i] != Unmeasured::None) kept[i] = kUnknown;
   }
   const auto known = [](double z) { return std::isfinite(z); };
   return 2 * std::count_if(kept.begin(), kept.end(), known) > std::count_if(elevations.begin(), elevations.end(), known)

@@ -6,6 +6,7 @@
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
 #include "tank_datum/locate/tank.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 
@@ -80,6 +81,7 @@ struct FootPass {
   FootSections sections;
   FootPriors priors;
   std::vector<FootFit> fits;
+  std::vector<Unmeasured> outliers;  ///< of each station why its fit does not stand; None: it does
 };
 
 /// The stations' elevations as the ring's own covariance lets neighbours help.
@@ -91,10 +93,10 @@ struct FootLevels {
 /// Each stretch's own fit, then what they follow all together.
 FootLevels levelStations(const Foot& foot, const FootPass& pass);
 
-/// Stations whose fit has no support of its own, lies on something else, or steps off its neighbours.
-std::vector<bool> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass);
+/// Why stations do not stand: their fit has no support of its own, lies on something else, or steps off its neighbours.
+std::vector<Unmeasured> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass);
 
 /// Elevations to stack the next section with: without outliers, unless they are most of what there is.
-std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<bool>& outliers);
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<Unmeasured>& outliers);
 
 }  // namespace tank_datum

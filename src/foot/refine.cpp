@@ -79,10 +79,10 @@ FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootS
 }
 
 /// What a pass leaves to the next one.
-FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& outliers, const std::vector<bool>& seen) {
+FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& seen) {
   std::vector<double> elevations;
   for (const FootFit& fit : pass.fits) elevations.push_back(fit.z);
-  return {withoutOutliers(elevations, outliers), filledUp(elevations), seen};
+  return {withoutOutliers(elevations, pass.outliers), filledUp(elevations), seen};
 }
 
 /// The elevations of stations whose shell is not seen are not stacked.
@@ -98,14 +98,13 @@ FootElevations whereShellIsSeen(FootElevations elevations, const Foot& foot) {
 FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   constexpr int kPasses = 3;  // the section sharpens as the elevations do; the third moves a few stations by 0.1 mm
   FootPass pass;
-  std::vector<bool> outliers;
   for (int i = 0; i < kPasses; ++i) {
     pass = runPass(foot, elevations, pass.sections);
-    outliers = findOutliers(foot, elevations, pass);
-    elevations = elevationsAfter(pass, outliers, elevations.seen);
+    pass.outliers = findOutliers(foot, elevations, pass);
+    elevations = elevationsAfter(pass, elevations.seen);
   }
-  for (std::size_t i = 0; i < outliers.size(); ++i) {
-    if (outliers[i]) pass.fits[i] = {};
+  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
+    if (pass.outliers[i] != Unmeasured::None) pass.fits[i] = {};
   }
   return pass;
 }
@@ -147,6 +146,15 @@ std::vector<StationDatum> stationsOf(const Foot& foot, const std::vector<FootFit
     s.sigma_radius = shell[i].sigma_radius;
     s.x = to.x() + s.radius * outwards.x();
     s.y = to.y() + s.radius * outwards.y();
+  }
+  return stations;
+}
+
+/// The stations with the reasons why some are not measured; where no outlier was found it is for want of points.
+std::vector<StationDatum> withReasons(std::vector<StationDatum> stations, const std::vector<Unmeasured>& outliers) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (stations[i].flag == StationFlag::Measured) continue;
+    stations[i].reason = outliers[i] == Unmeasured::None ? Unmeasured::NoFoundation : outliers[i];
   }
   return stations;
 }
@@ -194,7 +202,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;
   found.refined.sigma_radius = round.sigma_radius;
-  const auto stations = stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center);
+  const auto stations =
+      withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center), pass.outliers);
   const double sigma_bend = kHighestWave / tank.circle.radius;
   const int every = station_options.count / asked.count;
   found.stations =

@@ -100,6 +100,8 @@ void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& fra
       return loadOf(column.number) == one && column.number.scaled == scaled;
     });
   };
+  const std::array<double, 3> scales = {xyz[0].number.scale, xyz[1].number.scale, xyz[2].number.scale};
+  const std::array<double, 3> shifts = {xyz[0].number.shift, xyz[1].number.shift, xyz[2].number.shift};
   std::size_t kept = 0;
   if (all_are(loadAs<float>, false)) {
     kept = decode(
@@ -107,9 +109,12 @@ void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& fra
   } else if (all_are(loadAs<double>, false)) {
     kept = decode(
         xyz, rows, frame, [](int, const char* from) { return loadAs<double>(from); }, to);
+  } else if (all_are(loadAs<double>, true)) {
+    const auto load = [&](std::size_t axis, const char* from) {
+      return loadAs<double>(from) * scales[axis] + shifts[axis];
+    };
+    kept = decode(xyz, rows, frame, load, to);
   } else if (all_are(loadAs<std::int32_t>, true)) {
-    const std::array<double, 3> scales = {xyz[0].number.scale, xyz[1].number.scale, xyz[2].number.scale};
-    const std::array<double, 3> shifts = {xyz[0].number.shift, xyz[1].number.shift, xyz[2].number.shift};
     const auto load = [&](std::size_t axis, const char* from) {
       return loadAs<std::int32_t>(from) * scales[axis] + shifts[axis];
     };
@@ -173,8 +178,8 @@ std::size_t countInvalid(const CoordinateColumns& xyz, std::size_t rows, const F
 }
 
 double stepAt(const StoredNumber& number, double value) {
-  if (number.scaled) return number.scale;
-  if (number.type != 'F') return 0.0;
+  if (number.step > 0.0) return number.step;
+  if (number.type != 'F') return number.scaled ? number.scale : 0.0;
   if (number.size == 8) return std::nextafter(value, HUGE_VAL) - value;
   const float stored = static_cast<float>(value);
   return static_cast<double>(std::nextafter(stored, HUGE_VALF)) - static_cast<double>(stored);

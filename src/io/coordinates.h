@@ -12,8 +12,9 @@ struct StoredNumber {
   char type = 'F';  ///< 'F' float, 'I' signed, 'U' unsigned
   int size = 4;     ///< bytes
   bool swapped = false;
-  bool scaled = false;  ///< stored * scale + shift is meant; of type I and 4 bytes, not swapped, alone
+  bool scaled = false;  ///< stored * scale + shift is meant; fast of I of 4 bytes and of F of 8, not swapped
   double scale = 1.0, shift = 0.0;
+  double step = 0.0;  ///< to the next that was measured; 0: to the next that can be stored
 };
 
 /// One number of many rows somewhere in memory, unaligned.

@@ -8,12 +8,15 @@
 #include <cerrno>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "io/io_error.h"
+#include "io/read_hash.h"
 
 namespace tank_datum {
 
-InputFile::InputFile(std::string path) : path_(std::move(path)) {
+InputFile::InputFile(std::string path, bool hashed)
+    : path_(std::move(path)), hash_(hashed ? std::make_unique<ReadHash>() : nullptr) {
   // O_NONBLOCK: a pipe with nobody at the other end is refused below instead of waited for
   descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) throw fileError("opening", path_, std::strerror(errno), "a file that can be read");
@@ -30,6 +33,12 @@ InputFile::InputFile(std::string path) : path_(std::move(path)) {
 InputFile::~InputFile() { ::close(descriptor_); }
 
 std::size_t InputFile::readSome(std::uint64_t offset, void* to, std::size_t count) const {
+  const std::size_t got = readBytes(offset, to, count);
+  if (hash_) hash_->take(offset, {static_cast<const char*>(to), got});
+  return got;
+}
+
+std::size_t InputFile::readBytes(std::uint64_t offset, void* to, std::size_t count) const {
   std::size_t done = 0;
   while (done < count) {
     const ssize_t got =
@@ -46,6 +55,19 @@ std::string InputFile::head(std::size_t count) const {
   std::string bytes(std::min<std::uint64_t>(count, size_), '\0');
   bytes.resize(readSome(0, bytes.data(), bytes.size()));
   return bytes;
+}
+
+std::string InputFile::xxh3(const std::function<bool()>& wanted) const {
+  ReadHash whole;
+  ReadHash& hash = hash_ ? *hash_ : whole;
+  std::vector<char> block(std::size_t{1} << 20);
+  while (true) {
+    const std::uint64_t taken = hash.taken();
+    const std::size_t got = readBytes(taken, block.data(), block.size());
+    if (got == 0) return hash.digest();
+    hash.take(taken, {block.data(), got});
+    if (wanted && !wanted()) return {};
+  }
 }
 
 void InputFile::read(std::uint64_t offset, void* to, std::size_t count) const {

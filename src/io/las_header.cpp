@@ -61,12 +61,7 @@ void checkVersion(const InputFile& file, const LasBytes& bytes, LasFacts& facts)
 }
 
 void checkFormat(const InputFile& file, const LasBytes& bytes, LasFacts& facts) {
-  constexpr unsigned kCompressed = 0xc0;  // the bits that LASzip sets
   facts.format = bytes.at<std::uint8_t>(104);
-  if ((facts.format & kCompressed) != 0) {
-    throw fileError("format", file.path(), "compressed LAS (LAZ)",
-                    "uncompressed LAS; convert it first, e.g. with laszip or PDAL");
-  }
   if (facts.format >= kPointBytes.size()) {
     throw fileError("LAS point format", file.path(), std::to_string(facts.format), "0 to 10");
   }

@@ -12,7 +12,7 @@ namespace tank_datum {
 /// Points marked as withheld are no points: the specification calls that synonymous with deleted.
 /// @param classes  classification codes of the points that are wanted; empty: all
 /// @throws Error (File) when the header is none, is not consistent with itself or asks for more points than the file
-///         has, naming both counts; when the points are compressed (LAZ)
+///         has, naming both counts
 RecordRows readLasHeader(const InputFile& file, const std::vector<int>& classes);
 
 }  // namespace tank_datum

@@ -107,6 +107,7 @@ ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Fram
   std::vector<double> values(header.row_values);
   std::array<std::size_t, 3> at{};
   for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = header.columns[header.xyz[axis]].first_value;
+  const Eigen::Vector3d from(header.notes.origin.data());
   Points points;
   Labels labels;
   ScanCounts counts;
@@ -123,7 +124,7 @@ ScanCounts visitAscii(const InputFile& file, const PcdHeader& header, const Fram
       throw rowError(file, counts.points + 1, many + " values", std::to_string(values.size()));
     }
     ++counts.points;
-    if (!appendFinite({values[at[0]], values[at[1]], values[at[2]]}, frame, points)) {
+    if (!appendFinite(from + Eigen::Vector3d(values[at[0]], values[at[1]], values[at[2]]), frame, points)) {
       ++counts.invalid;
     } else if (header.label) {
       labels.push_back(labelOf(values[header.columns[*header.label].first_value]));

@@ -11,13 +11,23 @@
 namespace tank_datum {
 namespace {
 
+/// How a coordinate is stored: relative to an origin where the notes say so.
+StoredNumber numberOf(const PcdHeader& header, std::size_t axis) {
+  const PcdColumn& column = header.columns[header.xyz[axis]];
+  StoredNumber number{column.type, column.size};
+  number.shift = header.notes.origin[axis];
+  number.scaled = header.notes.origin != std::array<double, 3>{};
+  number.step = header.notes.step;
+  return number;
+}
+
 /// x, y and z of fields stored one after the other, from row begin on.
 CoordinateColumns columnsOfFields(const PcdHeader& header, const char* fields, std::size_t begin) {
   CoordinateColumns xyz;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PcdColumn& column = header.columns[header.xyz[axis]];
     const auto stride = static_cast<std::size_t>(column.size);
-    xyz[axis] = {fields + column.offset * header.points + begin * stride, stride, {column.type, column.size}};
+    xyz[axis] = {fields + column.offset * header.points + begin * stride, stride, numberOf(header, axis)};
   }
   return xyz;
 }
@@ -48,8 +58,11 @@ RecordRows recordRowsOf(const PcdHeader& header) {
 }
 
 std::array<RecordColumn, 3> xyzOf(const PcdHeader& header) {
-  return {columnOf(header.columns[header.xyz[0]]), columnOf(header.columns[header.xyz[1]]),
-          columnOf(header.columns[header.xyz[2]])};
+  std::array<RecordColumn, 3> xyz;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    xyz[axis] = {header.columns[header.xyz[axis]].offset, numberOf(header, axis)};
+  }
+  return xyz;
 }
 
 ScanCounts visitCompressed(const InputFile& file, const PcdHeader& header, const Frame& frame,

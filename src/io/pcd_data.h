@@ -11,7 +11,7 @@ namespace tank_datum {
 /// The rows of a binary file.
 RecordRows recordRowsOf(const PcdHeader& header);
 
-/// How x, y and z are stored.
+/// How x, y and z are stored, and where in a binary row.
 std::array<RecordColumn, 3> xyzOf(const PcdHeader& header);
 
 /// Visits the finite points of a binary_compressed file in file order. It is one LZF block and needs its compressed and

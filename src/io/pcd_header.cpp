@@ -18,8 +18,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kLongestHeader = 64 * 1024;  // bytes
-constexpr std::uint64_t kLongestRow = 64 * 1024;   // bytes
+constexpr std::uint64_t kLongestRow = 64 * 1024;  // bytes
 
 void checkVersion(const PcdLines& lines) {
   if (!lines.has("VERSION")) return;
@@ -92,26 +91,39 @@ void parseColumns(const PcdLines& lines, PcdHeader& header) {
 }
 
 /// The column of that name, which must be the only one and hold one value a row; nothing when there is none.
-std::optional<std::size_t> findColumn(const PcdHeader& header, char name, const std::string& path) {
+std::optional<std::size_t> findColumn(const PcdHeader& header, const std::string& name, const std::string& path) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < header.columns.size(); ++i) {
-    if (header.columns[i].name != std::string(1, name)) continue;
-    if (found) throw fileError("FIELDS", path, std::string(1, name) + " twice", "it once");
+    if (header.columns[i].name != name) continue;
+    if (found) throw fileError("FIELDS", path, name + " twice", "it once");
     found = i;
   }
   if (found && header.columns[*found].count != 1) {
-    throw fileError(std::string("COUNT of field ") + name, path, std::to_string(header.columns[*found].count), "1");
+    throw fileError("COUNT of field " + name, path, std::to_string(header.columns[*found].count), "1");
   }
   return found;
 }
 
+/// Moves on to the coordinates of the scan's own frame where they stand beside those that are relative to an origin.
+void preferFull(const PcdLines& lines, PcdHeader& header) {
+  std::array<std::size_t, 3> full{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto column = findColumn(header, kFullNames[axis], lines.path);
+    if (!column) return;
+    full[axis] = *column;
+  }
+  header.xyz = full;
+  header.notes.origin = {};
+}
+
 void findXyz(const PcdLines& lines, PcdHeader& header) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto column = findColumn(header, "xyz"[axis], lines.path);
-    if (!column) column = findColumn(header, "XYZ"[axis], lines.path);
+    auto column = findColumn(header, std::string(1, "xyz"[axis]), lines.path);
+    if (!column) column = findColumn(header, std::string(1, "XYZ"[axis]), lines.path);
     if (!column) throw fileError("FIELDS", lines.path, std::string("no ") + "xyz"[axis], "x, y and z");
     header.xyz[axis] = *column;
   }
+  preferFull(lines, header);
 }
 
 /// The first of the names that a field of one value a row has.
@@ -164,13 +176,14 @@ void parseEncoding(const PcdLines& lines, PcdHeader& header) {
 }  // namespace
 
 PcdHeader readPcdHeader(const InputFile& file) {
-  const std::string text = file.head(kLongestHeader);
+  const std::string text = file.head(kLongestPcdHeader);
   const PcdLines lines = splitPcdHeader(text, file);
   PcdHeader header;
   header.data_offset = lines.data_offset;
   checkVersion(lines);
   parseEncoding(lines, header);
   parseColumns(lines, header);
+  header.notes = readPcdNotes(lines.comments, file.path());
   findXyz(lines, header);
   findLabel(header);
   parseViewpoint(lines, header);

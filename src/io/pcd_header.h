@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "io/pcd_notes.h"
+
 namespace tank_datum {
 
 class InputFile;
@@ -27,6 +29,7 @@ struct PcdColumn {
 struct PcdHeader {
   std::vector<PcdColumn> columns;
   std::array<std::size_t, 3> xyz{};                ///< where x, y and z stand in columns
+  PcdNotes notes;                                  ///< of the comments
   std::optional<std::size_t> label;                ///< where the field stands that tells setups apart, if there is one
   std::optional<std::array<double, 3>> viewpoint;  ///< in stored units; none where the line says 0 0 0 or is missing
   std::uint64_t points = 0;
@@ -43,7 +46,9 @@ struct PcdHeader {
 /// or not. FIELDS (COLUMNS in old files), SIZE and TYPE are needed, and POINTS or WIDTH; COUNT and HEIGHT default to 1.
 /// VERSION may be missing, else it is 0.5, 0.6 or 0.7 with or without the 0. VIEWPOINT is where the scanner stood, and
 /// is not applied to the points. A field `setup`, `scan_id` or `point_source_id` of one value a row is the label of the
-/// setup. x, y and z (or X, Y, Z) must be there once each with COUNT 1; other fields are free. One of COUNT 0 is not
+/// setup. x, y and z (or X, Y, Z) must be there once each with COUNT 1; other fields are free. Where full_x, full_y and
+/// full_z stand beside them these are the coordinates, and the others those of an origin for who reads 4-byte floats
+/// alone. One of COUNT 0 is not
 /// there; one of a negative COUNT leads back in the row, as PCL writes it.
 ///
 /// Refused: unknown or repeated keywords, WIDTH x HEIGHT other than POINTS, more POINTS than the file can hold, a

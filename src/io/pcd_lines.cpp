@@ -32,7 +32,11 @@ std::string keywordOf(std::string_view word) {
 /// Takes one line in; true when it is the last (DATA).
 bool addLine(std::string_view line, std::size_t line_number, PcdLines& lines) {
   Words words = splitWords(line, kBlanks);
-  if (words.empty() || words[0][0] == '#') return false;
+  if (words.empty()) return false;
+  if (words[0][0] == '#') {
+    lines.comments.push_back(line.substr(line.find('#') + 1));
+    return false;
+  }
   std::string key = keywordOf(words[0]);
   if (!isKeyword(key)) {
     throw fileError("header line " + std::to_string(line_number), lines.path, "\"" + echo(line) + "\"",

@@ -16,6 +16,7 @@ class InputFile;
 struct PcdLines {
   std::string path;
   std::map<std::string, std::vector<std::string_view>, std::less<>> values;  ///< keywords in upper case
+  std::vector<std::string_view> comments;                                    ///< without their #
   std::uint64_t data_offset = 0;                                             ///< bytes up to the end of the line DATA
 
   bool has(std::string_view key) const { return values.count(key) != 0; }

@@ -26,7 +26,7 @@ class PcdSource : public Scan::Source {
   std::uint64_t size() const override { return header_.points; }
 
   double coordinateStep(const Eigen::Vector3d& origin) const override {
-    if (header_.encoding == PcdEncoding::Ascii) return 0.0;  // text has the digits it was written with
+    if (header_.encoding == PcdEncoding::Ascii) return header_.notes.step * metres_per_unit_;  // 0: it has all digits
     return stepAt(xyzOf(header_), origin, metres_per_unit_);
   }
 
@@ -37,8 +37,14 @@ class PcdSource : public Scan::Source {
 
   std::string labelField() const override { return labelFieldOf(header_); }
 
-  std::optional<Eigen::Vector3d> viewpoint(std::uint32_t) const override {
-    const std::optional<Eigen::Vector3d> stored = viewpointOf(header_);
+  std::string labelName(std::uint32_t label) const override {
+    const auto known = header_.notes.setups.find(label);
+    return known == header_.notes.setups.end() ? Scan::Source::labelName(label) : known->second.name;
+  }
+
+  std::optional<Eigen::Vector3d> viewpoint(std::uint32_t label) const override {
+    const auto known = header_.notes.setups.find(label);
+    const auto stored = known == header_.notes.setups.end() ? viewpointOf(header_) : known->second.viewpoint;
     if (!stored) return std::nullopt;
     return Eigen::Vector3d(*stored * metres_per_unit_);
   }
@@ -62,7 +68,7 @@ std::shared_ptr<const Scan::Source> pcdSource(std::shared_ptr<const InputFile> f
     return std::make_shared<PcdSource>(std::move(file), std::move(header), metres_per_unit);
   }
   return recordSource(std::move(file), recordRowsOf(header), metres_per_unit,
-                      {labelFieldOf(header), false, viewpointOf(header)});
+                      {labelFieldOf(header), false, viewpointOf(header), header.notes.setups});
 }
 
 }  // namespace tank_datum

@@ -121,6 +121,17 @@ std::string paddedCount(std::uint64_t count) {
   return text;
 }
 
+std::string commentsOf(const PcdHeading& heading) {
+  std::vector<std::string> lines = heading.notes.lines();
+  if (!heading.comment.empty()) lines.insert(lines.begin(), heading.comment);
+  std::string text;
+  for (const std::string& line : lines) {
+    if (line.find('\n') != std::string::npos) throw wrongUse("PcdWriter comment", "\"" + echo(line) + "\"", "a line");
+    text += "# " + line + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 void requireReplaceable(const std::string& path) {
@@ -134,8 +145,6 @@ void requireReplaceable(const std::string& path) {
 PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format format, const PcdHeading& heading)
     : path_(std::move(path)), temporary_(temporaryName(path_)), fields_(std::move(fields)), format_(format) {
   checkFields(fields_);
-  if (heading.comment.find('\n') != std::string::npos)
-    throw wrongUse("PcdWriter comment", "\"" + echo(heading.comment) + "\"", "a line");
   requireReplaceable(path_);
   std::string names = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
   for (const PcdField& f : fields_) {
@@ -144,9 +153,8 @@ PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format form
     types += std::string(" ") + f.type;
     counts += " 1";
   }
-  std::string header = "# .PCD v0.7 - Point Cloud Data file format\n" +
-                       (heading.comment.empty() ? "" : "# " + heading.comment + "\n") + "VERSION 0.7\n" + names + "\n" +
-                       sizes + "\n" + types + "\n" + counts + "\nWIDTH ";
+  std::string header = "# .PCD v0.7 - Point Cloud Data file format\n" + commentsOf(heading) + "VERSION 0.7\n" + names +
+                       "\n" + sizes + "\n" + types + "\n" + counts + "\nWIDTH ";
   width_at_ = static_cast<std::streamoff>(header.size());
   header += paddedCount(0) + "\nHEIGHT 1\nVIEWPOINT ";
   for (const double at : heading.viewpoint) {
@@ -155,6 +163,10 @@ PcdWriter::PcdWriter(std::string path, std::vector<PcdField> fields, Format form
   }
   header += "1 0 0 0\nPOINTS ";
   points_at_ = static_cast<std::streamoff>(header.size());
+  if (header.size() > kLongestPcdHeader - 100) {
+    throw wrongUse("setups", std::to_string(heading.notes.setups.size()),
+                   "so many that their names fit into " + std::to_string(kLongestPcdHeader) + " bytes");
+  }
   header += paddedCount(0) + (format_ == Format::Ascii ? "\nDATA ascii\n" : "\nDATA binary\n");
 
   errno = 0;

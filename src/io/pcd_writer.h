@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/pcd_notes.h"
+
 namespace tank_datum {
 
 /// One column of a PCD file.
@@ -19,6 +21,7 @@ struct PcdField {
 struct PcdHeading {
   std::string comment;                   ///< a line that readers skip, at the head of the file; none when empty
   std::array<double, 3> viewpoint = {};  ///< where the scanner stood, in the frame and units of the rows; zero: unknown
+  PcdNotes notes = {};
 };
 
 /// Streams rows into a binary or ascii PCD in bounded memory. The file appears under its name only when commit()

@@ -23,12 +23,16 @@ class RecordSource : public BlockSource {
   std::string labelField() const override { return setups_.label_field; }
 
   std::string labelName(std::uint32_t label) const override {
+    const auto known = setups_.known.find(label);
+    if (known != setups_.known.end()) return known->second.name;
     return label == 0 && setups_.zero_is_none ? "" : Scan::Source::labelName(label);
   }
 
-  std::optional<Eigen::Vector3d> viewpoint(std::uint32_t) const override {
-    if (!setups_.viewpoint) return std::nullopt;
-    return Eigen::Vector3d(*setups_.viewpoint * metres_per_unit_);
+  std::optional<Eigen::Vector3d> viewpoint(std::uint32_t label) const override {
+    const auto known = setups_.known.find(label);
+    const auto place = known == setups_.known.end() ? setups_.viewpoint : known->second.viewpoint;
+    if (!place) return std::nullopt;
+    return Eigen::Vector3d(*place * metres_per_unit_);
   }
 
  protected:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,9 +13,10 @@ namespace tank_datum {
 
 /// What a file of rows of fixed length says of its scanner's setups.
 struct RecordSetups {
-  std::string label_field;                   ///< empty: one setup
-  bool zero_is_none = false;                 ///< label 0 stands for no label
-  std::optional<Eigen::Vector3d> viewpoint;  ///< of the one setup, in stored units
+  std::string label_field;                                ///< empty: one setup
+  bool zero_is_none = false;                              ///< label 0 stands for no label
+  std::optional<Eigen::Vector3d> viewpoint;               ///< of the one setup, in stored units
+  std::map<std::uint32_t, ScanBlocks::Setup> known = {};  ///< what the file says of its labels, in stored units
 };
 
 /// The points of such a file.

@@ -6,9 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "io/input_file.h"
 #include "io/point_extent.h"
 #include "io/scan_format.h"
 #include "io/scan_source.h"
+#include "io/setup_pick.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -53,6 +55,10 @@ const Points& turnInto(Points& turned, const Points& points, const Eigen::Matrix
 
 }  // namespace
 
+const char* nameOf(Checksum checksum) {
+  return checksum == Checksum::None ? "none" : checksum == Checksum::Xxh3 ? "xxh3" : "sha256";
+}
+
 Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit, const ScanOptions& options) {
   if (paths.empty()) throw Error(Error::Kind::Option, "io", "scans", "none", "at least one file");
   if (!(metres_per_unit > 0.0 && std::isfinite(metres_per_unit))) {
@@ -61,9 +67,33 @@ Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit, c
   requireClasses(options.las_classes);
   Scan scan;
   scan.paths_ = paths;
-  for (const std::string& path : paths) scan.sources_.push_back(openSource(path, metres_per_unit, options));
+  for (const std::string& path : paths) {
+    scan.files_.push_back(std::make_shared<const InputFile>(path, options.hash));
+    scan.sources_.push_back(openSource(scan.files_.back(), metres_per_unit, options));
+  }
+  if (!options.setups.empty()) scan.pickSetups(options.setups);
   scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
   return scan;
+}
+
+void Scan::pickSetups(const std::vector<std::string>& names) {
+  std::vector<std::string> missing = names;
+  std::string there;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const std::vector<std::uint32_t> labels = labelsIn(*sources_[i]);
+    std::vector<std::uint32_t> wanted;
+    for (const std::uint32_t label : labels) {
+      const std::string name = setupName({static_cast<std::uint32_t>(i), label});
+      const std::string own = sources_[i]->labelField().empty() ? name : sources_[i]->labelName(label);
+      const auto is_it = [&](const std::string& given) { return given == name || given == own; };
+      if (std::any_of(names.begin(), names.end(), is_it)) wanted.push_back(label);
+      missing.erase(std::remove_if(missing.begin(), missing.end(), is_it), missing.end());
+      there += (there.empty() ? "" : ", ") + name;
+    }
+    if (wanted.size() < labels.size()) sources_[i] = pickedSource(sources_[i], wanted);
+  }
+  if (missing.empty()) return;
+  throw Error(Error::Kind::Option, "io", "setups", missing.front(), "names of setups that the scan has: " + there);
 }
 
 Scan Scan::fromPoints(const Points& points) {
@@ -71,9 +101,9 @@ Scan Scan::fromPoints(const Points& points) {
   return fromRows(kept->size(), [kept](std::uint64_t i) { return (*kept)[i]; });
 }
 
-Scan Scan::fromRows(std::uint64_t rows, Row row) {
+Scan Scan::fromRows(std::uint64_t rows, Row row, RowNumbers numbers) {
   Scan scan;
-  scan.sources_.push_back(arraySource(rows, std::move(row)));
+  scan.sources_.push_back(arraySource(rows, std::move(row), numbers));
   scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
   return scan;
 }
@@ -94,12 +124,24 @@ Scan Scan::turnedAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rota
   return scan;
 }
 
+Scan Scan::relativeTo(const Eigen::Vector3d& origin) const {
+  Scan scan = *this;
+  scan.stored_origin_ = origin;
+  if (rotation_) scan.stored_origin_ = stored_origin_ + rotation_->transpose() * (origin - origin_);
+  scan.origin_ = origin;
+  return scan;
+}
+
 ScanCounts Scan::forEachBlock(const Visitor& visit) const {
+  return forEachLabelled([&visit](const Points& block, std::uint32_t, const Labels&) { visit(block); });
+}
+
+ScanCounts Scan::forEachLabelled(const LabelledVisitor& visit) const {
   ScanCounts total;
   Points turned;
-  for (const auto& source : sources_) {
-    total += source->visit(stored_origin_, [&](const Points& block, const Labels&) {
-      visit(rotation_ ? turnInto(turned, block, *rotation_) : block);
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    total += sources_[i]->visit(stored_origin_, [&](const Points& block, const Labels& labels) {
+      visit(rotation_ ? turnInto(turned, block, *rotation_) : block, static_cast<std::uint32_t>(i), labels);
       return true;
     });
   }
@@ -140,6 +182,14 @@ bool Scan::tellsSetups() const {
   return sources_.size() > 1 || (sources_.size() == 1 && !sources_.front()->labelField().empty());
 }
 
+std::vector<SetupKey> Scan::setups() const {
+  std::vector<SetupKey> all;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    for (const std::uint32_t label : labelsIn(*sources_[i])) all.push_back({static_cast<std::uint32_t>(i), label});
+  }
+  return all;
+}
+
 std::string Scan::setupName(SetupKey setup) const {
   const std::string field = sources_[setup.source]->labelField();
   const std::string label = sources_[setup.source]->labelName(setup.label);
@@ -164,6 +214,12 @@ Points Scan::everyNth(std::uint64_t n, int threads) const {
   forEachChosen(
       choose, threads, [&all](const Points& chosen) { all.insert(all.end(), chosen.begin(), chosen.end()); }, n);
   return all;
+}
+
+std::uint64_t Scan::sizeOf(std::size_t file) const { return sources_.at(file)->size(); }
+
+std::string Scan::hashOf(std::size_t file, const std::function<bool()>& wanted) const {
+  return files_.at(file)->xxh3(wanted);
 }
 
 std::uint64_t Scan::size() const {

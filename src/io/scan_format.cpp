@@ -26,6 +26,13 @@ bool beginsLikePly(std::string_view head) {
   return startsWith(head, "ply") && head.size() > 3 && (head[3] == '\n' || isBlank(head[3]));
 }
 
+/// LASzip sets the upper bits of the point format.
+bool isCompressedLas(std::string_view head) {
+  constexpr std::size_t kFormat = 104;  // the byte of the header that has it
+  constexpr unsigned kCompressed = 0xc0;
+  return head.size() > kFormat && (static_cast<unsigned char>(head[kFormat]) & kCompressed) != 0;
+}
+
 bool isControl(char c) { return c >= '\0' && c < ' ' && c != '\t' && c != '\r' && c != '\n' && c != '\f'; }
 
 /// Whether a line is one of a PCD header: of those that hold something the first, or the comment that PCL begins with.
@@ -48,12 +55,19 @@ std::shared_ptr<const Scan::Source> lasSource(std::shared_ptr<const InputFile> f
   return recordSource(std::move(file), records, metres_per_unit, {"point_source_id", true, {}});
 }
 
+/// What somebody else reads.
+std::shared_ptr<const Scan::Source> foreignSource(const ForeignScan& scan, const ScanOptions& options) {
+  if (options.foreign) return streamSource(options.foreign(scan));
+  throw fileError("format", scan.path, scan.format,
+                  std::string(kKnownFormats) + "; the Python package reads it: pip install 'tank_datum[formats]'");
+}
+
 }  // namespace
 
 ScanFormat formatOf(const InputFile& file) {
   const std::string head = file.head(kHead);
   if (head.empty()) throw fileError("header", file.path(), "an empty file", kKnownFormats);
-  if (startsWith(head, "LASF")) return ScanFormat::Las;
+  if (startsWith(head, "LASF")) return isCompressedLas(head) ? ScanFormat::Laz : ScanFormat::Las;
   if (beginsLikePly(head)) return ScanFormat::Ply;
   if (startsWith(head, "ASTM-E57")) return ScanFormat::E57;
   if (beginsLikePcd(head)) return ScanFormat::Pcd;
@@ -66,11 +80,20 @@ ScanFormat formatOf(const InputFile& file) {
   return ScanFormat::Text;
 }
 
-std::shared_ptr<const Scan::Source> openSource(const std::string& path, double metres_per_unit,
+std::string foreignFormatOf(const std::string& path) {
+  try {
+    const ScanFormat format = formatOf(InputFile(path));
+    return format == ScanFormat::E57 ? "E57" : format == ScanFormat::Laz ? "LAZ" : "";
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+std::shared_ptr<const Scan::Source> openSource(std::shared_ptr<const InputFile> file, double metres_per_unit,
                                                const ScanOptions& options) {
-  auto file = std::make_shared<const InputFile>(path);
+  const std::string path = file->path();
   const ScanFormat format = formatOf(*file);
-  if (!options.las_classes.empty() && format != ScanFormat::Las) {
+  if (!options.las_classes.empty() && format != ScanFormat::Las && format != ScanFormat::Laz) {
     throw Error(Error::Kind::Option, "io", "las_classes", "given for " + path, "LAS files: others have no classes");
   }
   switch (format) {
@@ -80,8 +103,10 @@ std::shared_ptr<const Scan::Source> openSource(const std::string& path, double m
       return lasSource(std::move(file), metres_per_unit, options);
     case ScanFormat::Ply:
       return plySource(std::move(file), metres_per_unit);
+    case ScanFormat::Laz:
+      return foreignSource({path, "LAZ", metres_per_unit, options.las_classes}, options);
     case ScanFormat::E57:
-      throw fileError("format", path, "E57", std::string(kKnownFormats) + "; convert it first, e.g. with PDAL");
+      return foreignSource({path, "E57", metres_per_unit, options.las_classes}, options);
     case ScanFormat::Text:
       return textSource(readTextLayout(std::move(file)), metres_per_unit);
   }

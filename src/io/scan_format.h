@@ -7,7 +7,7 @@
 
 namespace tank_datum {
 
-enum class ScanFormat { Pcd, Las, Ply, E57, Text };
+enum class ScanFormat { Pcd, Las, Laz, Ply, E57, Text };
 
 class InputFile;
 
@@ -16,8 +16,11 @@ class InputFile;
 /// @throws Error (File) naming the formats known when it is none of them
 ScanFormat formatOf(const InputFile& file);
 
-/// @throws Error (File) as the readers of the formats
-std::shared_ptr<const Scan::Source> openSource(const std::string& path, double metres_per_unit,
+/// The format of a file that somebody else must read, "E57" or "LAZ"; empty of others, and of what cannot be opened.
+std::string foreignFormatOf(const std::string& path);
+
+/// @throws Error (File) as the readers of the formats, and of a foreign one that options.foreign does not read
+std::shared_ptr<const Scan::Source> openSource(std::shared_ptr<const InputFile> file, double metres_per_unit,
                                                const ScanOptions& options);
 
 }  // namespace tank_datum

@@ -4,17 +4,22 @@
 #include <utility>
 
 #include "io/coordinates.h"
+#include "io/record_rows.h"
 
 namespace tank_datum {
 namespace {
 
 class ArraySource : public Scan::Source {
  public:
-  ArraySource(std::uint64_t rows, Scan::Row row) : rows_(rows), row_(std::move(row)) {}
+  ArraySource(std::uint64_t rows, Scan::Row row, RowNumbers numbers)
+      : rows_(rows), row_(std::move(row)), numbers_(numbers) {}
 
   std::uint64_t size() const override { return rows_; }
 
-  double coordinateStep(const Eigen::Vector3d&) const override { return 0.0; }
+  double coordinateStep(const Eigen::Vector3d& origin) const override {
+    const RecordColumn column{0, {'F', 4}};
+    return numbers_.single ? stepAt({column, column, column}, origin, numbers_.metres_per_unit) : 0.0;
+  }
 
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     ScanCounts counts;
@@ -56,12 +61,13 @@ class ArraySource : public Scan::Source {
 
   std::uint64_t rows_;
   Scan::Row row_;
+  RowNumbers numbers_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row) {
-  return std::make_shared<ArraySource>(rows, std::move(row));
+std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row, RowNumbers numbers) {
+  return std::make_shared<ArraySource>(rows, std::move(row), numbers);
 }
 
 }  // namespace tank_datum

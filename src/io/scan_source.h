@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/block.h"
 #include "tank_datum/io/scan.h"
@@ -41,11 +42,17 @@ class Scan::Source {
     return label == SetupKey::kUnlabelled ? "none" : std::to_string(label);
   }
 
+  /// The labels that there are, where this is known without a pass over the points; else empty.
+  virtual std::vector<std::uint32_t> labels() const { return {}; }
+
+  /// The same source of the points of some labels alone, where it can pass over the others; else nothing.
+  virtual std::shared_ptr<const Source> ofLabels(const std::vector<std::uint32_t>&) const { return nullptr; }
+
   /// Where the scanner of a label stood [m], in the scan's own frame, if the file says so.
   virtual std::optional<Eigen::Vector3d> viewpoint(std::uint32_t) const { return std::nullopt; }
 };
 
-std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row);
+std::shared_ptr<const Scan::Source> arraySource(std::uint64_t rows, Scan::Row row, RowNumbers numbers);
 /// @throws Error (Option) when blocks has no start
 std::shared_ptr<const Scan::Source> streamSource(ScanBlocks blocks);
 

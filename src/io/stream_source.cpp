@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 
 #include "io/block_source.h"
@@ -9,7 +8,8 @@
 namespace tank_datum {
 namespace {
 
-/// Blocks of any size are handed on in blocks of kBlockRows, so that memory beside them is that of one.
+/// Blocks of any size are handed on in blocks of kBlockRows, as those of a file: what every n-th row is does not depend
+/// on how they come.
 class BlockStream : public Scan::Source {
  public:
   explicit BlockStream(ScanBlocks blocks) : blocks_(std::move(blocks)), size_(blocks_.size) {
@@ -23,6 +23,30 @@ class BlockStream : public Scan::Source {
 
   std::string labelField() const override { return blocks_.tells_setups ? "setup" : ""; }
 
+  std::string labelName(std::uint32_t label) const override {
+    const auto known = blocks_.setups.find(label);
+    return known == blocks_.setups.end() ? Scan::Source::labelName(label) : known->second.name;
+  }
+
+  std::optional<Eigen::Vector3d> viewpoint(std::uint32_t label) const override {
+    const auto known = blocks_.setups.find(label);
+    return known == blocks_.setups.end() ? std::nullopt : known->second.viewpoint;
+  }
+
+  std::vector<std::uint32_t> labels() const override {
+    std::vector<std::uint32_t> all;
+    if (!blocks_.tells_setups || !blocks_.start_some) return all;
+    for (const auto& [label, setup] : blocks_.setups) all.push_back(label);
+    return all;
+  }
+
+  std::shared_ptr<const Scan::Source> ofLabels(const std::vector<std::uint32_t>& wanted) const override {
+    if (!blocks_.start_some) return nullptr;
+    auto some = std::make_shared<BlockStream>(*this);
+    some->blocks_.start = [start = blocks_.start_some, wanted] { return start(wanted); };
+    return some;
+  }
+
   ScanCounts visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const override {
     ScanCounts counts;
     ScanBlocks::Block block;
@@ -30,15 +54,18 @@ class BlockStream : public Scan::Source {
     Labels labels;
     const ScanBlocks::Next next = blocks_.start();
     while (next(block)) {
-      for (std::size_t begin = 0; begin < block.points.size(); begin += kBlockRows) {
-        const std::size_t rows = std::min(kBlockRows, block.points.size() - begin);
+      counts += {block.invalid + block.left_out, block.invalid, block.left_out};
+      for (std::size_t i = 0; i < block.points.size(); ++i) {
+        const bool kept = appendFinite(block.points[i], {1.0, origin}, points);
+        counts += {1, kept ? 0U : 1U};
+        if (kept && blocks_.tells_setups) labels.push_back(block.setups.empty() ? block.setup : block.setups[i]);
+        if (points.size() < kBlockRows) continue;
+        if (!visit(points, labels)) return counts;
         points.clear();
-        for (std::size_t i = begin; i < begin + rows; ++i) appendFinite(block.points[i], {1.0, origin}, points);
-        counts += {rows, rows - points.size()};
-        if (blocks_.tells_setups) labels.assign(points.size(), block.setup);
-        if (!points.empty() && !visit(points, labels)) return counts;
+        labels.clear();
       }
     }
+    if (!points.empty()) visit(points, labels);
     return counts;
   }
 
@@ -52,7 +79,7 @@ class BlockStream : public Scan::Source {
     std::uint64_t points = 0;
     ScanBlocks::Block block;
     const ScanBlocks::Next next = blocks_.start();
-    while (next(block)) points += block.points.size();
+    while (next(block)) points += block.points.size() + block.invalid + block.left_out;
     return points;
   }
 

@@ -80,11 +80,6 @@ double reachOf(const Tank& tank, const CropOptions& options) {
   return std::min(options.reach, 0.5 * tank.circle.radius);
 }
 
-/// Enlarged by the accuracy of the coarse figures.
-double widestReach(const Tank& tank, const CropOptions& options) {
-  return reachOf(tank, options) + 2.0 * tank.resolution;
-}
-
 void dropStrays(Ring& ring, const Tank& tank, int threads) {
   const double finest = 1e-4 * tank.circle.radius;
   const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
@@ -102,6 +97,10 @@ void dropStrays(Ring& ring, const Tank& tank, int threads) {
 }
 
 }  // namespace
+
+double widestReach(const Tank& tank, const CropOptions& options) {
+  return reachOf(tank, options) + 2.0 * tank.resolution;
+}
 
 std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options) {
   constexpr double kWorthIt = 2.5;  // times what is kept; of less, all rows are looked at

@@ -28,6 +28,10 @@ struct AlsoGathered {
 /// where the foot is dense.
 constexpr std::uint64_t kPointsLookedAt = 30'000'000;
 
+/// How far from the shell and from the coarse foot points of the ring lie at most: the reach, enlarged by the accuracy
+/// of the coarse figures [m].
+double widestReach(const Tank& tank, const CropOptions& options);
+
 /// Every which row of a scan is looked at for a ring: 1, unless the scan is large and the ring holds several times what
 /// is kept for the fits.
 std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options);

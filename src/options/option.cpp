@@ -59,6 +59,7 @@ struct RefusedValue {
   Text operator()(const Fact& fact) const { return std::isnan(*fact.value) ? Text() : number(*fact.value); }
   Text operator()(const Path&) const { return {}; }
   Text operator()(const Places&) const { return {}; }
+  Text operator()(const std::vector<std::string>*) const { return {}; }
 
   template <typename Number>
   Text operator()(const std::vector<Number>* values) const {
@@ -115,7 +116,7 @@ double Option::kept(double typed) const {
 std::string Option::expected() const {
   if (const auto* choice = std::get_if<Choice>(&value)) return alternatives(choice->words);
   if (std::holds_alternative<bool*>(value) || std::holds_alternative<Path>(value)) return {};
-  if (std::holds_alternative<Places>(value)) return {};
+  if (std::holds_alternative<Places>(value) || std::holds_alternative<std::vector<std::string>*>(value)) return {};
   const bool bounded = std::isfinite(bounds.low) || std::isfinite(bounds.high);
   const std::string number = bounds.text() + (bounded ? suffixOf(unit) : "");
   const bool several =

@@ -62,7 +62,7 @@ struct Places {
 
 /// Where the value of an option is kept.
 using OptionValue = std::variant<bool*, int*, std::size_t*, double*, std::vector<double>*, std::vector<int>*,
-                                 std::optional<Circle>*, Fact, Path, Places, Choice>;
+                                 std::vector<std::string>*, std::optional<Circle>*, Fact, Path, Places, Choice>;
 
 /// Who may give an option.
 enum class Giver { All, Command, Library };

@@ -16,6 +16,7 @@ struct ValueJson {
   Json operator()(const double* value) const { return option.typed(*value); }
   Json operator()(const std::vector<double>* values) const { return *values; }
   Json operator()(const std::vector<int>* values) const { return *values; }
+  Json operator()(const std::vector<std::string>* values) const { return *values; }
   Json operator()(const Fact& fact) const { return std::isfinite(*fact.value) ? Json(*fact.value) : Json(nullptr); }
   Json operator()(const Path& path) const { return path.path->empty() ? Json(nullptr) : Json(*path.path); }
   Json operator()(const std::optional<Circle>* circle) const {
@@ -42,6 +43,7 @@ struct Kind {
   std::string operator()(const double*) const { return "number"; }
   std::string operator()(const std::vector<double>*) const { return "numbers"; }
   std::string operator()(const std::vector<int>*) const { return "integers"; }
+  std::string operator()(const std::vector<std::string>*) const { return "names"; }
   std::string operator()(const std::optional<Circle>*) const { return "circle"; }
   std::string operator()(const Fact&) const { return option.unit == Unit::Metres ? "length" : "fact"; }
   std::string operator()(const Path& path) const { return path.folder ? "folder" : "file"; }

@@ -115,6 +115,8 @@ void addInput(Table& t, RunOptions& run) {
   t.add("las_classes", "las_classes", &run.reading.las_classes,
         "classes of the points of LAS files that are read; none: all; points marked as withheld never are")
       .within(within(0, 255));
+  t.add("setups", "setups.names", &run.reading.setups,
+        "A,B,... setups of the scanner that are read, by their names in the results; none: all");
 }
 
 void addMovement(Table& t, MovementOptions& o) {
@@ -153,8 +155,11 @@ void addRun(Table& t, RunOptions& run) {
   t.add("threads", "", &run.datum.threads, "threads; 0: all cores; the result does not depend on it")
       .within(atLeast(0));
   t.add("no_report", "", &run.no_report, "no report.html").ofCommand();
-  t.add("no_checksum", "", &run.no_checksum,
-        "no SHA-256 of the scans in datum.json: of a large scan it takes longer than all the rest");
+  t.add(
+      "checksum", "", choiceOf(run.checksum, {Checksum::Xxh3, Checksum::Sha256, Checksum::None}),
+      "hash of the scans in datum.json: XXH3-128, which xxhsum -H2 prints; SHA-256, which of a large scan takes longer "
+      "than all the rest; none");
+  t.add("no_checksum", "", &run.no_checksum, "the same as option checksum none");
   t.add("quiet", "", &run.quiet, "no summary, no progress").ofCommand();
   t.add("timings", "", Path{&run.timings}, "file (JSON) for the seconds of each stage").ofCommand().notInFiles();
   t.add("config", "", Path{&run.config}, "file with options, as option print_config writes it")

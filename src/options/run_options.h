@@ -15,12 +15,13 @@ namespace tank_datum {
 struct RunOptions {
   DatumOptions datum;
   MovementOptions movement;
-  std::string units = "m";    ///< of the input
-  std::string up = "z";       ///< the axis of the scan's frame that is vertical
-  ScanOptions reading;        ///< of files
-  std::string baseline;       ///< datum.json or folder of an earlier survey, or empty
-  std::string setup_origins;  ///< file of datum.setups.origins, or empty
-  bool no_checksum = false;   ///< no SHA-256 of the scans
+  std::string units = "m";             ///< of the input
+  std::string up = "z";                ///< the axis of the scan's frame that is vertical
+  ScanOptions reading;                 ///< of files
+  std::string baseline;                ///< datum.json or folder of an earlier survey, or empty
+  std::string setup_origins;           ///< file of datum.setups.origins, or empty
+  Checksum checksum = Checksum::Xxh3;  ///< of the files that go in
+  bool no_checksum = false;            ///< the same as none
 
   // of the command alone
   std::string output;          ///< folder for the results
@@ -34,6 +35,7 @@ struct RunOptions {
   bool print_config = false, print_limits = false, print_options = false;
 
   double metresPerUnit() const;
+  Checksum checksumTaken() const { return no_checksum ? Checksum::None : checksum; }
 };
 
 /// Reads the files that options name: origins of setups, limits.

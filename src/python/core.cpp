@@ -3,7 +3,9 @@
 #include <cstring>
 #include <map>
 
+#include "command.h"
 #include "core/units.h"
+#include "io/scan_format.h"
 #include "job.h"
 #include "report/section_json.h"
 #include "tank_datum/core/error.h"
@@ -22,7 +24,7 @@ py::array pointsIn(const py::handle& given) {
   if (fits) return array;
   PyErr_Clear();
   throw py::type_error("points = " + py::repr(py::type::of(given)).cast<std::string>() +
-                       ", expected an array of shape (n, 3) in float32 or float64, or the path of a PCD file");
+                       ", expected an array of shape (n, 3) in float32 or float64, or the path of a scan");
 }
 
 Task::Wanted wantedFrom(const std::string& name) {
@@ -99,6 +101,9 @@ PYBIND11_MODULE(_core, module) {
   addStudies(module);
   addPrograms(module);
   module.def("run", &run);
+  module.def("run_command", &runCommand);
+  module.def("stop_command_by", &stopCommandBy);
+  module.def("foreign_format", &foreignFormatOf);
   module.def("defaults", &defaults);
   module.def("keyword_help", &keywordHelp);
 }

@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
+#include "foreign.h"
 #include "io/up_axis.h"
 #include "movement/baseline.h"
 #include "movement/epoch.h"
@@ -57,20 +58,23 @@ std::vector<Rows> rowsOf(const std::vector<py::array>& arrays) {
 
 Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
   if (!points.paths.empty()) return Scan::open(points.paths, options.metresPerUnit(), options.reading);
+  if (!options.reading.setups.empty()) {
+    throw Error(Error::Kind::Option, "options", "setups", options.reading.setups.front(), "none: arrays have no names");
+  }
   const double scale = options.metresPerUnit();
-  return Scan::fromRows(rows.empty() ? 0 : rows.back().end, [rows, scale](std::uint64_t i) {
+  const bool single = std::any_of(rows.begin(), rows.end(), [](const Rows& array) { return !array.is_double; });
+  const auto row = [rows, scale](std::uint64_t i) {
     const auto in =
         std::upper_bound(rows.begin(), rows.end(), i, [](std::uint64_t at, const Rows& a) { return at < a.end; });
     return Eigen::Vector3d(in->at(i, 0) * scale, in->at(i, 1) * scale, in->at(i, 2) * scale);
-  });
+  };
+  return Scan::fromRows(rows.empty() ? 0 : rows.back().end, row, {single, scale});
 }
 
 Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
   const Scan scan = scanAsGiven(points, rows, options);
   return options.up == "z" ? scan : scan.turned(upRotation(options.up));
 }
-
-struct GivenUp {};
 
 /// The movement of one of several tanks; of those that are not the baseline's it says so.
 Movement movementOf(const Datum& datum, const Baseline& baseline, const DatumOptions& options, bool several) {
@@ -85,10 +89,11 @@ Movement movementOf(const Datum& datum, const Baseline& baseline, const DatumOpt
   }
 }
 
-/// What the two threads share. The thread that works touches no Python object.
+/// What the two threads share. The thread that works touches Python's objects only through the gate.
 struct Job {
   Task task;  // keeps the arrays' memory
   std::vector<Rows> rows;
+  std::shared_ptr<PythonGate> gate = std::make_shared<PythonGate>();
   std::atomic<bool> given_up{false};
   std::mutex mutex;
   std::condition_variable told;
@@ -144,7 +149,10 @@ struct Job {
     scan.setProgress([this, total = scan.size()](std::uint64_t read) { tell({stage, read, total, false}); });
     const Callbacks callbacks = callbacksFor(scan, baseline);
     const DatumOptions& options = task.options.datum;
-    if (task.wanted == Task::Wanted::Datum) return keep({extractDatum(scan, options, callbacks)}, baseline);
+    if (task.wanted == Task::Wanted::Datum) {
+      Datum datum = extractDatum(scan, options, callbacks);
+      return keep({std::move(datum)}, recordInputs(scan, task.options.checksumTaken()), baseline);
+    }
     std::vector<Tank> tanks = findTanks(scan, options, callbacks);
     found.origin = scan.origin();
     if (task.wanted == Task::Wanted::Tanks) {
@@ -155,26 +163,23 @@ struct Job {
     if (tanks.empty()) tanks.emplace_back();
     std::vector<Datum> datums;
     for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, options, callbacks));
-    keep(std::move(datums), baseline);
+    keep(std::move(datums), recordInputs(scan, task.options.checksumTaken()), baseline);
   }
 
   void level(const std::optional<Baseline>& baseline) {
     const RunOptions& o = task.options;
-    keep({readLevelling(o.levelling, o.metresPerUnit(), o.diameter, o.datum)}, baseline);
+    Datum datum = readLevelling(o.levelling, o.metresPerUnit(), o.diameter, o.datum);
+    const InputRecord file = recordOfLevelling(o.levelling, datum, o.checksumTaken());
+    keep({std::move(datum)}, {file}, baseline);
   }
 
-  std::vector<InputRecord> inputs(const Datum& first) const {
-    if (task.wanted == Task::Wanted::Levelling) return {recordOfLevelling(task.options.levelling, first)};
-    return recordInputs(task.points.paths, [this] { return !task.options.no_checksum && !given_up; });
-  }
-
-  void keep(std::vector<Datum> datums, const std::optional<Baseline>& baseline) {
+  void keep(std::vector<Datum> datums, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline) {
     const RunOptions& o = task.options;
-    const std::vector<InputRecord> files = inputs(datums.front());
     for (Datum& datum : datums) {
       Provenance provenance = provenanceOf(files, o.units, o.datum, datum);
       provenance.up = o.up;
       provenance.reading = o.reading;
+      provenance.reading.foreign = nullptr;  // Python's objects do not leave with the result
       provenance.baseline = o.baseline;
       provenance.movement_options = o.movement;
       if (baseline && datum.usable()) {
@@ -215,6 +220,8 @@ Found runJob(Task task, const std::function<void(const Event&)>& progress) {
   const auto job = std::make_shared<Job>();
   job->task = std::move(task);
   job->rows = rowsOf(job->task.points.arrays);
+  job->task.options.reading.foreign = foreignReader(job->gate);
+  job->task.options.reading.hash = job->task.options.checksumTaken() == Checksum::Xxh3;
   // the arrays must be released with the lock held, so the worker is never the last to hold the job
   abandoned().push_back(job);
   std::thread([raw = job.get()] { raw->work(); }).detach();
@@ -227,6 +234,7 @@ Found runJob(Task task, const std::function<void(const Event&)>& progress) {
     }
   } catch (...) {
     job->given_up = true;
+    job->gate->shut();
     throw;
   }
   abandoned().remove(job);

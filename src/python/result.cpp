@@ -34,7 +34,8 @@ py::array stationTable(const Datum& datum) {
        column("z_tilt", [](S s, V at) { return s.z_tilt + at.z(); }), column("u", [](S s, V) { return s.u; }),
        column("u_fit", [](S s, V) { return s.u_fit; }), column("curvature", [](S s, V) { return s.curvature; }),
        column("n_setups", [](S s, V) { return countOf(s.n_setups); }),
-       column("sigma_setup", [](S s, V) { return s.sigma_setup; })});
+       column("sigma_setup", [](S s, V) { return s.sigma_setup; }),
+       words("reason", 13, [&](std::size_t row) { return std::string(nameOf(datum.stations[row].reason)); })});
 }
 
 py::array_t<double> edgePoints(const Datum& datum) {

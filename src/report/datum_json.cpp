@@ -35,12 +35,19 @@ Json optionsUsed(const Provenance& provenance) {
   return optionsJson(run);
 }
 
+Json fileJson(const InputRecord& file) {
+  const bool is_sha256 = file.checksum == Checksum::Sha256;
+  Json hash;
+  if (!file.hash.empty()) hash = {{"algorithm", is_sha256 ? "sha256" : "xxh3_128"}, {"value", file.hash}};
+  return {{"path", file.path},
+          {"sha256", is_sha256 && !file.hash.empty() ? Json(file.hash) : Json()},
+          {"hash", hash},
+          {"points", file.points}};
+}
+
 Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool levelled) {
   Json files = Json::array();
-  for (const InputRecord& file : provenance.files) {
-    files.push_back(
-        {{"path", file.path}, {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}, {"points", file.points}});
-  }
+  for (const InputRecord& file : provenance.files) files.push_back(fileJson(file));
   return {{"files", files},
           {"kind", levelled ? "levelling" : "scan"},
           {"units", provenance.units},
@@ -57,6 +64,7 @@ Json tankJson(const Datum& datum) {
           {"sigma_radius", number(datum.refined.sigma_radius)},
           {"rms", number(datum.levelled ? kUnknown : datum.tank.rms)},
           {"coverage_deg", datum.levelled ? Json(nullptr) : Json(toDegrees(datum.tank.coverage))},
+          {"foot_points_per_degree", number(datum.foot_density)},
           {"side", datum.levelled ? Json(nullptr) : Json(datum.tank.side == Side::Inside ? "inside" : "outside")}};
 }
 

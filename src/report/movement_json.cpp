@@ -20,7 +20,8 @@ Json stationsSection(const Datum& datum) {
                         {"z", number(s.z + datum.origin.z())},
                         {"sigma_z", number(s.sigma_z)},
                         {"window_deg", number(toDegrees(s.window))},
-                        {"flag", nameOf(s.flag)}});
+                        {"flag", nameOf(s.flag)},
+                        {"reason", s.reason == Unmeasured::None ? Json() : Json(nameOf(s.reason))}});
   }
   return stations;
 }

@@ -2,18 +2,27 @@
 
 #include <utility>
 
+#include "io/input_file.h"
 #include "io/sha256.h"
 
 namespace tank_datum {
 
-std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted) {
+std::vector<InputRecord> recordInputs(const Scan& scan, Checksum checksum, const std::function<bool()>& wanted) {
   std::vector<InputRecord> files;
-  for (const std::string& path : paths) files.push_back({path, sha256OfFile(path, wanted), Scan::open({path}).size()});
+  for (std::size_t i = 0; i < scan.paths().size(); ++i) {
+    InputRecord file{scan.paths()[i], scan.sizeOf(i), checksum, {}};
+    if (checksum == Checksum::Xxh3) file.hash = scan.hashOf(i, wanted);
+    if (checksum == Checksum::Sha256) file.hash = sha256OfFile(file.path, wanted);
+    files.push_back(std::move(file));
+  }
   return files;
 }
 
-InputRecord recordOfLevelling(const std::string& path, const Datum& datum) {
-  return {path, sha256OfFile(path), datum.stations.size()};
+InputRecord recordOfLevelling(const std::string& path, const Datum& datum, Checksum checksum) {
+  InputRecord file{path, datum.stations.size(), checksum, {}};
+  if (checksum == Checksum::Xxh3) file.hash = InputFile(path).xxh3();
+  if (checksum == Checksum::Sha256) file.hash = sha256OfFile(path);
+  return file;
 }
 
 Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units, const DatumOptions& options,

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/units.h"
+#include "io/pcd_copy.h"
 #include "io/pcd_writer.h"
 #include "report/setups_json.h"
 #include "report/shell_report.h"
@@ -33,12 +34,19 @@ void writeText(const std::string& path, const std::string& content) {
     throw Error(Error::Kind::File, "report", path, std::strerror(errno), "a writable folder with room for the results");
 }
 
+/// x, y and z are 4-byte floats relative to a local origin, since PCL 1.13 reads 8-byte ones as zeros.
 void writeCloud(const std::string& path, const Points& points, const Eigen::Vector3d& origin) {
-  PcdWriter writer(path, {{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}});
+  std::vector<PcdField> fields = {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}};
+  for (const char* name : kFullNames) fields.push_back({name, 'F', 8});
+  const Eigen::Vector3d from = localOrigin(origin);
+  PcdHeading heading;
+  Eigen::Vector3d::Map(heading.notes.origin.data()) = from;
+  PcdWriter writer(path, fields, PcdWriter::Format::Binary, heading);
   std::vector<double> rows;
-  rows.reserve(3 * points.size());
+  rows.reserve(fields.size() * points.size());
   for (const auto& p : points) {
-    const Eigen::Vector3d absolute = p + origin;
+    const Eigen::Vector3d absolute = p + origin, local = absolute - from;
+    rows.insert(rows.end(), local.data(), local.data() + 3);
     rows.insert(rows.end(), absolute.data(), absolute.data() + 3);
   }
   writer.append(rows);
@@ -50,7 +58,7 @@ void writeCloud(const std::string& path, const Points& points, const Eigen::Vect
 std::string stationsCsv(const Datum& datum) {
   std::string csv =
       "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,z_paper,z_tilt,u,u_fit,"
-      "curvature,n_setups,sigma_setup\n";
+      "curvature,n_setups,sigma_setup,reason\n";
   const Eigen::Vector3d& o = datum.origin;
   for (std::size_t i = 0; i < datum.stations.size(); ++i) {
     const Station& s = datum.stations[i];
@@ -70,7 +78,8 @@ std::string stationsCsv(const Datum& datum) {
                                  text(s.u_fit),
                                  text(s.curvature),
                                  text(s.n_setups),
-                                 text(s.sigma_setup)};
+                                 text(s.sigma_setup),
+                                 nameOf(s.reason)};
     csv += std::to_string(i);
     for (const std::string& cell : cells) csv += "," + cell;
     csv += "\n";

@@ -45,6 +45,17 @@ std::string tankLine(const Datum& datum) {
               toDegrees(datum.tank.coverage));
 }
 
+std::string stationsLine(const Datum& datum) {
+  const Level& level = datum.level;
+  char density[48] = "";
+  if (std::isfinite(datum.foot_density)) {
+    std::snprintf(density, sizeof density, "; %.*f foundation points a degree", datum.foot_density < 9.95 ? 1 : 0,
+                  datum.foot_density);
+  }
+  return line("stations", "%zu measured, %zu interpolated, %zu missing%s", level.measured, level.interpolated,
+              level.missing, density);
+}
+
 std::string methodLines(const Datum& datum) {
   if (datum.levelled) return line("method", "elevations typed in from a levelling survey");
   const std::string curve =
@@ -149,8 +160,7 @@ std::string summary(const Datum& datum, bool blocks) {
   const Level& level = datum.level;
   const double z = datum.origin.z();
   text += tankLine(datum);
-  text += line("stations", "%zu measured, %zu interpolated, %zu missing", level.measured, level.interpolated,
-               level.missing);
+  text += stationsLine(datum);
   const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %.4f m, range %.1f mm: lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg",

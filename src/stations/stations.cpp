@@ -26,6 +26,22 @@ const char* nameOf(StationFlag flag) {
   return "";
 }
 
+const char* nameOf(Unmeasured reason) {
+  switch (reason) {
+    case Unmeasured::None:
+      return "";
+    case Unmeasured::NoShell:
+      return "no_shell";
+    case Unmeasured::NoFoundation:
+      return "no_foundation";
+    case Unmeasured::OtherSurface:
+      return "other_surface";
+    case Unmeasured::OffCircle:
+      return "off_circle";
+  }
+  return "";
+}
+
 std::vector<Station> emptyStations(const StationOptions& options) {
   std::vector<Station> stations(static_cast<std::size_t>(options.count));
   for (std::size_t i = 0; i < stations.size(); ++i) {

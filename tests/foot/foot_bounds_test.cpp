@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 
 #include "foot/foot_candidates.h"
@@ -105,9 +106,10 @@ TEST(ProfileOf, PointsThirtyMillimetresOffTheFoundationAreSomethingElse) {
   EXPECT_EQ(kept(0.033), 2U);
 }
 
-/// The outliers of stations that are all fitted at 0 on one level section.
-std::vector<bool> outliersOfLevelRing(MadeFoot& made) {
+/// The outliers of stations that are all fitted at 0 on one level section; one may have no shell.
+std::vector<Unmeasured> outliersOfLevelRing(MadeFoot& made, std::optional<std::size_t> without_shell = {}) {
   Foot& foot = made.foot();
+  if (without_shell) foot.shell_seen[*without_shell] = false;
   foot.points.resize(360);
   const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
   FootPass pass;
@@ -127,12 +129,12 @@ bool isOutlier(int count) {
   for (int s = 0; s < 360; ++s) {
     if (s != 50) made.addStation(s, count, 0.02, 0.28, [](double) { return 0.0; });
   }
-  return outliersOfLevelRing(made)[50];
+  return outliersOfLevelRing(made)[50] != Unmeasured::None;
 }
 
 /// The outliers of a level ring on which the shell is seen so far below so many stations, from the fiftieth on, by so
 /// many points at each.
-std::vector<bool> outliersWithShellBelow(double below, int count, int stations) {
+std::vector<Unmeasured> outliersWithShellBelow(double below, int count, int stations) {
   MadeFoot made;
   made.addAll(40, 0.02, 0.28, [](double) { return 0.0; });
   for (int s = 50; s < 50 + stations; ++s) {
@@ -142,12 +144,26 @@ std::vector<bool> outliersWithShellBelow(double below, int count, int stations) 
   return outliersOfLevelRing(made);
 }
 
-bool goesOnBelow(double below, int count) { return outliersWithShellBelow(below, count, 1)[50]; }
+TEST(FindOutliers, TellsWhyAStationDoesNotStand) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    if (s < 49 || s > 51) made.addStation(s, 40, 0.02, 0.28, [](double) { return 0.0; });
+  }
+  const std::vector<Unmeasured> reasons = outliersOfLevelRing(made, 100);
+  EXPECT_EQ(reasons[10], Unmeasured::None);
+  EXPECT_EQ(reasons[50], Unmeasured::NoFoundation);
+  EXPECT_EQ(reasons[100], Unmeasured::NoShell);
+  EXPECT_EQ(outliersWithShellBelow(0.010, 5, 1)[50], Unmeasured::OtherSurface);
+}
+
+bool goesOnBelow(double below, int count) {
+  return outliersWithShellBelow(below, count, 1)[50] == Unmeasured::OtherSurface;
+}
 
 TEST(FindOutliers, WhereTheShellGoesOnBelowAThirdOfTheStationsNoneStandsOnTheSurface) {
   const auto dropped = [](int stations) {
-    const std::vector<bool> outliers = outliersWithShellBelow(0.010, 5, stations);
-    return std::count(outliers.begin(), outliers.end(), true);
+    const std::vector<Unmeasured> outliers = outliersWithShellBelow(0.010, 5, stations);
+    return std::count(outliers.begin(), outliers.end(), Unmeasured::OtherSurface);
   };
   EXPECT_EQ(dropped(115), 115);
   EXPECT_EQ(dropped(125), 360);

@@ -24,7 +24,8 @@ bool isDropped(int below, int above) {
   pass.sections.stations = 360;
   FootProfile& pad = pass.sections.whole;
   pad.bin = 0.003, pad.band_from = 0.015, pad.noise = 0.0005, pad.band_to = pad.edge = 0.3;
-  return findOutliers(foot, {{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)}, pass)[50];
+  return findOutliers(foot, {{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)}, pass)[50] !=
+         Unmeasured::None;
 }
 
 TEST(FindOutliers, AShellSeenBelowAQuarterAsOftenAsAboveGoesOn) {

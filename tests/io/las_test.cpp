@@ -185,7 +185,7 @@ TEST(Las, HeadersThatLie) {
   expect(with<std::uint32_t>(96, 226), "LAS offset to the points of ");
   expect(with<std::uint32_t>(96, 4'000'000'000U), "4000000000, expected at least 227 and at most 287");
   expect(with<std::uint8_t>(104, 11), "LAS point format of ");
-  expect(with<std::uint8_t>(104, 0x80), "compressed LAS (LAZ), expected uncompressed LAS; convert it first");
+  expect(with<std::uint8_t>(104, 0x80), "LAZ, expected PCD, LAS, PLY");
   expect(with<std::uint8_t>(104, 1), "20 bytes, expected at least 28 of point format 1");
   expect(with<std::uint16_t>(105, 0), "0 bytes, expected at least 20 of point format 0");
   expect(with<std::uint32_t>(107, 4), "4 in the header, expected at most 3, all that 287 bytes hold");

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "io/block.h"
@@ -97,6 +99,111 @@ TEST(ScanBlocks, WhatASourceThrowsComesBack) {
   };
   const Scan scan = Scan::fromBlocks(blocks);
   EXPECT_THROW(passOf(scan), std::runtime_error);
+}
+
+/// Two blocks a pass: three points of setups 4 and 9 in turns beside rows that are none, and two of setup 9.
+ScanBlocks labelled(int& passed_over) {
+  using Wanted = std::vector<std::uint32_t>;
+  ScanBlocks blocks;
+  blocks.tells_setups = true;
+  blocks.setups = {{4, {"north", Eigen::Vector3d(1, 2, 3)}}, {9, {"", std::nullopt}}};
+  const auto begin = [&passed_over](const Wanted& wanted) -> ScanBlocks::Next {
+    return [&passed_over, wanted, at = 0](ScanBlocks::Block& block) mutable {
+      block = {};
+      if (at == 2) return false;
+      const bool first = at++ == 0;
+      if (!first && std::find(wanted.begin(), wanted.end(), 9U) == wanted.end()) {
+        ++passed_over;
+        block.left_out = 2;
+        return true;
+      }
+      block.setup = 9;
+      block.points = {{11, 0, 5}, {12, 0, 5}};
+      if (!first) return true;
+      block.points.emplace_back(13, 0, 5);
+      block.setups = {4, 9, 4};
+      block.invalid = 20;
+      block.left_out = 300;
+      return true;
+    };
+  };
+  blocks.start = [begin] { return begin({4, 9}); };
+  blocks.start_some = begin;
+  return blocks;
+}
+
+/// A file that begins as E57 does.
+std::string foreignFile(const pcd_files::Folder& folder) {
+  return folder.file("tank.e57", "ASTM-E57" + std::string(100, '\0'));
+}
+
+ScanOptions readBy(const ScanBlocks& blocks, const std::vector<std::string>& setups = {}) {
+  ScanOptions options;
+  options.setups = setups;
+  options.foreign = [blocks](const ForeignScan& scan) {
+    EXPECT_EQ(scan.format, "E57");
+    EXPECT_EQ(scan.metres_per_unit, 0.001);
+    return blocks;
+  };
+  return options;
+}
+
+TEST(ScanBlocks, PointsOfABlockMayHaveSetupsOfTheirOwn) {
+  int passed_over = 0;
+  const Scan scan = Scan::fromBlocks(labelled(passed_over));
+  EXPECT_EQ(scan.size(), 325U);
+  const auto pass = passOf(scan);
+  EXPECT_EQ(pass.counts.points, 325U);
+  EXPECT_EQ(pass.counts.invalid, 20U);
+  EXPECT_EQ(pass.counts.left_out, 300U);
+  read_scans::expectNear(pass.setups.at(4), {{11, 0, 5}, {13, 0, 5}}, 0.0);
+  read_scans::expectNear(pass.setups.at(9), {{12, 0, 5}, {11, 0, 5}, {12, 0, 5}}, 0.0);
+  EXPECT_EQ(passed_over, 0);
+}
+
+TEST(ScanBlocks, AForeignFileIsReadWithItsNamesAndPlaces) {
+  const pcd_files::Folder folder;
+  int passed_over = 0;
+  const Scan scan = Scan::open({foreignFile(folder)}, 0.001, readBy(labelled(passed_over)));
+  EXPECT_EQ(scan.setupName({0, 4}), "north");
+  EXPECT_EQ(scan.setupName({0, 9}), "tank");  // of the file itself
+  EXPECT_EQ(scan.setupName({0, 5}), "5");
+  ASSERT_TRUE(scan.setupOrigin({0, 4}));
+  EXPECT_EQ(*scan.setupOrigin({0, 4}) + scan.origin(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_FALSE(scan.setupOrigin({0, 9}));
+}
+
+TEST(ScanBlocks, SetupsThatAreNotAskedForAreLeftOut) {
+  const pcd_files::Folder folder;
+  int passed_over = 0;
+  ScanBlocks blocks = labelled(passed_over);
+  for (const bool can_pass_over : {true, false}) {
+    if (!can_pass_over) blocks.start_some = nullptr;
+    const Scan scan = Scan::open({foreignFile(folder)}, 0.001, readBy(blocks, {"north"}));
+    EXPECT_EQ(scan.size(), 325U);
+    passed_over = 0;
+    const auto pass = passOf(scan);
+    EXPECT_EQ(passed_over, can_pass_over ? 1 : 0);
+    EXPECT_EQ(pass.counts.points, 325U);
+    EXPECT_EQ(pass.counts.invalid, 20U);
+    EXPECT_EQ(pass.counts.left_out, 303U);
+    read_scans::expectNear(pass.points, {{11, 0, 5}, {13, 0, 5}}, 0.0);
+  }
+}
+
+TEST(ScanBlocks, SetupsThatAreNotThereAreRefused) {
+  const pcd_files::Folder folder;
+  int passed_over = 0;
+  const ScanOptions options = readBy(labelled(passed_over), {"north", "west"});
+  const auto message =
+      pcd_files::errorOf([&] { Scan::open({foreignFile(folder)}, 0.001, options); }, Error::Kind::Option);
+  EXPECT_EQ(message, "io: setups, west, expected names of setups that the scan has: north, tank");
+}
+
+TEST(ScanBlocks, AForeignFileThatNobodyReadsIsRefused) {
+  const pcd_files::Folder folder;
+  EXPECT_NE(pcd_files::errorOf([&] { Scan::open({foreignFile(folder)}); }).find("pip install 'tank_datum[formats]'"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -234,5 +234,12 @@ TEST(Scan, CoordinateStepIsThatOfTheCoarsestStoredNumber) {
   EXPECT_EQ(Scan::fromPoints({{4e6, 4e6, 0}}).coordinateStep(), 0.0);
 }
 
+TEST(Scan, CoordinateStepOfFloatsInMemoryIsThatOfAFile) {
+  const auto row = [](std::uint64_t) { return Eigen::Vector3d(512034, 4012877, 3); };
+  EXPECT_EQ(Scan::fromRows(1, row, {true}).coordinateStep(), 0.25);
+  EXPECT_EQ(Scan::fromRows(1, row, {true, 0.001}).coordinateStep(), 0.256);  // of millimetres
+  EXPECT_EQ(Scan::fromRows(1, row, {false}).coordinateStep(), 0.0);
+}
+
 }  // namespace
 }  // namespace tank_datum

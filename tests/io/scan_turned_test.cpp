@@ -67,5 +67,19 @@ TEST(ScanOrigin, IsAmongThePointsWhateverComesFirst) {
   EXPECT_EQ(Scan::fromPoints(Points(10, Eigen::Vector3d::Zero())).origin(), Eigen::Vector3d::Zero());
 }
 
+TEST(ScanTurned, AndRelativeToAnotherOrigin) {
+  Eigen::Matrix3d turn;
+  turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  const Scan scan = Scan::fromPoints({{10, 20, 30}, {11, 22, 33}});
+  for (const Scan& of : {scan, scan.turned(turn)}) {
+    const Scan moved = of.relativeTo({1, 2, 3});
+    EXPECT_EQ(moved.origin(), Eigen::Vector3d(1, 2, 3));
+    Points before, after;
+    of.forEachBlock([&](const Points& block) { before = block; });
+    moved.forEachBlock([&](const Points& block) { after = block; });
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(after[i] + moved.origin(), before[i] + of.origin());
+  }
+}
+
 }  // namespace
 }  // namespace tank_datum

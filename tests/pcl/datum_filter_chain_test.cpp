@@ -4,6 +4,7 @@
 #include <pcl/filters/passthrough.h>
 #include <pcl/filters/voxel_grid.h>
 
+#include <cmath>
 #include <set>
 #include <type_traits>
 
@@ -48,6 +49,38 @@ TYPED_TEST(DatumFilterOf, GivesTheDatumsEdgePointsAndTheDatumThatTheChainGives) 
   for (const auto& p : edge) got.insert({p.x, p.y, p.z});
   EXPECT_EQ(got, wanted);
 }
+
+/// README's four lines, with points of a map's frame; without them the message says how coarse the cloud is.
+TEST(DatumFilterFarAway, WantsAnOriginTakenOff) {
+  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+  const Eigen::Vector3d place(300'012.25, 5'000'034.5, 112.125);
+  const Points made = made_clouds::tankPoints(Eigen::Vector3d::Zero());
+  std::vector<double> x, y, z;
+  for (const Eigen::Vector3d& p : made) {
+    x.push_back(p.x() + place.x()), y.push_back(p.y() + place.y()), z.push_back(p.z() + place.z());
+  }
+  Cloud edge;
+  DatumFilter<pcl::PointXYZ> filter;
+  const auto cloud = std::make_shared<Cloud>();
+  const Eigen::Vector3d from(std::floor(x[0]), std::floor(y[0]), std::floor(z[0]));
+  for (std::size_t i = 0; i < made.size(); ++i) cloud->emplace_back(x[i] - from.x(), y[i] - from.y(), z[i] - from.z());
+  filter.setInputCloud(cloud), filter.filter(edge);
+  const Eigen::Vector3d origin = filter.getDatum().origin + from;
+
+  EXPECT_EQ(filter.getDatum().status, Status::Ok);
+  EXPECT_EQ(filter.getDatum().message.find("steps"), std::string::npos) << filter.getDatum().message;
+  const Datum expected = extractDatum(Scan::fromPoints(made), DatumOptions());
+  for (std::size_t i = 0; i < 360; ++i) {
+    EXPECT_NEAR(filter.getDatum().stations[i].z + origin.z(), expected.stations[i].z + expected.origin.z() + place.z(),
+                2e-5);
+  }
+  const auto far = std::make_shared<Cloud>();
+  for (std::size_t i = 0; i < made.size(); ++i) far->emplace_back(x[i], y[i], z[i]);
+  filter.setInputCloud(far), filter.filter(edge);
+  EXPECT_NE(filter.getDatum().message.find("have steps of 500 mm here: store 8-byte ones"), std::string::npos)
+      << filter.getDatum().message;
+}
+
 TEST(DatumFilterChain, StandsInAChainOfFilters) {
   using PointT = pcl::PointXYZI;
   const auto pass = std::make_shared<pcl::PassThrough<PointT>>();

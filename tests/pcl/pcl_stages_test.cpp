@@ -45,6 +45,12 @@ TEST(PclStages, ACloudIsAScanOfItsFinitePointsAndIndices) {
   EXPECT_EQ(one.origin(), Eigen::Vector3d(4, 5, 6));
 }
 
+TEST(PclStages, ACloudFarFromItsZeroHasAStep) {
+  auto cloud = std::make_shared<Cloud>();
+  cloud->push_back({300'000.0F, 20.0F, 3.0F});
+  EXPECT_EQ(scanOf<pcl::PointXYZ>(cloud).coordinateStep(), 0.03125);
+}
+
 TEST(PclStages, APointThatIsNotFiniteIsNamed) {
   Cloud cloud = *tank();
   cloud[17].y = std::numeric_limits<float>::infinity();

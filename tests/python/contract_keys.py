@@ -28,6 +28,7 @@ KEYS: dict[str, Any] = {
         "sigma_radius": NUMBER,
         "rms": NUMBER,
         "coverage_deg": NUMBER,
+        "foot_points_per_degree": OPTIONAL,
         "side": TEXT,
     },
     "tests": LIST,

@@ -96,6 +96,8 @@ RUNS: dict[str, tuple[str, list[str], int]] = {
         0,
     ),
     "synth refused": ("tank_datum_synth", ["-o", "made.pcd", "--radius", "-1"], 2),
+    "convert": ("tank_datum_convert", ["{in}/tank.pcd", "made.pcd"], 0),
+    "convert refused": ("tank_datum_convert", ["{in}/none.pcd", "made.pcd"], 3),
     "curves": ("tank_datum_curves", ["{in}/t/stations.csv"], 0),
     "plot": ("plot.py", ["{in}/t", "-o", ".", "--formats", "svg"], 0),
     "plot nothing": ("plot.py", ["{in}/none", "-o", "."], 3),

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import laspy
 import numpy as np
+import pye57
 from numpy.typing import NDArray
 from plyfile import PlyData, PlyElement
+from pyquaternion import Quaternion
 
 from results import Array
 
@@ -95,6 +97,28 @@ def write_ptx(path: Path, scan: Setups) -> Path:
             matrix[:3, :3], matrix[3, :3] = turn.T, origin
             np.savetxt(file, matrix, fmt="%.15f")
             np.savetxt(file, np.column_stack([own, np.full(len(own), 0.5)]), fmt="%.9f")
+    return path
+
+
+def in_floats(scan: Setups) -> Setups:
+    """The points that 4-byte floats in each scanner's own frame hold, as pye57 writes them."""
+    points = [
+        ((p - origin) @ turn).astype(np.float32).astype(np.float64) @ turn.T + origin
+        for p, origin, turn in zip(scan.points, scan.origins, poses(), strict=True)
+    ]
+    return Setups(points, scan.origins)
+
+
+def write_e57(path: Path, scan: Setups, names: Sequence[str]) -> Path:
+    """Each scan in the scanner's own frame, beside its pose; pye57 stores 4-byte floats."""
+    with pye57.E57(str(path), "w") as file:
+        for points, origin, turn, name in zip(
+            scan.points, scan.origins, poses(), names, strict=True
+        ):
+            own = (points - origin) @ turn
+            columns = {f"cartesian{axis}": own[:, i] for i, axis in enumerate("XYZ")}
+            rotation = Quaternion(matrix=turn).elements
+            file.write_scan_raw(columns, name=name, rotation=rotation, translation=origin)
     return path
 
 

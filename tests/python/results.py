@@ -17,7 +17,7 @@ Run = subprocess.CompletedProcess[str]
 
 HEADER = (
     "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,"
-    "z_paper,z_tilt,u,u_fit,curvature,n_setups,sigma_setup"
+    "z_paper,z_tilt,u,u_fit,curvature,n_setups,sigma_setup,reason"
 )
 RESULTS = (
     "datum.json",
@@ -51,7 +51,7 @@ class Stations:
 def read_stations(folder: Path) -> Stations:
     with (folder / "stations.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
-    names = [name for name in HEADER.split(",") if name != "flag"]
+    names = [name for name in HEADER.split(",") if name not in ("flag", "reason")]
     columns = {n: np.array([float(row[n] or "nan") for row in rows]) for n in names}
     return Stations(columns, [row["flag"] for row in rows])
 
@@ -121,5 +121,7 @@ def read_pcd(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def read_points(path: Path) -> Array:
+    """In the scan's frame, which a result's PCD has in fields of their own."""
     columns = read_pcd(path)
-    return np.column_stack([columns[n].astype(np.float64) for n in "xyz"])
+    names = [f"full_{n}" if f"full_{n}" in columns else n for n in "xyz"]
+    return np.column_stack([columns[n].astype(np.float64) for n in names])

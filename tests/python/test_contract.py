@@ -6,6 +6,8 @@ import hashlib
 import itertools
 import math
 import re
+import shutil
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -89,24 +91,54 @@ def test_input_is_named_and_hashed(run: Runner, synth: Synth, tmp_path: Path) ->
     assert given["files"] == [
         {
             "path": "scan.pcd",
-            "sha256": hashlib.sha256(scan.read_bytes()).hexdigest(),
+            "sha256": None,
+            "hash": {"algorithm": "xxh3_128", "value": xxhsum(scan)},
             "points": len(columns["z"]),
         }
     ]
     assert given["invalid_points"] == 7
 
 
-def test_no_checksum_leaves_the_hash_out_and_nothing_else(
-    run: Runner, synth: Synth, tmp_path: Path
+def xxhsum(path: Path) -> str:
+    """What users check with; of Debian's package xxhash."""
+    program = shutil.which("xxhsum")
+    if program is None:
+        pytest.skip("xxhsum is not installed")
+    said = subprocess.run([program, "-H2", path], capture_output=True, text=True, check=True)
+    return said.stdout.split()[0]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_checksum_changes_the_hash_and_nothing_else(
+    threads: int, run: Runner, synth: Synth, tmp_path: Path
 ) -> None:
     scan = synth()
-    for out, more in (("with", ()), ("without", ("--no-checksum",))):
-        assert run(scan, "-o", tmp_path / out, *more).returncode == 0
-    given, without = read_datum(tmp_path / "with"), read_datum(tmp_path / "without")
-    assert without["input"]["files"][0].pop("sha256") is None
-    assert given["input"]["files"][0].pop("sha256") == hashlib.sha256(scan.read_bytes()).hexdigest()
-    assert without == given
-    assert "not taken" in (tmp_path / "without" / "report.html").read_text()
+    sha256 = hashlib.sha256(scan.read_bytes()).hexdigest()
+    expected = {
+        "default": (None, {"algorithm": "xxh3_128", "value": xxhsum(scan)}),
+        "xxh3": (None, {"algorithm": "xxh3_128", "value": xxhsum(scan)}),
+        "sha256": (sha256, {"algorithm": "sha256", "value": sha256}),
+        "none": (None, None),
+        "no": (None, None),
+    }
+    flags = {"default": (), "no": ("--no-checksum",)}
+    results = []
+    for kind, (old, new) in expected.items():
+        words = flags.get(kind, ("--checksum", kind))
+        out = tmp_path / kind
+        assert run(scan, "-o", out, "--threads", threads, *words).returncode == 0
+        results.append(read_datum(out))
+        (file,) = results[-1]["input"]["files"]
+        assert (file.pop("sha256"), file.pop("hash")) == (old, new)
+    assert results == [results[0]] * len(results)
+    page = (tmp_path / "none" / "report.html").read_text()
+    assert "not taken" in page
+
+
+def test_checksum_that_is_none(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    made = run(synth(), "-o", tmp_path / "out", "--checksum", "md5")
+    assert made.returncode == 2
+    assert "--checksum" in made.stderr and "xxh3" in made.stderr
 
 
 def cells(out: Path) -> list[list[str]]:
@@ -135,7 +167,8 @@ def test_stations_csv(result: tuple[str, Path]) -> None:
     )
     for row in rows:
         assert len(row) == len(names)
-        known = {n for n, cell in zip(names, row, strict=True) if cell} - {"station", "flag"}
+        known = {n for n, cell in zip(names, row, strict=True) if cell} - {"station", "flag", "reason"}
+        assert (row[-1] == "") == (row[names.index("flag")] == "measured" or name == "paper")
         if row[names.index("flag")] == "missing":
             assert known == {"azimuth_deg", "x", "y"}  # its place on the circle, and nothing else
             continue

@@ -117,7 +117,7 @@ def test_defaults_are_the_commands(run: Runner) -> None:
     wanted = {k.replace("-", "_"): v for k, v in config.items()}
     got = tank_datum.defaults()
     assert got.pop("tank") is None and wanted.pop("tank") == ""
-    for name in ("heights", "las_classes"):  # lists
+    for name in ("heights", "las_classes", "setups"):  # lists
         assert got.pop(name) == [] and wanted.pop(name) == ""
     assert set(wanted) - set(got) == {"all", "quiet", "no_report"}
     assert set(got) <= set(wanted)
@@ -154,6 +154,7 @@ def test_defaults_are_the_commands(run: Runner) -> None:
         ({"level": True}, ["--level"]),
         ({"accept": True}, ["--accept"]),
         ({"no_checksum": True}, ["--no-checksum"]),
+        ({"checksum": "sha256"}, ["--checksum", "sha256"]),
     ],
 )
 def test_options_are_the_commands(

@@ -19,7 +19,7 @@ import pytest
 
 from conftest import ROOT
 from module_fixtures import same
-from results import Array, Run
+from results import Array, Run, write_pcd
 
 tank_datum = pytest.importorskip("tank_datum", reason="the module is not installed")
 
@@ -131,3 +131,14 @@ def test_numpy_1(datum: Any, points: Array, tmp_path: Path) -> None:
     version, values = result.stdout.splitlines()
     assert version == "1.24.4" and np.__version__.startswith("2.")
     same(np.array(json.loads(values)), datum.stations["z"])
+
+
+def test_floats_far_from_zero_are_warned_of_as_in_a_file(points: Array, tmp_path: Path) -> None:
+    """The same words from an array of 4-byte floats, a file of them, and none from doubles."""
+    far = points + [300_000.0, 5_000_000.0, 0.0]
+    columns = dict(zip("xyz", far.T.astype("<f4"), strict=True))
+    of_file = tank_datum.extract_datum(write_pcd(tmp_path / "far.pcd", columns))
+    of_array = tank_datum.extract_datum(far.astype(np.float32))
+    assert "coordinates have steps of 500 mm here" in of_array.message
+    assert of_array.message == of_file.message
+    assert "steps" not in tank_datum.extract_datum(far).message

@@ -100,6 +100,7 @@ INPUTS_AS_OUTPUTS: list[tuple[str, list[str], str]] = [
         "scene",
     ),
     ("tank_datum_synth", ["-o", "s.pcd", "--truth", "s.pcd"], "scan"),
+    ("tank_datum_convert", ["tank.pcd", "linked.pcd", "hard.pcd"], "scan"),
     ("tank_datum_bench", ["tank.pcd", "--json", "times.json"], "scan"),
     ("plot.py", ["base", "--scan", "base/cloud.png", "--formats", "png"], "base/cloud.png"),
 ]

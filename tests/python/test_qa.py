@@ -110,7 +110,7 @@ def test_columns_are_named(cases: Path) -> None:
     assert result.returncode == 1
     lines = [line.split() for line in result.stdout.splitlines()]
     assert ["stations.csv", "torsion", "is", "missing", "FAIL"] in lines
-    assert ["stations.csv", "sigma_setup", "is", "new", "FAIL"] in lines
+    assert ["stations.csv", "reason", "is", "new", "FAIL"] in lines
 
 
 def test_rows_are_counted(cases: Path) -> None:

@@ -55,7 +55,7 @@ def test_no_tank(browser: Any, no_tank_report: Path) -> None:
         assert page.page.locator("main svg").count() == 0
         for section in ("elevation", "out-of-plane", "plan", "station", "shell", "movement"):
             assert datum["message"] in page.text(f"#{section} .absent"), section
-        assert datum["input"]["files"][0]["sha256"] in page.text("#provenance")
+        assert datum["input"]["files"][0]["hash"]["value"] in page.text("#provenance")
 
 
 def test_paper_method(run: Runner, browser: Any, tmp_path: Path) -> None:

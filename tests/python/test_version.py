@@ -13,7 +13,8 @@ import pytest
 from programs import ROOT, executable
 
 PROGRAMS = [
-    f"tank_datum{name}" for name in ("", "_bench", "_compare", "_curves", "_rates", "_synth")
+    f"tank_datum{name}"
+    for name in ("", "_bench", "_compare", "_convert", "_curves", "_rates", "_synth")
 ]
 
 

@@ -29,8 +29,8 @@ TEST(DatumJson, HasTheContractsKeys) {
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["status"], "partial");
   EXPECT_EQ(json["message"], octagon().message);
-  EXPECT_EQ(keysOf(json["tank"]),
-            (std::vector<std::string>{"center", "radius", "sigma_radius", "rms", "coverage_deg", "side"}));
+  EXPECT_EQ(keysOf(json["tank"]), (std::vector<std::string>{"center", "radius", "sigma_radius", "rms", "coverage_deg",
+                                                            "foot_points_per_degree", "side"}));
   EXPECT_EQ(keysOf(json["datum"]),
             (std::vector<std::string>{"surface", "measured", "interpolated", "missing", "mean", "min", "max", "range",
                                       "min_azimuth_deg", "max_azimuth_deg", "curve"}));
@@ -41,7 +41,7 @@ TEST(DatumJson, HasTheContractsKeys) {
   EXPECT_EQ(keysOf(json["antipodal"]),
             (std::vector<std::string>{"max_h", "diameter", "angle_deg", "angle_arcsec", "azimuth_deg", "h"}));
   EXPECT_EQ(keysOf(json["stations"][0]),
-            (std::vector<std::string>{"azimuth_deg", "direction_deg", "z", "sigma_z", "window_deg", "flag"}));
+            (std::vector<std::string>{"azimuth_deg", "direction_deg", "z", "sigma_z", "window_deg", "flag", "reason"}));
 }
 
 TEST(DatumJson, HoldsEveryStationInTheScansFrame) {
@@ -103,7 +103,8 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
   from.options.tank = Circle{{1, 2}, 3};
   from.options.stations.clockwise = true;
   const Json json = Json::parse(datumJson(octagon(), from));
-  EXPECT_EQ(json["input"]["files"][0], (Json{{"path", "a.pcd"}, {"sha256", "abc"}, {"points", 17}}));
+  const Json hash = {{"algorithm", "sha256"}, {"value", "abc"}};
+  EXPECT_EQ(json["input"]["files"][0], (Json{{"path", "a.pcd"}, {"sha256", "abc"}, {"hash", hash}, {"points", 17}}));
   EXPECT_EQ(json["input"]["files"].size(), 2U);
   EXPECT_EQ(json["input"]["units"], "mm");
   EXPECT_EQ(json["input"]["origin"], Json({500000.5, 4000000.25, 100.125}));

@@ -2,6 +2,8 @@
 #include "tank_datum/report/report.h"
 
 #include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +52,10 @@ TEST(StationsCsv, HasTheContractsHeaderAndARowPerStation) {
   const std::string csv = stationsCsv(octagon());
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,z_paper,z_tilt,u,u_fit,"
-            "curvature,n_setups,sigma_setup");
+            "curvature,n_setups,sigma_setup,reason");
   const auto rows = rowsOf(csv);
   ASSERT_EQ(rows.size(), 9U);
-  for (const auto& row : rows) EXPECT_EQ(row.size(), 18U);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 19U);
   EXPECT_EQ(csv.back(), '\n');
 }
 
@@ -140,6 +142,27 @@ TEST(WriteResults, AreReadBackInTheScansFrame) {
     } else {
       ASSERT_EQ(read.size(), wanted.size());
       for (std::size_t i = 0; i < read.size(); ++i) EXPECT_NEAR((read[i] - wanted[i]).norm(), 0.0, 1e-8);
+    }
+  }
+}
+
+/// PCL 1.13 reads x, y and z of 8 bytes as zeros, and says nothing.
+TEST(WriteResults, CloudsAreReadByPclNearTheOriginThatTheirHeadSays) {
+  const Folder folder;
+  const Datum datum = octagon();
+  writeResults(folder.path(""), datum, provenance());
+  for (const std::string name : {"datum_points.pcd", "datum_curve.pcd"}) {
+    EXPECT_NE(readAll(folder.path(name)).find("# tank_datum: origin 500000 4000000 100\n"), std::string::npos);
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    ASSERT_EQ(pcl::io::loadPCDFile(folder.path(name), cloud), 0);
+    Points full;
+    const Scan scan = Scan::open({folder.path(name)});
+    scan.relativeTo(Eigen::Vector3d::Zero()).forEachBlock([&](const Points& block) { full = block; });
+    ASSERT_EQ(cloud.size(), full.size());
+    ASSERT_GT(cloud.size(), 0U);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const Eigen::Vector3d from(500000, 4000000, 100);
+      EXPECT_LE((cloud[i].getVector3fMap().cast<double>() + from - full[i]).cwiseAbs().maxCoeff(), 4e-6);
     }
   }
 }

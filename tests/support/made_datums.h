@@ -46,7 +46,7 @@ inline Datum octagon() {
 
 inline Provenance provenance() {
   Provenance from;
-  from.files = {{"a.pcd", "abc", 17}, {"b\xff.pcd", "def", 4}};
+  from.files = {{"a.pcd", 17, Checksum::Sha256, "abc"}, {"b\xff.pcd", 4, Checksum::Sha256, "def"}};
   from.units = "mm";
   from.invalid_points = 3;
   return from;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,10 @@
 #include <vector>
 
 #include "tank_datum/core/export.h"
+
+namespace tank_datum {
+class InputFile;
+}
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -20,7 +25,7 @@ using Points = std::vector<Eigen::Vector3d>;
 struct ScanCounts {
   std::uint64_t points = 0;    ///< rows in the files
   std::uint64_t invalid = 0;   ///< rows dropped because x, y or z is not finite, or is a beam of PTX without return
-  std::uint64_t left_out = 0;  ///< rows dropped that LAS marks as withheld, or whose class is not asked for
+  std::uint64_t left_out = 0;  ///< rows dropped that LAS marks as withheld, or whose class or setup is not asked for
 
   std::uint64_t kept() const { return points - invalid - left_out; }
 
@@ -41,24 +46,60 @@ struct SetupKey {
   bool operator==(const SetupKey& other) const { return source == other.source && label == other.label; }
 };
 
-/// How files are read.
-struct ScanOptions {
-  std::vector<int> las_classes;  ///< classification codes of the points of LAS files that are wanted; empty: all
-};
-
 /// Points that somebody else reads, block by block, in as many passes as the stages need.
 struct ScanBlocks {
   struct Block {
-    Points points;            ///< in their own frame [m]
-    std::uint32_t setup = 0;  ///< of all of them
+    Points points;                      ///< in their own frame [m]
+    std::uint32_t setup = 0;            ///< of all of them, unless each has its own
+    std::vector<std::uint32_t> setups;  ///< of each of them; empty: all are of `setup`
+    std::uint64_t invalid = 0;          ///< rows beside them that hold no point
+    std::uint64_t left_out = 0;         ///< rows beside them that are not wanted
   };
   /// Replaces the block by the next one, of any size; false, and what it holds does not matter, behind the last.
   using Next = std::function<bool(Block& block)>;
 
+  struct Setup {
+    std::string name;                          ///< empty: its points are those of the file itself
+    std::optional<Eigen::Vector3d> viewpoint;  ///< where the scanner stood, in the points' frame [m]
+  };
+
   std::function<Next()> start;   ///< begins a pass over the same blocks
-  std::uint64_t size = 0;        ///< points in all of them; 0: not known
+  std::uint64_t size = 0;        ///< rows in all of them; 0: not known
   double coordinate_step = 0.0;  ///< between neighbouring coordinates that were stored [m]; 0: below what matters
   bool tells_setups = false;     ///< Block::setup means something
+  std::map<std::uint32_t, Setup> setups;  ///< what is known of them; one that is not here is called by its number
+
+  /// Begins a pass over the blocks of some setups; rows of the others are told as left out. May be set where `setups`
+  /// has them all; where it is not set all are read.
+  std::function<Next(const std::vector<std::uint32_t>& wanted)> start_some;
+};
+
+/// A file of a format that is recognised, and read by somebody else.
+struct ForeignScan {
+  std::string path;
+  std::string format;            ///< "E57" or "LAZ", which COPC is too
+  double metres_per_unit = 1.0;  ///< of what the file holds
+  std::vector<int> las_classes;  ///< as ScanOptions has them
+};
+
+/// By which hash of their bytes files are known again.
+enum class Checksum { None, Xxh3, Sha256 };
+
+/// "none", "xxh3", "sha256"
+const char* nameOf(Checksum checksum);
+
+/// How files are read.
+struct ScanOptions {
+  std::vector<int> las_classes;     ///< classification codes of the points of LAS files that are wanted; empty: all
+  std::vector<std::string> setups;  ///< names of the setups that are wanted, see Scan::setupName; empty: all
+  std::function<ScanBlocks(const ForeignScan& scan)> foreign;  ///< reads such files; not set: they are refused
+  bool hash = false;  ///< take the files' XXH3-128 from what is read of them, for Scan::hashOf
+};
+
+/// How rows in memory hold their coordinates.
+struct RowNumbers {
+  bool single = false;           ///< in 4-byte floats
+  double metres_per_unit = 1.0;  ///< of these; rows are asked for in metres
 };
 
 /// A laser scan as a stream of blocks: files of any size, or points in memory, seen the same way by the stages.
@@ -84,7 +125,7 @@ class Scan {
   static Scan fromPoints(const Points& points);
 
   /// The same without a copy: points of any kind in memory, asked for row by row in every pass.
-  static Scan fromRows(std::uint64_t rows, Row row);
+  static Scan fromRows(std::uint64_t rows, Row row, RowNumbers numbers = {});
 
   /// Points that somebody else reads, block by block. Size 0 has them counted in a pass of its own.
   static Scan fromBlocks(ScanBlocks blocks);
@@ -96,9 +137,17 @@ class Scan {
   /// The same scan turned about a point of its own frame, as when it was not level.
   Scan turnedAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation) const;
 
+  /// The same scan with another local origin: at zero, coordinates are those of its own frame to the last bit.
+  Scan relativeTo(const Eigen::Vector3d& origin) const;
+
   /// Visits every finite point once, in file order. May be called again for another pass.
   /// @throws Error (File) when the data are shorter or other than the header says
   ScanCounts forEachBlock(const Visitor& visit) const;
+
+  /// The same, told which file or array a block is of and the labels of its points; none: all are 0.
+  using LabelledVisitor =
+      std::function<void(const Points& block, std::uint32_t source, const std::vector<std::uint32_t>& labels)>;
+  ScanCounts forEachLabelled(const LabelledVisitor& visit) const;
 
   /// Local origin in the scan's own frame [m]; add it to go back. It is the first finite point, no stray and not at
   /// zero, so that the same tank has the same local coordinates, and so the same datum, wherever its frame lies.
@@ -125,7 +174,10 @@ class Scan {
   /// `point_source_id`; the scans of a PTX file, the blocks of a PTS file).
   bool tellsSetups() const;
 
-  /// The file's name without its ending, the label, or both where both are needed.
+  /// The setups that there are, file by file in rising order of labels. Files that do not list them are read once more.
+  std::vector<SetupKey> setups() const;
+
+  /// The file's name without its ending, the label, or both where both are needed: "file:label".
   std::string setupName(SetupKey setup) const;
 
   /// Where the scanner stood, as the file says (PCD VIEWPOINT, PTX position), relative to origin() [m]; nothing when it
@@ -143,9 +195,16 @@ class Scan {
 
   /// Rows announced by the headers.
   std::uint64_t size() const;
+  std::uint64_t sizeOf(std::size_t file) const;
+
+  /// XXH3-128 of the bytes of one of paths(), in hexadecimal digits as `xxhsum -H2` prints it. What passes have not
+  /// read of the file is read now: all of it without ScanOptions::hash, or when somebody else reads the format.
+  /// @param wanted  asked before each megabyte; false: an empty text is returned at once
+  /// @throws Error (File) when the file cannot be read
+  std::string hashOf(std::size_t file, const std::function<bool()>& wanted = {}) const;
 
   /// Step between neighbouring coordinates that the files can hold at the origin [m]: 0.25 for 4-byte floats near 4e6
-  /// m. Zero for points in memory.
+  /// m. Zero for points in memory that are doubles.
   double coordinateStep() const;
 
   /// Empty for points in memory.
@@ -154,8 +213,11 @@ class Scan {
   class Source;  ///< one file or one array, see scan.cpp
 
  private:
+  void pickSetups(const std::vector<std::string>& names);
+
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> paths_;
+  std::vector<std::shared_ptr<const InputFile>> files_;  ///< of paths_, open
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d stored_origin_ = Eigen::Vector3d::Zero();  ///< the same point in the frame of the files
   std::optional<Eigen::Matrix3d> rotation_;                  ///< from their frame to the scan's

@@ -34,10 +34,11 @@ template <typename PointT>
 Scan scanOf(std::shared_ptr<const pcl::PointCloud<PointT>> cloud,
             std::shared_ptr<const pcl::Indices> indices = nullptr) {
   const std::size_t rows = indices ? indices->size() : cloud->size();
-  return Scan::fromRows(rows, [cloud, indices](std::uint64_t i) -> Eigen::Vector3d {
+  const auto row = [cloud, indices](std::uint64_t i) -> Eigen::Vector3d {
     const auto& p = (*cloud)[indices ? static_cast<std::size_t>((*indices)[i]) : i];
     return p.getVector3fMap().template cast<double>();
-  });
+  };
+  return Scan::fromRows(rows, row, {true});
 }
 
 /// A cloud's points in their order.

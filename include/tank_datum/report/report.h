@@ -15,8 +15,9 @@ namespace TANK_DATUM_API tank_datum {
 /// A scan file as the results name it.
 struct InputRecord {
   std::string path;
-  std::string sha256;  ///< empty: not taken
-  std::uint64_t points = 0;
+  std::uint64_t points = 0;  ///< rows, whatever is left out of them
+  Checksum checksum = Checksum::None;
+  std::string hash;  ///< by that checksum, in hexadecimal digits; empty: not taken
 };
 
 /// Where a datum comes from, for the record.
@@ -25,7 +26,7 @@ struct Provenance {
   std::string units = "m";
   std::string up = "z";  ///< the axis of the scan's frame that is vertical
   std::uint64_t invalid_points = 0;
-  std::uint64_t left_out_points = 0;  ///< withheld, or not of reading.las_classes
+  std::uint64_t left_out_points = 0;  ///< withheld, or not of reading.las_classes or reading.setups
   ScanOptions reading;                ///< how the files were read
   DatumOptions options;
   std::string baseline;  ///< the earlier survey compared with, or empty
@@ -33,11 +34,13 @@ struct Provenance {
   std::optional<Movement> movement;  ///< since the baseline
 };
 
-/// The hashes and rows of files. This reads all of them once more and takes as long as the extraction, beside which it
-/// can run in a thread of its own.
+/// The hashes and rows of a scan's files. XXH3 takes what the passes so far have read, with ScanOptions::hash, and
+/// reads the rest; SHA-256 reads all of the files once more and takes longer than the extraction, beside which this can
+/// run in a thread of its own.
 /// @param wanted  asked now and then; false: it returns soon, the rest of the hashes empty
 /// @throws Error (File) naming the file that cannot be read
-std::vector<InputRecord> recordInputs(const std::vector<std::string>& paths, const std::function<bool()>& wanted = {});
+std::vector<InputRecord> recordInputs(const Scan& scan, Checksum checksum = Checksum::Xxh3,
+                                      const std::function<bool()>& wanted = {});
 
 /// The record of a datum read from files.
 /// @param units  of the files, "m", "mm" or "ft"

@@ -31,10 +31,24 @@ enum class StationFlag {
 /// The name used in files: "measured", "interpolated", "missing".
 const char* nameOf(StationFlag flag);
 
+/// Why a station is not measured.
+enum class Unmeasured {
+  None,          ///< it is; or the paper's method has no edge points there
+  NoShell,       ///< the shell is not seen above it
+  NoFoundation,  ///< too few points of the surface beside it
+  OtherSurface,  ///< what is seen there is not the surface on which its neighbours lie, or no foot: the shell goes on
+                 ///< below
+  OffCircle,     ///< what stands there is not the shell
+};
+
+/// The name used in files: "", "no_shell", "no_foundation", "other_surface", "off_circle".
+const char* nameOf(Unmeasured reason);
+
 /// The datum at one azimuth, as the stages at the foot find it.
 struct StationDatum {
   double direction = kUnknown;  ///< counter-clockwise from +x [rad]
   StationFlag flag = StationFlag::Missing;
+  Unmeasured reason = Unmeasured::None;
   double x = kUnknown, y = kUnknown, z = kUnknown;    ///< relative to the scan's origin [m]
   double sigma_z = kUnknown;                          ///< standard error of z [m]
   double radius = kUnknown, sigma_radius = kUnknown;  ///< distance from the centre and its standard error [m]

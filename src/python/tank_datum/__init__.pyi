@@ -102,6 +102,9 @@ def extract_datum(
     # classes of the points of LAS files that are read; none: all; points marked as
     # withheld never are (0 to 255 and above the one before)
     las_classes: Sequence[int] = ...,
+    # A,B,... setups of the scanner that are read, by their names in the results;
+    # none: all
+    setups: Sequence[str] = ...,
     # datum.json of an earlier survey: movement since then
     baseline: Datum | _Path | None = None,
     # what is taken from the movement: nothing, the mean, mean and tilt; between
@@ -125,8 +128,10 @@ def extract_datum(
     centre_distance: float = 0.25,
     # threads; 0: all cores; the result does not depend on it (>= 0)
     threads: int = 0,
-    # no SHA-256 of the scans in datum.json: of a large scan it takes longer than
-    # all the rest
+    # hash of the scans in datum.json: XXH3-128, which xxhsum -H2 prints; SHA-256,
+    # which of a large scan takes longer than all the rest; none
+    checksum: Literal["xxh3", "sha256", "none"] = "xxh3",
+    # the same as option checksum none
     no_checksum: bool = False,
     # shell height H for the code checks, as 8, 8m, 26.25ft, 315in; a number alone
     # is metres (> 0 and <= 100 m)

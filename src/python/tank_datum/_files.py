@@ -27,7 +27,7 @@ _NAMES = (
     "report.html",
 )
 _SHELL = "azimuth_deg,height,radius,deviation,sigma,n,offset\n"
-_TEXTS = {"flag": "U12", "reason": "U24"}
+_TEXTS = {"flag": "U12", "reason": "U13"}
 _COUNTS = {"station": "i8"}
 
 
@@ -129,15 +129,20 @@ def _cloud(path: Path, content: bytes | None) -> NDArray[np.float64]:
     """The points of a PCD that tank_datum wrote."""
     if content is None:
         return np.empty((0, 3))
-    head, mark, data = content.partition(b"DATA binary\n")
+    head, _, data = content.partition(b"DATA binary\n")
     rows = [line.split() for line in head.decode("ascii", "replace").splitlines()]
     words = {row[0]: row[1:] for row in rows if row}
-    points = (words.get("POINTS") or [""])[0]
-    size = 24 * int(points) if points.isdigit() else -1
-    ours = bool(mark) and words.get("SIZE") == ["8", "8", "8"]
-    if not ours or not 0 <= size <= len(data):
-        raise _refused(path, "not as tank_datum writes it", "x, y and z of 8 bytes")
-    return np.frombuffer(data[:size], dtype="<f8").reshape(-1, 3).copy()
+    fields, sizes = words.get("FIELDS", []), words.get("SIZE", [])
+    axes = [n for n in ("full_x", "full_y", "full_z") if n in fields] or ["x", "y", "z"]
+    try:
+        row = np.dtype(
+            [(name, f"<f{size}") for name, size in zip(fields, sizes, strict=True)]
+        )
+        table = np.frombuffer(data, dtype=row, count=int(words["POINTS"][0]))
+        return np.column_stack([table[name].astype(np.float64) for name in axes])
+    except (KeyError, IndexError, TypeError, ValueError):
+        expected = "x, y and z as binary floats"
+        raise _refused(path, "not as tank_datum writes it", expected) from None
 
 
 def _refused(path: Path, value: str, expected: str) -> FileError:

@@ -44,6 +44,7 @@ class Options(TypedDict, total=False):
     level: bool
     units: Literal["ft", "in", "m", "mm", "us-ft"]
     las_classes: Sequence[int]
+    setups: Sequence[str]
     baseline: Datum | _Path | None
     remove: Literal["none", "mean", "tilt"]
     registration_error: float
@@ -54,6 +55,7 @@ class Options(TypedDict, total=False):
     radius_difference: float
     centre_distance: float
     threads: int
+    checksum: Literal["xxh3", "sha256", "none"]
     no_checksum: bool
     height: float | None
     yield_mpa: float | None

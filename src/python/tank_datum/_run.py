@@ -31,7 +31,7 @@ def extract_datum(
 
     points:
         an array of shape (n, 3) of numbers of any type and stride, vertical z, in `units`; the
-        path of a scan; a list of arrays or of paths, which are stations of one tank; or an
+        path of a scan of any format, of which E57, LAZ and COPC need the extra `formats`; a list of arrays or of paths, which are stations of one tank; or an
         iterator of blocks of points, which are kept in memory. Points that are not finite, and
         masked rows, are dropped. float32 and float64 are not copied.
     progress:

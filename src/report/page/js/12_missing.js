@@ -1,10 +1,29 @@
 // What a result lacks, and why.
 
-/** Stretches that were not seen, in degrees. */
+const kReasons = {
+  no_shell: "the shell is not seen there",
+  no_foundation: "the foundation is not seen there, or by too few points",
+  other_surface: "what is seen there is not the surface of the neighbours, or stands before the foot",
+  off_circle: "what stands there is not the shell",
+};
+
+/** The reason that most of the stations from one to another have. */
+function reasonOf(first, last) {
+  const counts = {};
+  for (let i = first; i <= last; i += 1) counts[stations[i].reason] = (counts[stations[i].reason] || 0) + 1;
+  const [most] = Object.entries(counts).sort((a, b) => b[1] - a[1]);
+  return kReasons[most[0]] || "the datum was not seen there";
+}
+
+/** Stretches that were not seen, in degrees, by reason. */
 function missingRanges() {
-  const half = stepOfAzimuth() / 2;
-  return missingStretches().map(([first, last]) => (
-    `${degrees(stations[first].azimuth_deg - half, 1)} to ${degrees(stations[last].azimuth_deg + half, 1)}`));
+  const half = stepOfAzimuth() / 2, ranges = new Map();
+  for (const [first, last] of missingStretches()) {
+    const range = `${degrees(stations[first].azimuth_deg - half, 1)} to ${degrees(stations[last].azimuth_deg + half, 1)}`;
+    const reason = reasonOf(first, last);
+    ranges.set(reason, [...(ranges.get(reason) || []), range]);
+  }
+  return [...ranges].map(([reason, found]) => `Elevations at azimuths ${found.join(", ")}: ${reason}.`);
 }
 
 function whyNoSections() {
@@ -36,8 +55,7 @@ function missingInputs() {
 
 function missingItems() {
   if (!usable) return [`Everything below: ${datum.message || words(datum.status)}.`];
-  const gaps = missingRanges(), list = [];
-  if (gaps.length > 0) list.push(`Elevations at azimuths ${gaps.join(", ")}: the datum was not seen there, or something stands before it.`);
+  const list = missingRanges();
   if (sections === null) list.push(whyNoSections());
   if (!stations.some((s) => known(s.u_fit))) list.push(whyNoFit());
   if (!datum.shell) list.push(whyNoShell());

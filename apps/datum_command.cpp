@@ -1,0 +1,181 @@
+#include "datum_command.h"
+
+#include <exception>
+#include <iostream>
+
+#include "background_records.h"
+#include "command_line.h"
+#include "core/parallel.h"
+#include "core/refusal.h"
+#include "datum_stages.h"
+#include "exit_status.h"
+#include "flag_names.h"
+#include "io/up_axis.h"
+#include "movement/baseline.h"
+#include "movement/movement.h"
+#include "report/provenance.h"
+#include "results/manifest.h"
+#include "results/output_file.h"
+#include "results/result_folder.h"
+#include "run_main.h"
+#include "stage_clock.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/locate/tank.h"
+#include "terminal.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr const char* kProgram = results::kDatumProgram;
+
+/// The file for the seconds of each stage, if one is asked for.
+std::optional<OutputFile> timingsFile(const Command& command) {
+  if (command.timings.empty()) return std::nullopt;
+  return std::make_optional<OutputFile>(command.timings, isJsonWith({"stages", "total", "peak_memory_bytes"}),
+                                        kProgram);
+}
+
+/// Several tanks have a folder each inside the output folder, a single one has the folder itself.
+std::string partOf(const std::vector<Datum>& datums, std::size_t i) {
+  return datums.size() > 1 ? "tank_" + std::to_string(i + 1) : "";
+}
+
+std::string fileToOpen(const Command& command, const std::string& part) {
+  return command.output + "/" + (part.empty() ? "" : part + "/") + (command.no_report ? "datum.json" : "report.html");
+}
+
+Scan scanOf(const Command& command) {
+  ScanOptions reading = command.reading;
+  reading.hash = command.checksumTaken() == Checksum::Xxh3;
+  const Scan scan = Scan::open(command.scans, command.metresPerUnit(), reading);
+  return command.up == "z" ? scan : scan.turned(upRotation(command.up));
+}
+
+std::vector<Datum> extract(Scan scan, const Command& command, const std::optional<Baseline>& baseline,
+                           StageClock& clock) {
+  Callbacks callbacks;
+  callbacks.stage = [&clock](const char* stage) { clock.begin(stage); };
+  scan.setProgress([&](std::uint64_t rows) { clock.progress(rows, scan.size()); });
+  callbacks.tanks = [&](const std::vector<Tank>& tanks) {
+    if (baseline) requireAmong(tanks, scan.origin(), *baseline);
+  };
+  if (!command.all) return {extractDatum(scan, command.datum, callbacks)};
+  std::vector<Tank> tanks = findTanks(scan, command.datum, callbacks);
+  callbacks.tanks(tanks);
+  if (tanks.empty()) tanks.emplace_back();
+  std::vector<Datum> datums;
+  for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, command.datum, callbacks));
+  return datums;
+}
+
+/// The movement of one of several tanks; of those that are not the baseline's it says so.
+Movement movementOf(const Datum& datum, const Baseline& baseline, const Command& command) {
+  try {
+    return movementSince(baseline, datum, command.datum);
+  } catch (const Error& error) {
+    if (!command.all) throw;
+    Movement none;
+    none.baseline = baseline.epoch.name;
+    none.message = error.what();
+    return none;
+  }
+}
+
+Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline,
+                    const Command& command) {
+  Provenance provenance = provenanceOf(files, command.units, command.datum, datum);
+  provenance.up = command.up;
+  provenance.reading = command.reading;
+  provenance.baseline = command.baseline;
+  provenance.movement_options = command.movement;
+  if (!baseline || !datum.usable()) return provenance;
+  provenance.movement = movementOf(datum, *baseline, command);
+  if (!provenance.movement->message.empty()) {
+    std::cerr << "tank_datum: no movement: " << withFlags(provenance.movement->message) << "\n";
+  }
+  return provenance;
+}
+
+/// Writes the files of every tank into the folder, where they wait for its commit.
+void stageResults(const ResultFolder& folder, const std::vector<Datum>& datums, const std::vector<InputRecord>& files,
+                  const std::optional<Baseline>& baseline, const Command& command) {
+  for (std::size_t i = 0; i < datums.size(); ++i) {
+    const std::string stage = folder.stage(partOf(datums, i));
+    const Provenance provenance = recordOf(datums[i], files, baseline, command);
+    writeResults(stage, datums[i], provenance);
+    if (!command.no_report) writeReportPage(stage, reportPage(datums[i], provenance));
+  }
+}
+
+/// Says what was found, on stdout and, of what is not usable, on stderr.
+int announce(const std::vector<Datum>& datums, const Command& command) {
+  bool usable = false;
+  for (std::size_t i = 0; i < datums.size(); ++i) {
+    if (!command.quiet)
+      std::cout << withFlags(summary(datums[i], showsBlocks())) << "results        "
+                << fileToOpen(command, partOf(datums, i)) << "\n";
+    for (const std::string& warning : warningsOf(datums[i]))
+      std::cerr << "tank_datum: warning: " << withFlags(warning) << "\n";
+    usable = usable || datums[i].usable();
+    if (!datums[i].usable()) {
+      std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << withFlags(datums[i].message) << "\n";
+    }
+  }
+  std::cout.flush();
+  if (!std::cout) {
+    throw Error(Error::Kind::File, "report", "standard output", "not written",
+                "room for the summary; the results of this run are in " + command.output);
+  }
+  return usable ? kUsable : kNoDatum;
+}
+
+/// What a run found, and what it was found in.
+struct Extracted {
+  std::vector<Datum> datums;
+  std::vector<InputRecord> files;
+};
+
+Extracted extractRecorded(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
+  clock.begin("open");
+  if (!command.levelling.empty()) {
+    Datum datum = readLevelling(command.levelling, command.metresPerUnit(), command.diameter, command.datum);
+    return {{datum}, {recordOfLevelling(command.levelling, datum, command.checksumTaken())}};
+  }
+  const ThreadScope threads(command.datum.threads);
+  const Scan scan = scanOf(command);
+  BackgroundRecords records(scan, command.checksumTaken(), command.datum.threads);
+  std::vector<Datum> datums = extract(scan, command, baseline, clock);
+  clock.begin("hash");
+  return {std::move(datums), records.take()};
+}
+
+int run(const Command& command) {
+  refuseFirst(firstError(command));
+  if (!command.baseline.empty()) settleToRead(command.baseline, kProgram);
+  ResultFolder folder(command.output, kProgram);
+  std::optional<OutputFile> timings = timingsFile(command);
+  std::optional<Baseline> baseline;
+  if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.datum);
+  StageClock clock(!command.quiet);
+  const auto [datums, files] = extractRecorded(command, baseline, clock);
+  clock.begin("report");
+  stageResults(folder, datums, files, baseline, command);
+  clock.end();
+  if (timings) timings->write(clock.json());
+  folder.commit();
+  if (timings) timings->commit();
+  return announce(datums, command);
+}
+
+}  // namespace
+
+int datumCommand(int argc, char** argv, const OpenForeign& foreign) {
+  Command command;
+  command.reading.foreign = foreign;
+  int status = kUsable;
+  return runMain(
+      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; },
+      [&] { return earlierResults(command.output, kProgram); });
+}
+
+}  // namespace tank_datum

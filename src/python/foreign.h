@@ -1,0 +1,39 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "tank_datum/io/scan.h"
+
+namespace tank_datum::python {
+
+/// Thrown in place of a call when the run has been given up.
+struct GivenUp {};
+
+/// Lets threads of the library call Python, one at a time, until it is shut. A thread inside the interpreter when this
+/// ends would end the process.
+class PythonGate {
+ public:
+  /// Runs a call with the interpreter's lock held. An exception of Python's becomes an Error, with what it says.
+  /// @throws GivenUp behind shut(), Error (File), std::bad_alloc
+  void enter(const std::function<void()>& call);
+
+  /// Waits for the call that runs; no other begins. To be called with the interpreter's lock held.
+  void shut();
+
+  /// Drops a reference with the lock held; once shut it is kept for good.
+  void drop(PyObject* object);
+
+ private:
+  std::mutex one_;
+  bool shut_ = false;
+};
+
+/// Reads scans through the package's Python readers. To be called with the interpreter's lock held; what it returns
+/// is called without.
+std::function<ScanBlocks(const ForeignScan&)> foreignReader(const std::shared_ptr<PythonGate>& gate);
+
+}  // namespace tank_datum::python

@@ -1,0 +1,235 @@
+"""E57 by pye57, block by block: memory does not grow with the scan."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pye57 import libe57
+
+from tank_datum._foreign import (
+    BLOCK,
+    FIRST_BLOCK,
+    Block,
+    Place,
+    Unreadable,
+    refusing,
+)
+
+CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
+SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
+TURN_TOLERANCE = 1e-3  # of the length of a quaternion, which is 1
+
+Array = NDArray[np.float64]
+
+
+@dataclass
+class Pose:
+    """From a scan's own frame to the file's."""
+
+    turn: Array = field(default_factory=lambda: np.eye(3))
+    shift: Array = field(default_factory=lambda: np.zeros(3))
+
+    def apply(self, points: Array) -> Array:
+        if not np.array_equal(self.turn, np.eye(3)):
+            # no matrix product: its last digit may depend on the threads
+            x, y, z = points.T
+            points = np.stack([x * a + y * b + z * c for a, b, c in self.turn], axis=1)
+        return points + self.shift if self.shift.any() else points
+
+
+def turn_of(quaternion: Array) -> Array:
+    """The matrix of a unit quaternion w, x, y, z."""
+    w, x, y, z = quaternion / np.linalg.norm(quaternion)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def numbers_of(node: Any, names: str) -> Array:
+    return np.array([float(node[name].value()) for name in names])
+
+
+def pose_of(scan: Any, what: str) -> Pose:
+    pose = Pose()
+    if not scan.isDefined("pose"):
+        return pose
+    node = scan["pose"]
+    if node.isDefined("translation"):
+        pose.shift = numbers_of(node["translation"], "xyz")
+    if node.isDefined("rotation"):
+        quaternion = numbers_of(node["rotation"], "wxyz")
+        if not abs(np.linalg.norm(quaternion) - 1) < TURN_TOLERANCE:
+            shown = " ".join(f"{v:g}" for v in quaternion)
+            raise Unreadable(f"rotation of {what}", shown, "a quaternion of length 1")
+        pose.turn = turn_of(quaternion)
+    if not np.isfinite(pose.shift).all():
+        shown = " ".join(f"{v:g}" for v in pose.shift)
+        raise Unreadable(f"translation of {what}", shown, "three numbers")
+    return pose
+
+
+def cartesian(ranges: Array, azimuths: Array, elevations: Array) -> Array:
+    """Of a range, an azimuth from x towards y and an elevation above their plane."""
+    level = ranges * np.cos(elevations)
+    return np.stack(
+        [
+            level * np.cos(azimuths),
+            level * np.sin(azimuths),
+            ranges * np.sin(elevations),
+        ],
+        axis=1,
+    )
+
+
+class E57Scan:
+    """One of the scans of a file: a setup of the scanner."""
+
+    def __init__(self, file: E57File, index: int) -> None:
+        self._image, self._node = file.image, file.image.root()["data3D"][index]
+        name = self._node["name"].value() if self._node.isDefined("name") else ""
+        self.name = " ".join(name.split()) or str(index)
+        self.what = f"scan {index} of {file.path}"
+        self._points = self._node["points"]
+        self.size: int = self._points.childCount()
+        self._pose = pose_of(self._node, self.what)
+        self._columns, self._state = self._find_columns()
+
+    def _find_columns(self) -> tuple[tuple[str, ...], str]:
+        """The coordinates, and the column that says which are none."""
+        self._prototype = libe57.StructureNode(self._points.prototype())
+        for columns, state in (
+            (CARTESIAN, "cartesianInvalidState"),
+            (SPHERICAL, "sphericalInvalidState"),
+        ):
+            if all(self._prototype.isDefined(name) for name in columns):
+                return columns, state if self._prototype.isDefined(state) else ""
+        there = [
+            self._prototype[i].elementName()
+            for i in range(self._prototype.childCount())
+        ]
+        expected = f"{', '.join(CARTESIAN)} or {', '.join(SPHERICAL)}"
+        raise Unreadable(
+            f"columns of {self.what}", ", ".join(there) or "none", expected
+        )
+
+    @property
+    def place(self) -> Place | None:
+        """Where the scanner stood; zeros stand for what is not known."""
+        x, y, z = map(float, self._pose.shift)
+        return (x, y, z) if self._pose.shift.any() else None
+
+    def _column_step(self, name: str, largest: float) -> float:
+        """Between neighbouring values of a column that reaches so far."""
+        node = self._prototype[name]
+        if isinstance(node, libe57.ScaledIntegerNode):
+            return abs(float(node.scale()))
+        single = (
+            isinstance(node, libe57.FloatNode) and node.precision() == libe57.E57_SINGLE
+        )
+        return float(np.spacing(np.float32(largest) if single else np.float64(largest)))
+
+    def step(self) -> float:
+        """Between neighbouring coordinates, at the far end of the scan's first points."""
+        columns, _ = next(self._read(min(FIRST_BLOCK, self.size)), (None, 0))
+        if columns is None or not len(columns[0]):
+            return 0.0
+        largest = [float(np.nanmax(np.abs(column), initial=0.0)) for column in columns]
+        steps = [
+            self._column_step(name, far)
+            for name, far in zip(self._columns, largest, strict=True)
+        ]
+        spherical = self._columns == SPHERICAL
+        return max(steps[0], largest[0] * max(steps[1:])) if spherical else max(steps)
+
+    def _read(self, capacity: int) -> Iterator[tuple[list[Array], int]]:
+        """Columns of the points that are valid, and how many are not."""
+        buffers, columns, states = libe57.VectorSourceDestBuffer(), [], None
+        if capacity == 0:
+            return
+        for name in self._columns:
+            columns.append(np.empty(capacity))
+            buffers.append(self._buffer(name, columns[-1]))
+        if self._state:
+            states = np.empty(capacity, np.int8)
+            buffers.append(self._buffer(self._state, states))
+        reader = self._points.reader(buffers)
+        try:
+            done = 0
+            while rows := reader.read():
+                done += rows
+                read = [column[:rows] for column in columns]
+                valid = np.ones(rows, bool) if states is None else states[:rows] == 0
+                all_valid = bool(valid.all())
+                yield (
+                    [c.copy() if all_valid else c[valid] for c in read],
+                    rows - int(valid.sum()),
+                )
+        finally:
+            reader.close()
+        if done != self.size:
+            raise Unreadable(
+                f"points of {self.what}", done, f"{self.size}, as its header says"
+            )
+
+    def _buffer(self, name: str, values: NDArray[Any]) -> Any:
+        return libe57.SourceDestBuffer(
+            self._image, name, values, len(values), True, True
+        )
+
+    def blocks(self) -> Iterator[tuple[Array, int]]:
+        """Points in the file's frame, and how many rows hold none."""
+        for columns, invalid in self._read(min(BLOCK, self.size)):
+            if self._columns == SPHERICAL:
+                points = cartesian(*columns)
+            else:
+                points = np.stack(columns, axis=1)
+            yield self._pose.apply(points), invalid
+
+
+class E57File:
+    """The scans of a file, each a setup."""
+
+    lists_setups = True
+
+    def __init__(self, path: str) -> None:
+        self.path = path
+        self.image = libe57.ImageFile(path, "r")
+        root = self.image.root()
+        count = root["data3D"].childCount() if root.isDefined("data3D") else 0
+        if count == 0:
+            raise Unreadable(f"scans of {path}", "none", "at least one")
+        self._scans = [E57Scan(self, i) for i in range(count)]
+        self.size = sum(scan.size for scan in self._scans)
+        self.step = max(scan.step() for scan in self._scans)
+        self.tells_setups = count > 1
+        names = [scan.name for scan in self._scans]
+        self.setups = {
+            i: (
+                scan.name if names.count(scan.name) == 1 else f"{scan.name} {i}",
+                scan.place,
+            )
+            for i, scan in enumerate(self._scans)
+        }
+
+    def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
+        with refusing(self.path, "E57"):
+            for i, scan in enumerate(self._scans):
+                setup = np.array(i, np.uint32)
+                if wanted is not None and i not in wanted:
+                    yield np.empty((0, 3)), setup, 0, scan.size
+                    continue
+                for points, invalid in scan.blocks():
+                    yield points, setup, invalid, 0
+
+
+def open_blocks(path: str, classes: Sequence[int]) -> E57File:
+    """Opens a file; the classes are those of LAS."""
+    return E57File(path)

@@ -1,0 +1,32 @@
+#include "trust/foot_density.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+#include "core/units.h"
+
+namespace tank_datum {
+
+double footDensity(const Ring& ring, const Tank& tank) {
+  constexpr double kClear = 0.04, kLevel = 0.15;  // of the reach: beside the shell, above and below the foot
+  std::size_t count = 0;
+  for (const Eigen::Vector3d& p : ring.points) {
+    const double off = (p.head<2>() - tank.circle.center).norm() - tank.circle.radius;
+    const double d = tank.side == Side::Outside ? off : -off;
+    if (d < kClear * ring.reach || d > ring.reach) continue;
+    if (std::abs(p.z() - tank.foot(tank.azimuthOf(p.head<2>()))) < kLevel * ring.reach) ++count;
+  }
+  return static_cast<double>(count) / toDegrees(tank.coverage);
+}
+
+std::string sparseFoot(double per_degree) {
+  constexpr double kUsual = 20.0;  // with fewer, half of the stations find too few on one surface
+  if (!(per_degree < kUsual)) return {};
+  char text[80];
+  std::snprintf(text, sizeof text, "%.*f foundation points a degree; some %.0f are needed", per_degree < 9.95 ? 1 : 0,
+                per_degree, kUsual);
+  return text;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "tank_datum/locate/tank.h"
+
+namespace tank_datum {
+
+/// Points a degree that the ring has beside the foot of the shell, on the foundation's side, where the shell is seen.
+double footDensity(const Ring& ring, const Tank& tank);
+
+/// What there is to say of a foot with few points: "1.2 foundation points a degree; some 20 are needed"; nothing of a
+/// dense one.
+/// @param per_degree  points a degree
+std::string sparseFoot(double per_degree);
+
+}  // namespace tank_datum

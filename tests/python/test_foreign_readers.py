@@ -1,0 +1,75 @@
+"""The readers of E57, LAZ and COPC against pye57 and laspy, which read whole files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import laspy
+import numpy as np
+import pye57
+import pytest
+
+from results import Array
+
+tank_datum = pytest.importorskip("tank_datum", reason="the module is not installed")
+
+from tank_datum import _foreign  # noqa: E402
+
+
+def blocks_of(path: Path, kind: str) -> tuple[Any, Array]:
+    """What the reader says, and all points."""
+    reader = _foreign.open_blocks(str(path), kind, [])
+    points, rows = [np.empty((0, 3))], 0
+    for block, _, invalid, left_out in reader.blocks(None):
+        points.append(block)
+        rows += len(block) + invalid + left_out
+    assert rows == reader.size
+    return reader, np.concatenate(points)
+
+
+def test_real_e57(data: Path) -> None:
+    """Counts and points against scans that pye57 reads whole."""
+    files = sorted((data / "formats" / "e57").glob("*.e57"))
+    assert len(files) == 21
+    for path in files:
+        reader, points = blocks_of(path, "E57")
+        with pye57.E57(str(path)) as file:
+            assert reader.size == sum(
+                file.get_header(i).point_count for i in range(file.scan_count)
+            )
+            scans = [file.read_scan(i, ignore_missing_fields=True) for i in range(file.scan_count)]
+        whole = np.concatenate(
+            [np.stack([s[f"cartesian{a}"] for a in "XYZ"], axis=1) for s in scans]
+        )
+        np.testing.assert_allclose(points, whole, rtol=0, atol=1e-9, err_msg=path.name)
+
+
+def test_real_laz(data: Path) -> None:
+    """Every bit is what laspy makes of the whole file; COPC among them."""
+    files = sorted((data / "formats" / "laz").glob("*.laz"))
+    assert len(files) == 9
+    for path in files:
+        reader, points = blocks_of(path, "LAZ")
+        whole = laspy.read(path)
+        assert reader.size == len(whole.points)
+        np.testing.assert_array_equal(points, whole.xyz[np.asarray(whole.withheld) == 0], path.name)
+
+
+def test_blocks_of_a_large_scan(tmp_path: Path) -> None:
+    """More rows than a block, rows without a point, and a scan that is passed over."""
+    rows = _foreign.FIRST_BLOCK + _foreign.BLOCK + 1000
+    columns = {f"cartesian{axis}": np.arange(rows, dtype=float) + i for i, axis in enumerate("XYZ")}
+    columns["cartesianInvalidState"] = (np.arange(rows) % 100 == 7).astype(np.int8)
+    path = tmp_path / "large.e57"
+    with pye57.E57(str(path), "w") as file:
+        for _ in range(2):
+            file.write_scan_raw(columns, name="twice")
+    reader, points = blocks_of(path, "E57")
+    assert reader.setups == {0: ("twice 0", None), 1: ("twice 1", None)}
+    kept = np.arange(rows)[np.arange(rows) % 100 != 7]
+    np.testing.assert_array_equal(points[:, 2], np.tile(kept + 2.0, 2))
+    left_out = [(len(p), left) for p, _, _, left in reader.blocks([1])]
+    assert left_out[0] == (0, rows)
+    assert sum(n for n, _ in left_out) == len(kept)
+    assert max(n for n, _ in left_out) <= _foreign.BLOCK
