@@ -133,7 +133,11 @@ def _cloud(path: Path, content: bytes | None) -> NDArray[np.float64]:
     rows = [line.split() for line in head.decode("ascii", "replace").splitlines()]
     words = {row[0]: row[1:] for row in rows if row}
     fields, sizes = words.get("FIELDS", []), words.get("SIZE", [])
-    axes = [n for n in ("full_x", "full_y", "full_z") if n in fields] or ["x", "y", "z"]
+    axes: list[str] = [n for n in ("full_x", "full_y", "full_z") if n in fields] or [
+        "x",
+        "y",
+        "z",
+    ]
     try:
         row = np.dtype(
             [(name, f"<f{size}") for name, size in zip(fields, sizes, strict=True)]

@@ -57,7 +57,7 @@ def default_command() -> str:
     program = Path(sys.argv[0])
     beside = program.parent if program.name == "tank_datum_qa" else None
     folders = [os.environ.get("TANK_DATUM_BIN"), beside, Path(sys.executable).parent]
-    for folder in filter(None, folders):
+    for folder in (str(folder) for folder in folders if folder):
         if (found := Path(folder) / "tank_datum").is_file():
             return str(found)
     return "tank_datum"
