@@ -7,6 +7,7 @@
 #include "exit_status.h"
 #include "option_flags.h"
 #include "options/option_json.h"
+#include "report/section_json.h"
 #include "results/manifest.h"
 #include "results/output_guard.h"
 #include "tank_datum/core/error.h"
@@ -14,8 +15,6 @@
 
 namespace tank_datum {
 namespace {
-
-constexpr int kProfilePoints = 90;  // a station's section is plain with them, and 360 of them take 300 kB
 
 /// The scans, and what goes with what.
 void addRest(CLI::App& app, CLI::Option* scan) {

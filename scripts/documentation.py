@@ -25,15 +25,13 @@ PYTHON = """Python package
 ==============
 
 .. automodule:: tank_datum
-   :members: Datum, extract_datum, defaults
+   :members: Datum, Comparison, Simulation, FoundTank, OptionError, FileError, extract_datum,
+      extract_datums, find_tanks, read_levelling, load, compare, compare_curves, limits,
+      limits_text, simulate, defaults
+   :inherited-members: dict, ValueError, OSError
 
-.. exception:: OptionError
-
-   A refused option, a ``ValueError``: its name, its value, and what was expected.
-
-.. exception:: FileError
-
-   A file that could not be read or written, an ``OSError``.
+.. automodule:: tank_datum.stages
+   :members:
 """
 
 

@@ -1,4 +1,4 @@
-"""Writes what src/doc/options.md and the Python stub say of the options.
+"""Writes what src/doc/options.md, the Python stub and its dicts of keywords say of the options.
 
 That is what tank_datum --print-options lists.
 Usage: python scripts/option_docs.py [--check]     (--check writes nothing; status 1: out of date)
@@ -19,6 +19,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "src/doc/options.md"
 STUB = ROOT / "src/python/tank_datum/__init__.pyi"
+KEYWORDS = ROOT / "src/python/tank_datum/_options.py"
 WIDEST = 84  # columns of a comment in the stub
 
 Option = dict[str, Any]
@@ -107,13 +108,19 @@ def page_of(text: str, options: list[Option]) -> str:
     return re.sub(r"<!-- options: ([^\n]+) -->\n.*?<!-- end -->", filled, text, flags=re.DOTALL)
 
 
+def type_of(option: Option) -> str:
+    """The type of a keyword."""
+    if option["name"] == "baseline":
+        return "Datum | _Path | None"
+    if "words" not in option:
+        return TYPES.get(option["kind"], "")
+    words = ", ".join(json.dumps(word) for word in option["words"])
+    return f"Literal[{words}]" + (" | None" if option["default"] is None else "")
+
+
 def keyword(option: Option) -> str:
     """A keyword of the stub with its comment."""
-    default = option["default"]
-    kind = TYPES.get(option["kind"], "")
-    if "words" in option:
-        words = ", ".join(json.dumps(word) for word in option["words"])
-        kind = f"Literal[{words}]" + (" | None" if default is None else "")
+    default, kind = option["default"], type_of(option)
     value = "..." if default == [] else "None" if default in (None, {}) else repr(default)
     if isinstance(default, str):
         value = json.dumps(default)
@@ -132,13 +139,28 @@ def stub_of(text: str, options: list[Option]) -> str:
     return re.sub(marks, lambda mark: mark[1] + keywords + mark[2], text, flags=re.DOTALL)
 
 
+def typed_dicts_of(text: str, options: list[Option]) -> str:
+    """The dicts of keywords, of a run and of a comparison, as they should be."""
+    of_a_run = [option for option in options if not option["command_only"]]
+    of_a_comparison = [
+        option
+        for option in of_a_run
+        if option["topic"] == "Movement since an earlier survey" and option["name"] != "baseline"
+    ]
+    for mark, listed in (("a run", of_a_run), ("a comparison", of_a_comparison)):
+        lines = "".join(f"    {option['name']}: {type_of(option)}\n" for option in listed)
+        marks = rf"(    # options of {mark}\n).*?(    # end of options\n)"
+        text = re.sub(marks, lambda m, body=lines: m[1] + body + m[2], text, flags=re.DOTALL)
+    return text
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="write nothing")
     check = parser.parse_args().check
     options = read_options()
     stale = []
-    for path, made in ((PAGE, page_of), (STUB, stub_of)):
+    for path, made in ((PAGE, page_of), (STUB, stub_of), (KEYWORDS, typed_dicts_of)):
         old = path.read_text()
         new = made(old, options)
         if new == old:

@@ -14,8 +14,11 @@ from pathlib import Path
 import plot_figures
 from plot_report import write_report
 from plot_result import PlotError, Result, read_cloud, read_result
-from result_folder import OutputIsInputError, ResultFolder, require_apart
-from result_journal import ResultError, settle_to_read
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "src" / "python"))
+
+from tank_datum_qa._result_folder import OutputIsInputError, ResultFolder, require_apart  # noqa: E402
+from tank_datum_qa._result_journal import ResultError, settle_to_read  # noqa: E402
 
 FORMATS = ("pdf", "svg", "png")
 PICTURES = ("cloud", "datum_points", "residuals", "elevation")

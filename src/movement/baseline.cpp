@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "movement/movement.h"
 #include "tank_datum/core/error.h"
@@ -22,10 +23,15 @@ MovementOptions looseTolerances(MovementOptions options, double by) {
 
 Baseline readBaseline(const std::string& path, const MovementOptions& options, const DatumOptions& current) {
   requireValid(options);
-  Baseline baseline{readEpoch(path), options};
+  return baselineOf(readEpoch(path), options, current);
+}
+
+Baseline baselineOf(Epoch survey, const MovementOptions& options, const DatumOptions& current) {
+  requireValid(options);
+  Baseline baseline{std::move(survey), options};
   const Epoch& epoch = baseline.epoch;
   if (!epoch.usable()) {
-    throw Error(Error::Kind::Option, "movement", "baseline", path + " of status " + epoch.status,
+    throw Error(Error::Kind::Option, "movement", "baseline", epoch.name + " of status " + epoch.status,
                 "a result with a usable datum");
   }
   if (current.method == Method::Paper) {
@@ -33,7 +39,7 @@ Baseline readBaseline(const std::string& path, const MovementOptions& options, c
                 "refined: the paper's elevations have no standard errors");
   }
   if (epoch.method != nameOf(current.method)) {
-    throw Error(Error::Kind::Option, "movement", "baseline", path + " of method " + epoch.method,
+    throw Error(Error::Kind::Option, "movement", "baseline", epoch.name + " of method " + epoch.method,
                 std::string("the method of this survey, ") + nameOf(current.method));
   }
   requireErrors(epoch);

@@ -21,6 +21,9 @@ struct Baseline {
 ///         survey without a usable datum, one of another method or of another tank than the one given
 Baseline readBaseline(const std::string& path, const MovementOptions& options, const DatumOptions& current);
 
+/// The same for a survey that has been read.
+Baseline baselineOf(Epoch survey, const MovementOptions& options, const DatumOptions& current);
+
 /// Refuses a baseline that is of none of the tanks located in a scan, to what the search for tanks can tell.
 /// @param origin  of the scan
 /// @throws Error (Option) saying how the likest differs

@@ -100,4 +100,12 @@ Epoch readEpoch(const std::string& path) {
   }
 }
 
+Epoch epochIn(const std::string& datum_json, const std::string& name) {
+  try {
+    return epochFrom(Json::parse(datum_json), name);
+  } catch (const Json::exception& error) {
+    throw Error(Error::Kind::File, "epoch", name, error.what(), "a datum.json with its stations");
+  }
+}
+
 }  // namespace tank_datum

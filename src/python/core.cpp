@@ -1,10 +1,13 @@
 #include <pybind11/stl.h>
 
 #include <cstring>
+#include <map>
 
 #include "command.h"
+#include "core/units.h"
 #include "io/scan_format.h"
 #include "job.h"
+#include "report/section_json.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -24,30 +27,61 @@ py::array pointsIn(const py::handle& given) {
                        ", expected an array of shape (n, 3) in float32 or float64, or the path of a scan");
 }
 
-py::array edgePoints(const Datum& datum) {
-  py::array_t<double> points({datum.edge_points.size(), std::size_t{3}});
-  auto at = points.mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
-    const Eigen::Vector3d p = datum.edge_points[static_cast<std::size_t>(i)] + datum.origin;
-    for (int c = 0; c < 3; ++c) at(i, c) = p[c];
-  }
-  return std::move(points);
+Task::Wanted wantedFrom(const std::string& name) {
+  static const std::map<std::string, Task::Wanted> names = {{"datum", Task::Wanted::Datum},
+                                                            {"datums", Task::Wanted::Datums},
+                                                            {"tanks", Task::Wanted::Tanks},
+                                                            {"levelling", Task::Wanted::Levelling}};
+  return names.at(name);
 }
 
-py::dict extract(const std::vector<std::string>& paths, const py::list& arrays, const py::dict& keywords,
-                 const py::object& progress) {
-  Points3 points{paths, {}};
-  for (const py::handle& array : arrays) points.arrays.push_back(pointsIn(array));
-  const auto tell = [&](const std::string& stage) {
-    if (!progress.is_none()) progress(stage);
-  };
-  const Result result = runJob(std::move(points), optionsFrom(keywords), tell);
+/// A tank that the search found, in the scan's own frame.
+py::dict tankDict(const Tank& tank, const Eigen::Vector3d& origin) {
   py::dict made;
-  made["json"] = datumJson(result.datum, result.provenance);
-  made["csv"] = stationsCsv(result.datum);
-  made["summary"] = summary(result.datum);
-  made["edge_points"] = edgePoints(result.datum);
+  made["center"] = py::make_tuple(tank.circle.center.x() + origin.x(), tank.circle.center.y() + origin.y());
+  made["radius"] = tank.circle.radius;
+  made["rms"] = tank.rms;
+  made["coverage_deg"] = toDegrees(tank.coverage);
+  made["height"] = tank.height;
+  made["side"] = tank.side == Side::Inside ? "inside" : "outside";
+  made["foot"] = tank.foot.valid() ? py::object(py::float_(tank.foot.coefficients[0] + origin.z())) : py::none();
+  made["has_foundation"] = tank.has_foundation;
   return made;
+}
+
+/// Runs a task; what it gives are Results, or dicts of tanks.
+/// @param given  what of the task is no option: `levelling`, `diameter`, `baseline_json`
+py::list run(const std::string& wanted, const std::vector<std::string>& paths, const py::list& arrays,
+             const py::dict& keywords, const py::dict& given, const py::object& progress) {
+  Task task;
+  task.wanted = wantedFrom(wanted);
+  task.points.paths = paths;
+  for (const py::handle& array : arrays) task.points.arrays.push_back(pointsIn(array));
+  static const std::map<std::string, std::string> functions = {{"datum", "extract_datum"},
+                                                               {"datums", "extract_datums"},
+                                                               {"tanks", "find_tanks"},
+                                                               {"levelling", "read_levelling"}};
+  task.options = optionsFrom(keywords, functions.at(wanted));
+  task.options.datum.refine.profile_points = kProfilePoints;
+  if (given.contains("baseline_json")) task.baseline_json = given["baseline_json"].cast<std::string>();
+  if (given.contains("levelling")) task.options.levelling = given["levelling"].cast<std::string>();
+  if (given.contains("diameter")) task.options.diameter = given["diameter"].cast<double>();
+  Found found = runJob(std::move(task), [&](const Event& event) {
+    if (!progress.is_none()) progress(event.stage, event.rows, event.total, event.begins);
+  });
+  py::list made;
+  for (Result& result : found.results) made.append(py::cast(std::move(result)));
+  for (const Tank& tank : found.tanks) made.append(tankDict(tank, found.origin));
+  return made;
+}
+
+/// Raises the package's exception for a refused option or a file, with all parts of the message.
+void raise(const Error& error) {
+  const char* kind = error.kind() == Error::Kind::Option ? "OptionError" : "FileError";
+  const py::object type = py::module_::import("tank_datum._errors").attr(kind);
+  const Refusal& refused = error.refused();
+  const py::object made = type(error.what(), error.stage(), refused.name, refused.value, refused.expected);
+  PyErr_SetObject(type.ptr(), made.ptr());
 }
 
 }  // namespace
@@ -55,18 +89,18 @@ py::dict extract(const std::vector<std::string>& paths, const py::list& arrays, 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of tank_datum.";
   module.attr("__version__") = kVersion;
-  static const py::object option_error =
-      py::exception<Error>(module, "OptionError", PyExc_ValueError);  // NOLINT: lives as long as the module
-  static const py::object file_error = py::exception<Error>(module, "FileError", PyExc_OSError);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Error& error) {
-      const bool option = error.kind() == Error::Kind::Option;
-      PyErr_SetString((option ? option_error : file_error).ptr(), error.what());
+      raise(error);
     }
   });
-  module.def("extract", &extract);
+  addResult(module);
+  addStages(module);
+  addStudies(module);
+  addPrograms(module);
+  module.def("run", &run);
   module.def("run_command", &runCommand);
   module.def("stop_command_by", &stopCommandBy);
   module.def("foreign_format", &foreignFormatOf);

@@ -16,7 +16,9 @@
 #include "foreign.h"
 #include "io/up_axis.h"
 #include "movement/baseline.h"
+#include "movement/epoch.h"
 #include "movement/movement.h"
+#include "report/provenance.h"
 
 namespace py = pybind11;
 
@@ -62,9 +64,9 @@ Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const Run
   const double scale = options.metresPerUnit();
   const bool single = std::any_of(rows.begin(), rows.end(), [](const Rows& array) { return !array.is_double; });
   const auto row = [rows, scale](std::uint64_t i) {
-    std::size_t a = 0;
-    while (i >= rows[a].end) ++a;
-    return Eigen::Vector3d(rows[a].at(i, 0) * scale, rows[a].at(i, 1) * scale, rows[a].at(i, 2) * scale);
+    const auto in =
+        std::upper_bound(rows.begin(), rows.end(), i, [](std::uint64_t at, const Rows& a) { return at < a.end; });
+    return Eigen::Vector3d(in->at(i, 0) * scale, in->at(i, 1) * scale, in->at(i, 2) * scale);
   };
   return Scan::fromRows(rows.empty() ? 0 : rows.back().end, row, {single, scale});
 }
@@ -74,27 +76,38 @@ Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptio
   return options.up == "z" ? scan : scan.turned(upRotation(options.up));
 }
 
+/// The movement of one of several tanks; of those that are not the baseline's it says so.
+Movement movementOf(const Datum& datum, const Baseline& baseline, const DatumOptions& options, bool several) {
+  try {
+    return movementSince(baseline, datum, options);
+  } catch (const Error& error) {
+    if (!several) throw;
+    Movement none;
+    none.baseline = baseline.epoch.name;
+    none.message = error.what();
+    return none;
+  }
+}
+
 /// What the two threads share. The thread that works touches Python's objects only through the gate.
 struct Job {
-  Points3 points;  // keeps the arrays' memory
+  Task task;  // keeps the arrays' memory
   std::vector<Rows> rows;
-  RunOptions options;
   std::shared_ptr<PythonGate> gate = std::make_shared<PythonGate>();
   std::atomic<bool> given_up{false};
   std::mutex mutex;
   std::condition_variable told;
-  std::vector<std::string> stages;
+  std::vector<Event> events;
+  std::string stage;
   bool done = false;
-  Result result;
+  Found found;
   std::exception_ptr error;
 
   void work() {
-    const ThreadScope threads(options.datum.threads);
+    const ThreadScope threads(task.options.datum.threads);
     try {
-      refuseFirst(firstError(options));
-      std::optional<Baseline> baseline;
-      if (!options.baseline.empty()) baseline = readBaseline(options.baseline, options.movement, options.datum);
-      extract(scanOf(points, rows, options), baseline);
+      refuseFirst(firstError(task.options));
+      task.wanted == Task::Wanted::Levelling ? level(baselineAsGiven()) : search(baselineAsGiven());
     } catch (...) {
       error = std::current_exception();
     }
@@ -103,27 +116,76 @@ struct Job {
     told.notify_one();
   }
 
-  void extract(const Scan& scan, const std::optional<Baseline>& baseline) {
+  std::optional<Baseline> baselineAsGiven() const {
+    const RunOptions& o = task.options;
+    if (o.baseline.empty()) return std::nullopt;
+    if (task.baseline_json.empty()) return readBaseline(o.baseline, o.movement, o.datum);
+    return baselineOf(epochIn(task.baseline_json, o.baseline), o.movement, o.datum);
+  }
+
+  void tell(const Event& event) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    const bool later = !events.empty() && !event.begins && !events.back().begins;
+    if (later) events.back() = event;
+    if (!later) events.push_back(event);
+    told.notify_one();
+  }
+
+  Callbacks callbacksFor(const Scan& scan, const std::optional<Baseline>& baseline) {
     Callbacks callbacks;
-    callbacks.stage = [this](const char* stage) {
+    callbacks.stage = [this, total = scan.size()](const char* name) {
       if (given_up) throw GivenUp();
-      const std::lock_guard<std::mutex> lock(mutex);
-      stages.emplace_back(stage);
-      told.notify_one();
+      stage = name;
+      tell({stage, 0, total, true});
     };
     callbacks.tanks = [&](const std::vector<Tank>& tanks) {
       if (baseline) requireAmong(tanks, scan.origin(), *baseline);
     };
-    result.datum = extractDatum(scan, options.datum, callbacks);
-    result.provenance =
-        provenanceOf(recordInputs(scan, options.checksumTaken()), options.units, options.datum, result.datum);
-    result.provenance.up = options.up;
-    result.provenance.reading = options.reading;
-    result.provenance.reading.foreign = nullptr;  // Python's objects do not leave with the result
-    result.provenance.baseline = options.baseline;
-    result.provenance.movement_options = options.movement;
-    if (baseline && result.datum.usable()) {
-      result.provenance.movement = movementSince(*baseline, result.datum, options.datum);
+    return callbacks;
+  }
+
+  void search(const std::optional<Baseline>& baseline) {
+    Scan scan = scanOf(task.points, rows, task.options);
+    scan.setProgress([this, total = scan.size()](std::uint64_t read) { tell({stage, read, total, false}); });
+    const Callbacks callbacks = callbacksFor(scan, baseline);
+    const DatumOptions& options = task.options.datum;
+    if (task.wanted == Task::Wanted::Datum) {
+      Datum datum = extractDatum(scan, options, callbacks);
+      return keep({std::move(datum)}, recordInputs(scan, task.options.checksumTaken()), baseline);
+    }
+    std::vector<Tank> tanks = findTanks(scan, options, callbacks);
+    found.origin = scan.origin();
+    if (task.wanted == Task::Wanted::Tanks) {
+      found.tanks = std::move(tanks);
+      return;
+    }
+    callbacks.tanks(tanks);
+    if (tanks.empty()) tanks.emplace_back();
+    std::vector<Datum> datums;
+    for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, options, callbacks));
+    keep(std::move(datums), recordInputs(scan, task.options.checksumTaken()), baseline);
+  }
+
+  void level(const std::optional<Baseline>& baseline) {
+    const RunOptions& o = task.options;
+    Datum datum = readLevelling(o.levelling, o.metresPerUnit(), o.diameter, o.datum);
+    const InputRecord file = recordOfLevelling(o.levelling, datum, o.checksumTaken());
+    keep({std::move(datum)}, {file}, baseline);
+  }
+
+  void keep(std::vector<Datum> datums, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline) {
+    const RunOptions& o = task.options;
+    for (Datum& datum : datums) {
+      Provenance provenance = provenanceOf(files, o.units, o.datum, datum);
+      provenance.up = o.up;
+      provenance.reading = o.reading;
+      provenance.reading.foreign = nullptr;  // Python's objects do not leave with the result
+      provenance.baseline = o.baseline;
+      provenance.movement_options = o.movement;
+      if (baseline && datum.usable()) {
+        provenance.movement = movementOf(datum, *baseline, o.datum, task.wanted == Task::Wanted::Datums);
+      }
+      found.results.push_back({std::move(datum), std::move(provenance)});
     }
   }
 };
@@ -142,32 +204,32 @@ void dropEnded() {
 }
 
 /// Waits a tenth of a second at most; true when the job has ended.
-bool waitFor(Job& job, std::vector<std::string>& stages) {
+bool waitFor(Job& job, std::vector<Event>& events) {
   const py::gil_scoped_release unlocked;
   std::unique_lock<std::mutex> lock(job.mutex);
-  job.told.wait_for(lock, std::chrono::milliseconds(100), [&] { return job.done || !job.stages.empty(); });
-  stages.swap(job.stages);
+  job.told.wait_for(lock, std::chrono::milliseconds(100),
+                    [&] { return job.done || (!job.events.empty() && job.events.front().begins); });
+  events.swap(job.events);
   return job.done;
 }
 
 }  // namespace
 
-Result runJob(Points3 points, const RunOptions& options, const std::function<void(const std::string&)>& progress) {
+Found runJob(Task task, const std::function<void(const Event&)>& progress) {
   dropEnded();
   const auto job = std::make_shared<Job>();
-  job->points = std::move(points);
-  job->rows = rowsOf(job->points.arrays);
-  job->options = options;
-  job->options.reading.foreign = foreignReader(job->gate);
-  job->options.reading.hash = options.checksumTaken() == Checksum::Xxh3;
+  job->task = std::move(task);
+  job->rows = rowsOf(job->task.points.arrays);
+  job->task.options.reading.foreign = foreignReader(job->gate);
+  job->task.options.reading.hash = job->task.options.checksumTaken() == Checksum::Xxh3;
   // the arrays must be released with the lock held, so the worker is never the last to hold the job
   abandoned().push_back(job);
   std::thread([raw = job.get()] { raw->work(); }).detach();
   try {
     for (bool ended = false; !ended;) {
-      std::vector<std::string> stages;
-      ended = waitFor(*job, stages);
-      for (const std::string& stage : stages) progress(stage);
+      std::vector<Event> events;
+      ended = waitFor(*job, events);
+      for (const Event& event : events) progress(event);
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
   } catch (...) {
@@ -177,7 +239,7 @@ Result runJob(Points3 points, const RunOptions& options, const std::function<voi
   }
   abandoned().remove(job);
   if (job->error) std::rethrow_exception(job->error);
-  return std::move(job->result);
+  return std::move(job->found);
 }
 
 }  // namespace tank_datum::python

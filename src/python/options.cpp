@@ -82,16 +82,14 @@ std::vector<Option> keywordsOf(RunOptions& run) {
   return keywords;
 }
 
-}  // namespace
-
-RunOptions optionsFrom(const py::dict& given) {
-  RunOptions run;
+/// Puts keywords where the options keep them.
+void put(const std::vector<Option>& options, const py::dict& given, const std::string& function) {
   std::map<std::string, Option> keywords;
-  for (const Option& option : keywordsOf(run)) keywords.emplace(option.name, option);
+  for (const Option& option : options) keywords.emplace(option.name, option);
   for (const auto& [name, value] : given) {
     const auto found = keywords.find(name.cast<std::string>());
     if (found == keywords.end()) {
-      throw py::type_error("extract_datum() got an unexpected keyword argument '" + name.cast<std::string>() + "'");
+      throw py::type_error(function + "() got an unexpected keyword argument '" + name.cast<std::string>() + "'");
     }
     try {
       std::visit(Put{found->second, value}, found->second.value);
@@ -100,8 +98,22 @@ RunOptions optionsFrom(const py::dict& given) {
       throw py::type_error(found->first + " = " + shown + ", expected the type of its default");
     }
   }
+}
+
+}  // namespace
+
+RunOptions optionsFrom(const py::dict& given, const std::string& function) {
+  RunOptions run;
+  put(keywordsOf(run), given, function);
   readFilesOf(run);
   return run;
+}
+
+MovementOptions movementOptionsFrom(const py::dict& given) {
+  MovementOptions movement;
+  put(movementOptionsOf(movement), given, "compare");
+  if (const auto refused = firstError(movement)) throw Error(Error::Kind::Option, "options", *refused);
+  return movement;
 }
 
 py::dict defaults() {
@@ -116,7 +128,8 @@ std::string keywordHelp() {
   std::string lines;
   for (const Option& option : keywordsOf(run)) {
     const std::string expected = option.expected().empty() ? "" : " (" + option.expected() + ")";
-    lines += "    " + option.name + ": " + option.text() + expected + "\n";
+    const auto value = py::repr(std::visit(Get{option}, option.value)).cast<std::string>();
+    lines += "    " + option.name + ": " + option.text() + expected + "; default " + value + "\n";
   }
   return lines;
 }

@@ -10,7 +10,11 @@ namespace tank_datum::python {
 
 /// Keyword arguments over the defaults of the C++ structs; the files that they name are read.
 /// @throws py::type_error for an unknown name or a value of the wrong type, Error for what is refused or cannot be read
-RunOptions optionsFrom(const pybind11::dict& keywords);
+/// @param function  of Python, for messages
+RunOptions optionsFrom(const pybind11::dict& keywords, const std::string& function);
+
+/// The same of a comparison's.
+MovementOptions movementOptionsFrom(const pybind11::dict& keywords);
 
 /// Every keyword and its default.
 pybind11::dict defaults();

@@ -6,6 +6,7 @@
 #include "options/option_json.h"
 #include "refusals.h"
 #include "report/analysis_json.h"
+#include "report/datum_record.h"
 #include "report/json_number.h"
 #include "report/movement_json.h"
 #include "report/setups_json.h"
@@ -139,7 +140,7 @@ Json leanJson(const Datum& datum, const StationOptions& options) {
 
 }  // namespace
 
-std::string datumJson(const Datum& datum, const Provenance& provenance) {
+Json datumRecord(const Datum& datum, const Provenance& provenance) {
   Json json;
   json["schema"] = kSchema;
   json["version"] = kVersion;
@@ -163,8 +164,12 @@ std::string datumJson(const Datum& datum, const Provenance& provenance) {
     if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
     if (datum.shell.valid()) json["shell"] = shellJson(datum.shell, datum.analysis.roundness);
   }
+  return json;
+}
+
+std::string datumJson(const Datum& datum, const Provenance& provenance) {
   // a path that is no UTF-8 must not lose the result
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return datumRecord(datum, provenance).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tank_datum

@@ -39,6 +39,11 @@ consumer_script(consumer_links_neither_VTK_nor_Qt consumer_built links)
 consumer_script(consumer_through_pkg_config consumer_prefix pkg_config)
 consumer_script(consumer_sees_public_symbols_only consumer_prefix symbols)
 
+consumer_test(consumer_install_commands consumer_prefix COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR}
+              --prefix ${consumer_prefix} --component commands)
+set_tests_properties(consumer_install_commands PROPERTIES FIXTURES_SETUP consumer_commands)
+consumer_script(consumer_runs_its_own_cases "consumer_prefix;consumer_commands" qa)
+
 consumer_configure(consumer_is_refused_a_newer_version newer -DWANTED_VERSION=99.0)
 set_tests_properties(consumer_is_refused_a_newer_version PROPERTIES PASS_REGULAR_EXPRESSION
                      "compatible with requested version \"99.0\"")

@@ -6,9 +6,9 @@ import signal
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-from result_folder import ResultFolder  # noqa: E402
-from result_journal import ResultError  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src" / "python"))
+from tank_datum_qa._result_folder import ResultFolder  # noqa: E402
+from tank_datum_qa._result_journal import ResultError  # noqa: E402
 
 
 def main() -> int:

@@ -22,12 +22,19 @@ from qa_command import qa
         ('[tolerance]\nz = "much"\n[[case]]\n', "tolerance.z, 'much', expected a number >= 0"),
         ('[[case]]\nname = "a"\ninputs = ["b"]\n' * 2, "a name of its own"),
         ("[[case", "expected TOML"),
+        (
+            '[[case]]\nname = "a"\ninputs = ["x"]\n'
+            '[[case]]\nname = "b"\ninputs = ["x"]\nfixture = "a"\n',
+            "b.fixture, 'a', expected another than that of 'a'",
+        ),
         *(
             (f'[[case]]\nname = "a"\ninputs = ["b"]\n{line}\n', said)
             for line, said in (
                 ('fixture = "../a"', "a.fixture, '../a', expected the name of a folder below"),
                 ('fixture = "."', "a.fixture, '.', expected the name of a folder below"),
                 ('fixture = "/tmp/a"', "a.fixture, '/tmp/a', expected the name of a folder below"),
+                ('command = "view"', "a.command, 'view', expected extract, compare or levelling"),
+                ('command = "compare"', "a.inputs, ['b'], expected at least 2"),
                 ('files = ["../datum.json"]', "a.files, '../datum.json', expected names"),
                 ('options = ["-o", "x"]', "a.options, '-o', expected no option that names"),
                 ('options = ["-ox"]', "a.options, '-ox', expected no option that names"),

@@ -1,65 +1,46 @@
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from os import PathLike
 from typing import Any, Literal, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
+from tank_datum import stages as stages
+from tank_datum._compare import Comparison as Comparison
+from tank_datum._compare import compare as compare
+from tank_datum._core import __version__ as __version__
+from tank_datum._datum import Datum as Datum
+from tank_datum._errors import FileError as FileError
+from tank_datum._errors import OptionError as OptionError
+from tank_datum._files import load as load
+from tank_datum._records import Antipodal as Antipodal
+from tank_datum._records import Check as Check
+from tank_datum._records import Curve as Curve
+from tank_datum._records import FoundTank as FoundTank
+from tank_datum._records import Harmonic as Harmonic
+from tank_datum._records import Limit as Limit
+from tank_datum._records import Movement as Movement
+from tank_datum._records import OutOfPlane as OutOfPlane
+from tank_datum._records import Record as Record
+from tank_datum._records import Shell as Shell
+from tank_datum._records import Tank as Tank
+from tank_datum._records import Tilt as Tilt
+from tank_datum._records import Verdict as Verdict
+from tank_datum._run import Progress
+from tank_datum._run import defaults as defaults
+from tank_datum._run import extract_datums as extract_datums
+from tank_datum._run import find_tanks as find_tanks
+from tank_datum._run import read_levelling as read_levelling
+from tank_datum._studies import Simulation as Simulation
+from tank_datum._studies import Truth as Truth
+from tank_datum._studies import compare_curves as compare_curves
+from tank_datum._studies import limits as limits
+from tank_datum._studies import limits_text as limits_text
+from tank_datum._studies import simulate as simulate
 
-__version__: str
-
-class OptionError(ValueError): ...
-class FileError(OSError): ...
-
-_Points: TypeAlias = NDArray[np.float32] | NDArray[np.float64]
 _Path: TypeAlias = str | PathLike[str]
 
-class Datum:
-    stations: NDArray[Any]
-    edge_points: NDArray[np.float64]
-    @property
-    def status(
-        self,
-    ) -> Literal[
-        "ok",
-        "partial",
-        "no_tank",
-        "no_crease",
-        "too_few_points",
-        "fit_failed",
-        "doubtful",
-    ]: ...
-    @property
-    def message(self) -> str: ...
-    @property
-    def usable(self) -> bool: ...
-    @property
-    def tank(self) -> dict[str, Any] | None: ...
-    @property
-    def tilt(self) -> dict[str, Any] | None: ...
-    @property
-    def antipodal(self) -> dict[str, Any] | None: ...
-    @property
-    def movement(self) -> dict[str, Any] | None: ...
-    @property
-    def shell(self) -> dict[str, Any] | None: ...
-    @property
-    def harmonics(self) -> list[dict[str, Any]]: ...
-    @property
-    def out_of_plane(self) -> dict[str, Any] | None: ...
-    @property
-    def checks(self) -> list[dict[str, Any]]: ...
-    @property
-    def setups(self) -> list[dict[str, Any]]: ...
-    def covariance(self) -> NDArray[np.float64]: ...
-    def to_dict(self) -> dict[str, Any]: ...
-    def to_json(self) -> str: ...
-    def summary(self) -> str: ...
-
-def defaults() -> dict[str, Any]: ...
 def extract_datum(
-    points: _Points | _Path | Sequence[_Points] | Sequence[_Path],
+    points: Any,
     *,
-    progress: Callable[[str], object] | None = ...,
+    progress: Progress | None = ...,
     # options, by scripts/option_docs.py
     # what z is: two surfaces intersected, or the paper's curve
     method: Literal["refined", "paper"] = "refined",
@@ -125,7 +106,7 @@ def extract_datum(
     # none: all
     setups: Sequence[str] = ...,
     # datum.json of an earlier survey: movement since then
-    baseline: _Path | None = None,
+    baseline: Datum | _Path | None = None,
     # what is taken from the movement: nothing, the mean, mean and tilt; between
     # levelling and scan the mean, since the rod does not stand where the scan's
     # datum is

@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from result_journal import (
+from tank_datum_qa._result_journal import (
     COMMIT,
     PATIENCE,
     Journal,
@@ -74,9 +74,15 @@ class ResultFolder:
 
     def __init__(self, folder: Path, program: str, own: IsOwn | None = None) -> None:
         self.folder, self.program, self.own = folder, program, own
-        self.path: Path | None = None
+        self._path: Path | None = None
         self.lock = -1
         self.made: list[Path] = []
+
+    @property
+    def path(self) -> Path:
+        """The hidden folder of a run under way."""
+        assert self._path is not None
+        return self._path
 
     def __enter__(self) -> Path:
         try:
@@ -108,18 +114,20 @@ class ResultFolder:
                 fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except (FileExistsError, FileNotFoundError, BlockingIOError):
                 continue  # of another run, or taken for a stale one
-            self.path = path
+            self._path = path
             (path / "new").mkdir()
             return path / "new"
-        raise ResultError(f"{self.folder}, no hidden folder can be made, expected room for one")
+        raise ResultError(
+            f"{self.folder}, no hidden folder can be made, expected room for one"
+        )
 
     def _clean_up(self) -> None:
-        if self.path is not None:
+        if self._path is not None:
             with contextlib.suppress(OSError):
                 remove_own(self.path)
         if self.lock >= 0:
             os.close(self.lock)
-        self.lock, self.path = -1, None
+        self.lock, self._path = -1, None
         for path in self.made:
             with contextlib.suppress(OSError):
                 path.rmdir()
@@ -148,7 +156,7 @@ class ResultFolder:
             try:
                 undo(self.folder, journal)
             except OSError:
-                self.path = None  # its journal stays, for the next run
+                self._path = None  # its journal stays, for the next run
             raise
         self._say(said)
 
@@ -163,10 +171,12 @@ class ResultFolder:
                 self._say(settle(self.folder))
                 time.sleep(0.001)
                 continue
-            self.path = commit
+            self._path = commit
             sync(self.folder)
             return
-        raise ResultError(f"{commit}, other runs without end, expected one run at a time")
+        raise ResultError(
+            f"{commit}, other runs without end, expected one run at a time"
+        )
 
     def _plan(self, hashes: dict[str, str]) -> tuple[Journal, list[str]]:
         before = read_manifest(self.folder) if self.own is None else {}
@@ -183,7 +193,9 @@ class ResultFolder:
             if name == MANIFEST:
                 return before is not None
             now = _hash(place)
-            return (name in mine and now == listed[name]["sha256"]) or now == hashes.get(name)
+            return (
+                name in mine and now == listed[name]["sha256"]
+            ) or now == hashes.get(name)
 
         names = sorted(mine | set(hashes))
         if self.own is None:
@@ -200,7 +212,11 @@ class ResultFolder:
             else:
                 kept = kept_name(place)
                 journal.displaced.append((name, kept.name))
-                why = "was changed since it was written" if name in listed else "is of others"
+                why = (
+                    "was changed since it was written"
+                    if name in listed
+                    else "is of others"
+                )
                 said.append(f"{place} {why}: kept as {kept}")
         journal.added = sorted(p.name for p in (self.path / "new").iterdir())
         return journal, said
@@ -215,7 +231,9 @@ def require_apart(inputs: list[Path], outputs: list[Path]) -> None:
     for output in outputs:
         for path in inputs:
             there = output.exists() and path.exists()
-            same = output.samefile(path) if there else output.resolve() == path.resolve()
+            same = (
+                output.samefile(path) if there else output.resolve() == path.resolve()
+            )
             if same:
                 what = "expected a place outside of the inputs"
                 raise OutputIsInputError(f"{output}, the input {path}, {what}")

@@ -46,7 +46,9 @@ class Journal:
             names = ("displaced", "added", "folders", "emptied")
             return Journal(*(table[name] for name in names))
         except (ValueError, KeyError, TypeError):
-            raise ResultError(f"{path}, no journal, expected that of a stopped run") from None
+            raise ResultError(
+                f"{path}, no journal, expected that of a stopped run"
+            ) from None
 
 
 @contextlib.contextmanager
@@ -155,7 +157,9 @@ def settle(folder: Path) -> list[str]:
                 remove_own(commit)
                 return said
         time.sleep(PAUSE)
-    raise ResultError(f"{commit}, another run that does not end, expected one run at a time")
+    raise ResultError(
+        f"{commit}, another run that does not end, expected one run at a time"
+    )
 
 
 def settle_to_read(folder: Path, program: str) -> None:

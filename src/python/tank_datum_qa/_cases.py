@@ -1,18 +1,26 @@
-"""The cases file of qa.py: what to run, and how far results may move."""
+"""The cases file: what to run, and how far results may move."""
 
 from __future__ import annotations
 
+import os
 import re
 import tomllib
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
 FILES = ("datum.json", "stations.csv")
+FILES_OF = {
+    "extract": FILES,
+    "levelling": FILES,
+    "compare": ("movement.json", "movement.csv"),
+}
+"""what is compared of each command's results, unless the case says"""
 IGNORE = "ignore"
 OUTPUTS = re.compile(r"-o|--output\b|--timings\b")
-"""the options of tank_datum after which it writes somewhere else"""
+"""the options after which a command writes somewhere else"""
 
 
 class CasesError(Exception):
@@ -30,12 +38,20 @@ class Tolerances:
 
     rules: tuple[tuple[str, float | None], ...] = ()
 
+    own: int = 0
+    """how many of them, the first, are the case's own"""
+
     def of(self, file: str, key: str) -> float | None:
         """The largest change allowed, or None for a value that is not compared."""
         for pattern, tolerance in self.rules:
-            if fnmatchcase(key, pattern) or fnmatchcase(f"{file}:{key}", pattern):
+            if matches(pattern, file, key):
                 return tolerance
         return 0.0
+
+
+def matches(pattern: str, file: str, key: str) -> bool:
+    """Whether a rule is for a value."""
+    return fnmatchcase(key, pattern) or fnmatchcase(f"{file}:{key}", pattern)
 
 
 @dataclass(frozen=True)
@@ -47,6 +63,8 @@ class Case:
     fixture: Path
     root: Path
     """of the cases file, in which runs start"""
+    command: str = "extract"
+    """extract, compare or levelling"""
     options: tuple[str, ...] = ()
     status: int = 0
     files: tuple[str, ...] = FILES
@@ -62,7 +80,11 @@ def _rules(where: str, table: Any) -> tuple[tuple[str, float | None], ...]:
         raise _refuse(where, table, "a table of pattern = number")
     rules: list[tuple[str, float | None]] = []
     for pattern, value in table.items():
-        number = isinstance(value, int | float) and not isinstance(value, bool) and value >= 0
+        number = (
+            isinstance(value, int | float)
+            and not isinstance(value, bool)
+            and value >= 0
+        )
         if value != IGNORE and not number:
             raise _refuse(f"{where}.{pattern}", value, f'a number >= 0 or "{IGNORE}"')
         rules.append((pattern, None if value == IGNORE else float(value)))
@@ -82,8 +104,19 @@ def _texts(where: str, value: Any, least: int) -> tuple[str, ...]:
     return tuple(value)
 
 
-def _case(where: str, table: Any, root: Path, common: tuple[tuple[str, float | None], ...]) -> Case:
-    known = {"name", "inputs", "options", "fixture", "status", "files", "tolerance"}
+def _case(
+    where: str, table: Any, root: Path, common: tuple[tuple[str, float | None], ...]
+) -> Case:
+    known = {
+        "name",
+        "command",
+        "inputs",
+        "options",
+        "fixture",
+        "status",
+        "files",
+        "tolerance",
+    }
     if not isinstance(table, dict):
         raise _refuse(where, table, "a table")
     for key in table:
@@ -97,8 +130,13 @@ def _case(where: str, table: Any, root: Path, common: tuple[tuple[str, float | N
         raise _refuse(f"{name}.status", status, "0 or 1: other runs leave no results")
     fixture = table.get("fixture", name)
     if not (isinstance(fixture, str) and _is_below(root, root / fixture)):
-        raise _refuse(f"{name}.fixture", fixture, "the name of a folder below the cases file's")
-    files = _texts(f"{name}.files", table.get("files", list(FILES)), 1)
+        raise _refuse(
+            f"{name}.fixture", fixture, "the name of a folder below the cases file's"
+        )
+    command = table.get("command", "extract")
+    if command not in FILES_OF:
+        raise _refuse(f"{name}.command", command, "extract, compare or levelling")
+    files = _texts(f"{name}.files", table.get("files", list(FILES_OF[command])), 1)
     for file in files:
         if Path(file).name != file:
             raise _refuse(f"{name}.files", file, "names of files in the fixture")
@@ -107,15 +145,21 @@ def _case(where: str, table: Any, root: Path, common: tuple[tuple[str, float | N
         if OUTPUTS.match(option):
             raise _refuse(f"{name}.options", option, "no option that names an output")
     own = _rules(f"{name}.tolerance", table.get("tolerance", {}))
+    inputs = _texts(
+        f"{name}.inputs", table.get("inputs"), 2 if command == "compare" else 1
+    )
+    if command == "levelling" and len(inputs) > 1:
+        raise _refuse(f"{name}.inputs", list(inputs), "one table of stations")
     return Case(
         name=name,
-        inputs=_texts(f"{name}.inputs", table.get("inputs"), 1),
+        inputs=inputs,
         fixture=root / fixture,
         root=root,
+        command=command,
         options=options,
         status=status,
         files=files,
-        tolerances=Tolerances(own + common),
+        tolerances=Tolerances(own + common, len(own)),
     )
 
 
@@ -124,6 +168,7 @@ def read_cases(path: Path) -> list[Case]:
 
     Raises CasesError when the file cannot be read or does not say what it must.
     """
+    path = Path(os.path.abspath(path))
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
@@ -137,9 +182,30 @@ def read_cases(path: Path) -> list[Case]:
     listed = table.get("case", [])
     if not isinstance(listed, list) or not listed:
         raise _refuse(str(path), listed, "at least one [[case]]")
-    cases = [_case(f"case {i + 1}", c, path.parent, common) for i, c in enumerate(listed)]
+    cases = [
+        _case(f"case {i + 1}", c, path.parent, common) for i, c in enumerate(listed)
+    ]
     names = [case.name for case in cases]
     for name in names:
         if names.count(name) > 1:
             raise _refuse(str(path), name, "a name of its own for each case")
+    fixtures: dict[Path, str] = {}
+    for case in cases:
+        other = fixtures.setdefault(case.fixture.resolve(), case.name)
+        if other != case.name:
+            raise _refuse(
+                f"{case.name}.fixture",
+                case.fixture.name,
+                f"another than that of {other!r}",
+            )
     return cases
+
+
+def unused_rules(rules: Sequence[str], values: Iterable[tuple[str, str]]) -> list[str]:
+    """The patterns that are for no value; `values` are files and keys."""
+    known = list(values)
+    return [
+        rule
+        for rule in rules
+        if not any(matches(rule, file, key) for file, key in known)
+    ]

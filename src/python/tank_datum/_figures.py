@@ -1,0 +1,95 @@
+"""The figures of a result, by name."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tank_datum._records import (
+    Antipodal,
+    Check,
+    Harmonic,
+    Movement,
+    OutOfPlane,
+    Shell,
+    Tank,
+    Tilt,
+    Verdict,
+)
+
+
+class Figures:
+    """What datum.json says, as small typed results."""
+
+    _record: dict[str, Any]
+
+    @property
+    def status(self) -> str:
+        """ok, partial, doubtful, no_tank, no_crease, too_few_points or fit_failed."""
+        return str(self._record["status"])
+
+    @property
+    def message(self) -> str:
+        """Why there is no datum, or what of it is missing."""
+        return str(self._record["message"])
+
+    @property
+    def usable(self) -> bool:
+        """Whether there is a datum: status ok or partial."""
+        return self.status in ("ok", "partial")
+
+    @property
+    def setups(self) -> list[dict[str, Any]]:
+        """One entry a setup of the scanner: its correction, and how it agreed with others."""
+        return list(self._record.get("setups") or [])
+
+    @property
+    def tank(self) -> Tank | None:
+        """Center [m], radius [m], coverage_deg, side; None without a tank."""
+        found = self._record.get("tank")
+        return None if found is None else Tank(found)
+
+    @property
+    def tilt(self) -> Tilt | None:
+        """Slope [m/m], angle_arcsec, direction_deg (towards the highest point), sigma_slope, ..."""
+        found = self._record.get("tilt")
+        return None if found is None else Tilt(found)
+
+    @property
+    def antipodal(self) -> Antipodal | None:
+        """The paper's inclination: max_h [m] over a diameter [m], angle_deg, azimuth_deg."""
+        found = self._record.get("antipodal")
+        return None if found is None else Antipodal(found)
+
+    @property
+    def movement(self) -> Movement | None:
+        """Per station dz, lod95 [m] and significance since the baseline; None without one."""
+        found = self._record.get("movement")
+        return None if found is None else Movement(found)
+
+    @property
+    def shell(self) -> Shell | None:
+        """Roundness, plumbness, lean; None when no shell above the foot was seen."""
+        found = self._record.get("shell")
+        return None if found is None else Shell(found)
+
+    @property
+    def harmonics(self) -> list[Harmonic]:
+        """n, amplitude [m], phase_deg, sigma [m]; empty when they were not fitted."""
+        return [Harmonic(wave) for wave in self._record.get("harmonics", [])]
+
+    @property
+    def out_of_plane(self) -> OutOfPlane | None:
+        """Order, adjusted_r2, max_abs_u [m], max_curvature [1/m], second_differences, ..."""
+        found = self._record.get("out_of_plane")
+        return None if found is None else OutOfPlane(found)
+
+    @property
+    def checks(self) -> list[Check]:
+        """Rules of the codes with value, limit and verdict; empty when none were made."""
+        return [Check(check) for check in self._record.get("checks", [])]
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """What all checks come to; None when none were made."""
+        found = self._record.get("verdict")
+        return None if found is None else Verdict(found)

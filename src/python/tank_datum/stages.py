@@ -1,0 +1,92 @@
+"""The single stages of the chain on arrays of points (n, 3).
+
+Every point must be finite: results number the points as the array does. A refused option is an
+OptionError that names it.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tank_datum import _core
+from tank_datum._points import as_points
+
+__all__ = [
+    "EdgePoints",
+    "Normals",
+    "candidates",
+    "edge_points",
+    "neighbours",
+    "normals",
+]
+
+Search = Literal["flann", "buckets"]
+
+
+class Normals(NamedTuple):
+    """Neighbours (n, k), nearest first and the point itself among them, and unit normals (n, 3)."""
+
+    neighbours: NDArray[np.int32]
+    normals: NDArray[np.float32]
+
+
+class EdgePoints(NamedTuple):
+    """Candidates near the circle of the datum, in order round it."""
+
+    indices: NDArray[np.int32]
+    azimuth_deg: NDArray[np.float64]
+    center: tuple[float, float]
+    radius: float
+    """NaN, and no indices, when the candidates determine no circle [m]"""
+    tolerance: float
+    """distance from the circle within which they lie [m]"""
+
+
+def neighbours(
+    points: Any, k: int = 20, *, search: Search = "flann", threads: int = 0
+) -> NDArray[np.int32]:
+    """Indices (n, k) of the k nearest of every point, itself included, nearest first."""
+    return normals(points, k, search=search, threads=threads).neighbours
+
+
+def normals(
+    points: Any, k: int = 20, *, search: Search = "flann", threads: int = 0
+) -> Normals:
+    """Steps 1 and 2 of the method: neighbours, and normals whose sign means nothing.
+
+    The normal is the eigenvector of the smallest eigenvalue of the neighbours' covariance (ISPRS
+    Archives 2018). Raises OptionError for k below 3 or above the number of points.
+    """
+    array = np.asarray(as_points(points), dtype=np.float64)
+    return Normals(*_core.normals(array, k, search, threads))
+
+
+def candidates(
+    found: Normals, angle_deg: float = 45.0, *, threads: int = 0
+) -> NDArray[np.int32]:
+    """Step 3: indices, ascending, of points on a crease.
+
+    Their normal is further than the angle from that of a point whose neighbour they are.
+    """
+    return _core.candidates(found.neighbours, found.normals, angle_deg, threads)
+
+
+def edge_points(
+    points: Any,
+    chosen: NDArray[np.int32],
+    *,
+    tank: tuple[float, float, float] | None = None,
+    tolerance: float = 0.0,
+) -> EdgePoints:
+    """Step 4: the candidates whose distance from the circle is within a tolerance.
+
+    tank: x, y, radius of the circle when known; without it it is searched among the candidates.
+    tolerance: [m]; 0 is 0.1 m or a tenth of the radius, whichever is less.
+    """
+    array = np.asarray(as_points(points), dtype=np.float64)
+    return EdgePoints(
+        **_core.edge_points(array, np.asarray(chosen, np.int32), tank, tolerance)
+    )

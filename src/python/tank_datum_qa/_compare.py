@@ -1,0 +1,230 @@
+"""Result files compared with fixtures, value by value."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tank_datum_qa._cases import Case, Tolerances
+
+Scalar = str | float | bool | None
+
+
+@dataclass(frozen=True)
+class Change:
+    """What moved in one column or key: how many values, and the largest of the moves."""
+
+    file: str
+    key: str
+    what: str  # "moved", or why it cannot be compared
+    count: int = 1
+    largest: float = math.nan
+    tolerance: float = 0.0
+    where: str = ""  # the row of the largest
+    failed: bool = True
+
+    def row(self) -> tuple[str, ...]:
+        number = "" if math.isnan(self.largest) else f"{self.largest:.3g}"
+        allowed = f"{self.tolerance:.3g}" if number else ""
+        verdict = "FAIL" if self.failed else "ok"
+        count = str(self.count) if self.what == "moved" or self.count > 1 else ""
+        return (
+            self.file,
+            self.key,
+            self.what,
+            count,
+            number,
+            allowed,
+            self.where,
+            verdict,
+        )
+
+
+def _flat(value: Any, path: str = "") -> Iterator[tuple[str, Scalar]]:
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield from _flat(inner, f"{path}.{key}" if path else key)
+    elif isinstance(value, list):
+        for index, inner in enumerate(value):
+            yield from _flat(inner, f"{path}.{index}" if path else str(index))
+    else:
+        yield path, value
+
+
+def _numbers(a: Scalar, b: Scalar) -> bool:
+    return all(isinstance(v, int | float) and not isinstance(v, bool) for v in (a, b))
+
+
+def _difference(a: Scalar, b: Scalar) -> float | None:
+    """How far two values are apart: 0 when equal, None when that is no number."""
+    if _numbers(a, b):
+        return abs(float(a) - float(b))  # type: ignore[arg-type]
+    return 0.0 if a == b else None
+
+
+def _short(value: Scalar) -> str:
+    text = json.dumps(value)
+    return text if len(text) <= 24 else text[:21] + "..."
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """A value of both files, and where in its column or array it stands."""
+
+    key: str
+    where: str
+    old: Scalar
+    new: Scalar
+
+
+def _general(key: str) -> tuple[str, str]:
+    """A key with `*` for the indices of lists, and these."""
+    parts = key.split(".")
+    indices = ".".join(part for part in parts if part.isdigit())
+    return ".".join("*" if part.isdigit() else part for part in parts), indices
+
+
+def _column(
+    file: str, key: str, pairs: list[_Pair], tolerances: Tolerances
+) -> Change | None:
+    """What moved in one column or array: the value furthest beyond what it may, and how many."""
+    moves: list[tuple[float, float, float, str]] = []
+    others: list[_Pair] = []
+    for pair in pairs:
+        tolerance = tolerances.of(file, pair.key)
+        difference = _difference(pair.old, pair.new)
+        if tolerance is None or difference == 0.0:
+            continue
+        if difference is None:
+            others.append(pair)
+        else:
+            moves.append((difference - tolerance, difference, tolerance, pair.where))
+    if others:
+        first, count = others[0], len(others) + len(moves)
+        what = f"{_short(first.old)} became {_short(first.new)}"
+        return Change(file, key, what, count, where=first.where)
+    if not moves:
+        return None
+    beyond, largest, tolerance, where = max(moves, key=lambda move: move[:2])
+    return Change(
+        file, key, "moved", len(moves), largest, tolerance, where, beyond > 0.0
+    )
+
+
+def _only_in(
+    file: str, keys: list[str], what: str, tolerances: Tolerances
+) -> Iterator[Change]:
+    """A row for each array of keys that the other file lacks."""
+    grouped: dict[str, list[str]] = {}
+    for key in keys:
+        if tolerances.of(file, key) is not None:
+            general, where = _general(key)
+            grouped.setdefault(general, []).append(where)
+    for general, places in grouped.items():
+        yield Change(file, general, what, len(places), where=places[0])
+
+
+def compare_json(
+    file: str, fixture: Path, result: Path, tolerances: Tolerances
+) -> list[Change]:
+    """Every key of two JSON files, nested ones as a.b; arrays as one, a.*.b."""
+    old = dict(_flat(json.loads(fixture.read_text(encoding="utf-8"))))
+    new = dict(_flat(json.loads(result.read_text(encoding="utf-8"))))
+    changes = [
+        *_only_in(file, [k for k in old if k not in new], "is missing", tolerances)
+    ]
+    changes += _only_in(file, [k for k in new if k not in old], "is new", tolerances)
+    arrays: dict[str, list[_Pair]] = {}
+    for key in (k for k in old if k in new):
+        general, where = _general(key)
+        arrays.setdefault(general, []).append(_Pair(key, where, old[key], new[key]))
+    columns = [_column(file, key, pairs, tolerances) for key, pairs in arrays.items()]
+    return changes + [change for change in columns if change]
+
+
+def _cell(text: str) -> Scalar:
+    try:
+        number = float(text)
+    except ValueError:
+        return text
+    return number if math.isfinite(number) else text
+
+
+def _table(path: Path) -> tuple[list[str], list[list[str]]]:
+    with path.open(newline="", encoding="utf-8") as lines:
+        rows = list(csv.reader(lines))
+    return (rows[0], rows[1:]) if rows else ([], [])
+
+
+def compare_csv(
+    file: str, fixture: Path, result: Path, tolerances: Tolerances
+) -> list[Change]:
+    """Every column of two CSV files, row by row."""
+    old_names, old_rows = _table(fixture)
+    new_names, new_rows = _table(result)
+    changes: list[Change | None] = [
+        Change(file, name, "is missing") for name in old_names if name not in new_names
+    ]
+    changes += [
+        Change(file, name, "is new") for name in new_names if name not in old_names
+    ]
+    if len(old_rows) != len(new_rows):
+        counts = f"{len(old_rows)} rows became {len(new_rows)}"
+        return [c for c in changes if c] + [Change(file, "", counts)]
+    for name in (n for n in old_names if n in new_names):
+        old_at, new_at = old_names.index(name), new_names.index(name)
+        pairs = [
+            _Pair(name, f"row {i + 1}", _cell(old[old_at]), _cell(new[new_at]))
+            for i, (old, new) in enumerate(zip(old_rows, new_rows, strict=True))
+        ]
+        changes.append(_column(file, name, pairs, tolerances))
+    return [change for change in changes if change]
+
+
+def compare_file(
+    file: str, fixture: Path, result: Path, tolerances: Tolerances
+) -> list[Change]:
+    """Two files by their kind; those that are neither JSON nor CSV byte by byte."""
+    if not result.exists():
+        return [Change(file, "", "is missing")]
+    if not fixture.exists():
+        return [Change(file, "", "has no fixture")]
+    try:
+        if file.endswith(".json"):
+            return compare_json(file, fixture, result, tolerances)
+        if file.endswith(".csv"):
+            return compare_csv(file, fixture, result, tolerances)
+    except (ValueError, IndexError) as error:
+        return [Change(file, "", f"cannot be read: {error}")]
+    if fixture.read_bytes() == result.read_bytes():
+        return []
+    return [Change(file, "", "differs")]
+
+
+def compare(case: Case, results: Path) -> list[Change]:
+    """All files of a case."""
+    changes: list[Change] = []
+    for file in case.files:
+        changes += compare_file(
+            file, case.fixture / file, results / file, case.tolerances
+        )
+    return changes
+
+
+def values_of(case: Case, results: Path) -> Iterator[tuple[str, str]]:
+    """File and key of every value of a case, in its fixture or its results."""
+    for file in case.files:
+        for path in (case.fixture / file, results / file):
+            try:
+                if file.endswith(".json"):
+                    text = path.read_text(encoding="utf-8")
+                    yield from ((file, key) for key, _ in _flat(json.loads(text)))
+                elif file.endswith(".csv"):
+                    yield from ((file, name) for name in _table(path)[0])
+            except (OSError, ValueError):
+                continue

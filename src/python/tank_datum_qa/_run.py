@@ -1,0 +1,154 @@
+"""A case is run, compared, and where it is asked for its fixture rewritten."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from tank_datum_qa._cases import Case, unused_rules
+from tank_datum_qa._compare import Change, compare, values_of
+from tank_datum_qa._result_folder import ResultFolder
+from tank_datum_qa._result_journal import ResultError, settle_to_read
+
+HEADER = ("file", "key", "what", "values", "largest", "allowed", "where", "verdict")
+
+
+@dataclass
+class Outcome:
+    """What a case came to."""
+
+    case: Case
+    error: str = ""  # the run itself went wrong
+    changes: list[Change] = field(default_factory=list)
+    updated: list[str] = field(default_factory=list)
+    values: set[tuple[str, str]] = field(default_factory=set)
+    seconds: float = 0.0
+
+    @property
+    def passed(self) -> bool:
+        return not self.error and not any(change.failed for change in self.changes)
+
+    def lines(self, *, failed_only: bool = False) -> list[str]:
+        """What went wrong or moved, as a table."""
+        rows = [
+            change.row() for change in self.changes if change.failed or not failed_only
+        ]
+        lines = [self.error] if self.error else []
+        if rows:
+            widths = [
+                max(len(row[i]) for row in [HEADER, *rows]) for i in range(len(HEADER))
+            ]
+            for row in [HEADER, *rows]:
+                cells = [
+                    cell.ljust(width) for cell, width in zip(row, widths, strict=True)
+                ]
+                lines.append("  ".join(cells).rstrip())
+        return lines
+
+
+def default_command() -> str:
+    """tank_datum: in TANK_DATUM_BIN, beside tank_datum_qa or Python, else the one on the path."""
+    program = Path(sys.argv[0])
+    beside = program.parent if program.name == "tank_datum_qa" else None
+    folders = [os.environ.get("TANK_DATUM_BIN"), beside, Path(sys.executable).parent]
+    for folder in (str(folder) for folder in folders if folder):
+        if (found := Path(folder) / "tank_datum").is_file():
+            return str(found)
+    return "tank_datum"
+
+
+def programs_of(command: str) -> dict[str, str]:
+    """The program of each kind of case; tank_datum_compare stands beside tank_datum."""
+    found = shutil.which(command)
+    main = os.path.abspath(found or command) if found or "/" in command else command
+    beside = os.path.join(os.path.dirname(main), "tank_datum_compare")
+    other = (
+        beside
+        if os.path.exists(beside)
+        else shutil.which("tank_datum_compare") or beside
+    )
+    return {"extract": main, "levelling": main, "compare": other}
+
+
+def words_of(case: Case, program: str, results: Path) -> list[str]:
+    """The command line of a case."""
+    if case.command == "compare":
+        return [program, *case.inputs, *case.options, "-o", str(results)]
+    given = (
+        ["--stations-csv", *case.inputs]
+        if case.command == "levelling"
+        else [*case.inputs]
+    )
+    return [program, *given, *case.options, "--quiet", "-o", str(results)]
+
+
+def run_case(
+    case: Case, programs: dict[str, str], folder: Path, *, update: bool
+) -> Outcome:
+    """Runs a case into a folder of its own and compares; with `update` the fixture follows."""
+    outcome, results = Outcome(case), folder / "results"
+    began = time.monotonic()
+    try:
+        _run_and_compare(outcome, programs[case.command], results, update=update)
+    except ResultError as error:
+        outcome.error = str(error)
+    except OSError as error:
+        outcome.error = f"{error.filename}: {error.strerror}"
+    outcome.seconds = time.monotonic() - began
+    return outcome
+
+
+def _run_and_compare(
+    outcome: Outcome, program: str, results: Path, *, update: bool
+) -> None:
+    case = outcome.case
+    call = words_of(case, program, results)
+    run = subprocess.run(
+        call, cwd=case.root, capture_output=True, text=True, check=False
+    )
+    if run.returncode != case.status:
+        said = run.stderr.strip() or "nothing on stderr"
+        outcome.error = f"exit status {run.returncode}, expected {case.status}: {said}"
+        return
+    settle_to_read(case.fixture, "qa")
+    outcome.changes = compare(case, results)
+    outcome.values = set(values_of(case, results))
+    own = [pattern for pattern, _ in case.tolerances.rules[: case.tolerances.own]]
+    unused = unused_rules(own, outcome.values)
+    if unused:
+        outcome.error = f"tolerance {unused[0]!r}, for no value of {', '.join(case.files)}, expected"
+        outcome.error += " a pattern that is for some"
+        return
+    if update and outcome.changes:
+        outcome.updated = rewrite(case, results)
+
+
+def rewrite(case: Case, results: Path) -> list[str]:
+    """Puts the results in the fixture's place, all or none; others' files keep another name."""
+    written = [file for file in case.files if (results / file).exists()]
+    ours = is_result(case.fixture)
+    with ResultFolder(case.fixture, "qa", own=lambda _: ours) as new:
+        for file in written:
+            shutil.copyfile(results / file, new / file)
+    return written
+
+
+def is_result(folder: Path) -> bool:
+    """Whether a folder's datum.json or movement.json is one of tank_datum."""
+    for name, keys in (
+        ("datum.json", {"schema", "version", "input", "status"}),
+        ("movement.json", {"schema", "version", "surveys", "movements"}),
+    ):
+        try:
+            table = json.loads((folder / name).read_bytes())
+        except (OSError, ValueError):
+            continue
+        if isinstance(table, dict) and keys <= table.keys():
+            return True
+    return False
