@@ -151,7 +151,7 @@ struct Job {
     const DatumOptions& options = task.options.datum;
     if (task.wanted == Task::Wanted::Datum) {
       Datum datum = extractDatum(scan, options, callbacks);
-      return keep({std::move(datum)}, recordInputs(scan, task.options.checksumTaken()), baseline);
+      return keep({std::move(datum)}, records(scan), baseline);
     }
     std::vector<Tank> tanks = findTanks(scan, options, callbacks);
     found.origin = scan.origin();
@@ -163,7 +163,11 @@ struct Job {
     if (tanks.empty()) tanks.emplace_back();
     std::vector<Datum> datums;
     for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, options, callbacks));
-    keep(std::move(datums), recordInputs(scan, task.options.checksumTaken()), baseline);
+    keep(std::move(datums), records(scan), baseline);
+  }
+
+  std::vector<InputRecord> records(const Scan& scan) const {
+    return recordInputs(scan, task.options.checksumTaken(), [this] { return !given_up; });
   }
 
   void level(const std::optional<Baseline>& baseline) {

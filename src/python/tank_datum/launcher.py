@@ -27,11 +27,16 @@ def run_here(words: list[str]) -> int:
     return status
 
 
+def become(program: str) -> None:
+    """Never returns: behaviour and exit status are the executable's."""
+    os.execv(Path(__file__).parent / "bin" / program, [program, *sys.argv[1:]])
+
+
 def run(program: str) -> None:
     words = [program, *sys.argv[1:]]
     if any(_core.foreign_format(os.fsencode(word)) for word in words[1:]):
         sys.exit(run_here(words))
-    os.execv(Path(__file__).parent / "bin" / program, words)
+    become(program)
 
 
 def main() -> None:
@@ -42,3 +47,18 @@ def main() -> None:
 def convert() -> None:
     """tank_datum_convert: the same."""
     run("tank_datum_convert")
+
+
+def compare() -> None:
+    """tank_datum_compare."""
+    become("tank_datum_compare")
+
+
+def curves() -> None:
+    """tank_datum_curves."""
+    become("tank_datum_curves")
+
+
+def synth() -> None:
+    """tank_datum_synth."""
+    become("tank_datum_synth")
