@@ -80,6 +80,8 @@ def lay_out() -> None:
         ROOT / ".github/CONTRIBUTING.md",
     ]:
         copied(str(page.relative_to(ROOT)))
+    for notebook in (ROOT / "scripts/notebooks").glob("*.ipynb"):  # taken along as they are
+        copied(str(notebook.relative_to(ROOT)))
     for picture in re.findall(r"!\[[^]]*\]\(([^)]+)\)", readme.read_text()):
         copied(picture)
     made = PAGES / "reference"

@@ -19,6 +19,7 @@ HEADER = (
     "station,azimuth_deg,x,y,z,sigma_z,radius,sigma_radius,n_shell,n_foundation,flag,"
     "z_paper,z_tilt,u,u_fit,curvature,n_setups,sigma_setup,reason"
 )
+NO_FIGURES = ("station", "flag", "reason")  # columns of numbers and words
 RESULTS = (
     "datum.json",
     "stations.csv",
@@ -51,7 +52,7 @@ class Stations:
 def read_stations(folder: Path) -> Stations:
     with (folder / "stations.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
-    names = [name for name in HEADER.split(",") if name not in ("flag", "reason")]
+    names = [name for name in HEADER.split(",") if name not in NO_FIGURES[1:]]
     columns = {n: np.array([float(row[n] or "nan") for row in rows]) for n in names}
     return Stations(columns, [row["flag"] for row in rows])
 
