@@ -47,10 +47,13 @@ function whyNoFit() {
   return found && found.message ? `Harmonic fit and curvature: none, because ${found.message}.` : whyAbsent("Harmonic fit and curvature");
 }
 
-/** The shell's inputs that checks ask for, once each. */
+/** What checks ask for and was not given, each option once. */
 function missingInputs() {
-  const notes = [...checksWith("not_evaluated"), ...checksWith("not_applicable")].map((check) => check.note || "").filter((note) => note.includes("(option "));
-  return [...new Set(notes)].map((note) => `For some checks: ${note}.`);
+  const notes = [...checksWith("not_evaluated"), ...checksWith("not_applicable")].map((check) => check.note || "");
+  const named = notes.flatMap((note) => [...note.matchAll(/([^,;:(]+)\((option [a-z_]+)[^)]*\)/g)]);
+  const asked = new Map(named.map(([, name, option]) => [option, name.replace(/ is not given $/, " ").trim()]));
+  if (asked.size === 0) return [];
+  return [`Not given, though some checks need it: ${[...asked].map(([option, name]) => `${name} (${option})`).join(", ")}.`];
 }
 
 function missingItems() {

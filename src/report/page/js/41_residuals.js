@@ -20,7 +20,7 @@ function addResiduals(section) {
     all.foundation.push(...own.foundation);
     all.shell.push(...own.shell);
   }
-  section.append(make("h3", {}, "Residuals"), make("p", { class: "quiet" },
+  section.append(make("h3", { class: "residuals" }, "Residuals"), make("p", { class: "quiet residuals" },
     "Distances of the sampled points from their lines, as shares: all stations as bars, the chosen one as an outline."));
   return addChart(section, {
     id: "residuals-chart", label: "Histograms of the points\u2019 distances from the fitted lines", ratio: 0.32, least: 240, most: 320,
