@@ -35,13 +35,11 @@ std::optional<OutputFile> timingsFile(const Command& command) {
                                         kProgram);
 }
 
-/// Several tanks have a folder each inside the output folder, a single one has the folder itself.
-std::string partOf(const std::vector<Datum>& datums, std::size_t i) {
-  return datums.size() > 1 ? "tank_" + std::to_string(i + 1) : "";
-}
+/// Where all tanks are asked for each has a folder inside the output folder; else the one has the folder itself.
+std::string partOf(const Command& command, std::size_t i) { return command.all ? "tank_" + std::to_string(i + 1) : ""; }
 
 std::string fileToOpen(const Command& command, const std::string& part) {
-  return command.output + "/" + (part.empty() ? "" : part + "/") + (command.no_report ? "datum.json" : "report.html");
+  return (part.empty() ? "" : part + "/") + (command.no_report ? "datum.json" : "report.html");
 }
 
 Scan scanOf(const Command& command) {
@@ -99,12 +97,16 @@ Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, c
 /// Writes the files of every tank into the folder, where they wait for its commit.
 void stageResults(const ResultFolder& folder, const std::vector<Datum>& datums, const std::vector<InputRecord>& files,
                   const std::optional<Baseline>& baseline, const Command& command) {
+  std::vector<Provenance> provenances;
+  for (const Datum& datum : datums) provenances.push_back(recordOf(datum, files, baseline, command));
+  std::vector<IndexEntry> index;
   for (std::size_t i = 0; i < datums.size(); ++i) {
-    const std::string stage = folder.stage(partOf(datums, i));
-    const Provenance provenance = recordOf(datums[i], files, baseline, command);
-    writeResults(stage, datums[i], provenance);
-    if (!command.no_report) writeReportPage(stage, reportPage(datums[i], provenance));
+    const std::string stage = folder.stage(partOf(command, i));
+    writeResults(stage, datums[i], provenances[i]);
+    if (!command.no_report) writeReportPage(stage, reportPage(datums[i], provenances[i]));
+    index.push_back({datums[i], provenances[i], fileToOpen(command, partOf(command, i))});
   }
+  if (command.all) writeIndexPage(folder.stage(""), indexPage(index));
 }
 
 /// Says what was found, on stdout and, of what is not usable, on stderr.
@@ -112,8 +114,8 @@ int announce(const std::vector<Datum>& datums, const Command& command) {
   bool usable = false;
   for (std::size_t i = 0; i < datums.size(); ++i) {
     if (!command.quiet)
-      std::cout << withFlags(summary(datums[i], showsBlocks())) << "results        "
-                << fileToOpen(command, partOf(datums, i)) << "\n";
+      std::cout << withFlags(summary(datums[i], showsBlocks())) << "results        " << command.output << "/"
+                << fileToOpen(command, partOf(command, i)) << "\n";
     for (const std::string& warning : warningsOf(datums[i]))
       std::cerr << "tank_datum: warning: " << withFlags(warning) << "\n";
     usable = usable || datums[i].usable();
@@ -121,6 +123,7 @@ int announce(const std::vector<Datum>& datums, const Command& command) {
       std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << withFlags(datums[i].message) << "\n";
     }
   }
+  if (command.all && !command.quiet) std::cout << "index          " << command.output << "/index.html\n";
   std::cout.flush();
   if (!std::cout) {
     throw Error(Error::Kind::File, "report", "standard output", "not written",

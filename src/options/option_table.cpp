@@ -67,7 +67,7 @@ void addTank(Table& t, RunOptions& run) {
   t.topic = "The tank";
   t.add("tank", "tank", &o.tank, "X,Y,R of the tank: do not search for it").in(Unit::Metres).within(above(0));
   t.add("pick", "pick", &o.pick, "which of the tanks found, the longest seen arc first").within(atLeast(1));
-  t.add("all", "", &run.all, "every tank found, in DIR/tank_1, DIR/tank_2, ...").ofCommand();
+  t.add("all", "", &run.all, "every tank found, in DIR/tank_1, DIR/tank_2, ..., and DIR/index.html").ofCommand();
   t.topic = "The datum";
   t.library("crop.reach", &o.crop.reach).in(Unit::Metres).within(above(0));
   t.add("search_points", "crop.search_points", &o.crop.search_points,

@@ -3,13 +3,21 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "report/datum_record.h"
 #include "report/report_template.h"
 #include "report/section_json.h"
 #include "report/shell_report.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/version.h"
 
 namespace tank_datum {
+namespace {
+
+constexpr auto kReplaceBytes = nlohmann::ordered_json::error_handler_t::replace;  // of a path that is no UTF-8
+
+}  // namespace
 
 std::string escapedForScript(const std::string& json) {
   std::string escaped;
@@ -61,8 +69,24 @@ std::string trendPage(const std::string& movement_json, const std::string& movem
   return pageWith({{"trend", "application/json", movement_json}, {"movements", "text/csv", movement_csv}});
 }
 
-void writeReportPage(const std::string& folder, const std::string& page) {
-  const std::string path = folder + "/report.html";
+std::string indexPage(const std::vector<IndexEntry>& tanks) {
+  nlohmann::ordered_json index = {{"version", kVersion}, {"files", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json& listed = index["tanks"] = nlohmann::ordered_json::array();
+  for (const IndexEntry& entry : tanks) {
+    const nlohmann::ordered_json record = datumRecord(entry.datum, entry.provenance);
+    nlohmann::ordered_json tank = {{"page", entry.page}};
+    for (const char* key : {"status", "message", "tank", "datum", "tilt", "verdict"}) {
+      if (record.contains(key)) tank[key] = record[key];
+    }
+    listed.push_back(std::move(tank));
+    if (index["files"].empty()) index["files"] = record["input"]["files"];
+  }
+  return pageWith({{"index", "application/json", index.dump(-1, ' ', false, kReplaceBytes)}});
+}
+
+namespace {
+
+void writePage(const std::string& path, const std::string& page) {
   std::ofstream out(path, std::ios::binary);
   out << page;
   out.close();
@@ -70,5 +94,11 @@ void writeReportPage(const std::string& folder, const std::string& page) {
     throw Error(Error::Kind::File, "report", path, std::strerror(errno), "a writable folder with room for the results");
   }
 }
+
+}  // namespace
+
+void writeReportPage(const std::string& folder, const std::string& page) { writePage(folder + "/report.html", page); }
+
+void writeIndexPage(const std::string& folder, const std::string& page) { writePage(folder + "/index.html", page); }
 
 }  // namespace tank_datum

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from report_pages import opened
 from results import RESULTS, Run, read_datum, read_points
 from results import write_xyz as write
 
@@ -26,10 +28,16 @@ def two_tanks(synth: Synth, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_all(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
-    """A folder for each, the one most of which is seen first; a single one has no such folder."""
+    """A folder for each, the one most of which is seen first, and a page that leads to them."""
     result = run(two_tanks, "-o", tmp_path, "--all")
     assert result.returncode == 0, result.stderr
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["manifest.json", "tank_1", "tank_2"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        "index.html",
+        "manifest.json",
+        "tank_1",
+        "tank_2",
+    ]
+    assert result.stdout.splitlines()[-1].split() == ["index", str(tmp_path / "index.html")]
     circles = [read_datum(tmp_path / n)["tank"] for n in ("tank_1", "tank_2")]
     assert [c["radius"] for c in circles] == pytest.approx([4.0, 3.0], abs=0.001)
     assert [c["center"][0] for c in circles] == pytest.approx([0.0, 20.0], abs=0.001)
@@ -59,7 +67,43 @@ def test_all_of_one_tank(run: Runner, synth: Synth, tmp_path: Path) -> None:
     assert run(synth(), "-o", tmp_path / "one").returncode == 0
     assert run(synth(), "-o", tmp_path / "all", "--all").returncode == 0
     for name in RESULTS:
-        assert (tmp_path / "all" / name).read_bytes() == (tmp_path / "one" / name).read_bytes()
+        one = (tmp_path / "one" / name).read_bytes()
+        assert (tmp_path / "all" / "tank_1" / name).read_bytes() == one
+    assert (tmp_path / "all" / "index.html").exists()
+    assert run(synth(), "-o", tmp_path / "all").returncode == 0
+    assert not (tmp_path / "all" / "index.html").exists()
+
+
+def test_the_index_leads_to_every_tank(
+    run: Runner, browser: Any, two_tanks: Path, tmp_path: Path
+) -> None:
+    assert run(two_tanks, "-o", tmp_path, "--all").returncode == 0
+    with opened(browser, tmp_path / "index.html") as page:
+        assert page.slips() == []
+        assert page.text("#title") == "Storage tanks of a scan"
+        rows = [row.locator("td").all_inner_texts() for row in page.page.locator("tbody tr").all()]
+        for i, row in enumerate(rows, 1):
+            datum = read_datum(tmp_path / f"tank_{i}")
+            assert row[0].strip() == f"tank {i}"
+            assert row[1].strip() == datum["verdict"]["word"]
+            assert row[2].strip() == datum["verdict"]["sentence"]
+            assert f"{datum['tank']['radius']:.3f}" in row[5]
+        assert len(rows) == 2
+        circles = page.page.locator("#index-chart circle")
+        assert circles.count() == 2
+        radii = [float(c.get_attribute("r")) for c in circles.all()]
+        assert radii[0] / radii[1] == pytest.approx(4 / 3, rel=1e-3)
+        page.page.locator("tbody a").nth(1).click()
+        assert page.text("#title") == "Datum of a storage tank"
+        assert page.errors == []
+
+
+def test_the_index_leads_to_numbers_where_there_is_no_page(
+    run: Runner, two_tanks: Path, tmp_path: Path
+) -> None:
+    assert run(two_tanks, "-o", tmp_path, "--all", "--no-report").returncode == 0
+    index = (tmp_path / "index.html").read_text()
+    assert "tank_2/datum.json" in index and "tank_2/report.html" not in index
 
 
 def test_all_with_a_baseline_of_one(run: Runner, two_tanks: Path, tmp_path: Path) -> None:

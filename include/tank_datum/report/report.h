@@ -70,4 +70,18 @@ std::string reportPage(const Datum& datum, const Provenance& provenance);
 /// @throws Error (File) naming the path
 void writeReportPage(const std::string& folder, const std::string& page);
 
+/// A tank of several in one scan, and where its results are.
+struct IndexEntry {
+  const Datum& datum;
+  const Provenance& provenance;
+  std::string page;  ///< relative to the index: "tank_1/report.html", or its datum.json
+};
+
+/// index.html: the tanks of a scan with their verdicts, on a plan and in a table that leads to each one's page.
+std::string indexPage(const std::vector<IndexEntry>& tanks);
+
+/// Writes index.html into a folder.
+/// @throws Error (File) naming the path
+void writeIndexPage(const std::string& folder, const std::string& page);
+
 }  // namespace tank_datum

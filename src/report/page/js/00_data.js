@@ -27,6 +27,7 @@ const stations = readTable(embeddedText("stations"));
 const sections = embeddedJson("sections");
 const shellPoints = readTable(embeddedText("shell"));
 const trend = embeddedJson("trend");
+const index = embeddedJson("index");
 
 const known = (value) => value !== null && value !== undefined && Number.isFinite(value);
 const usable = datum !== null && (datum.status === "ok" || datum.status === "partial");

@@ -3,24 +3,26 @@
 const kPaperWidth = 680;  // of A4 between its margins [px]
 
 function addHeading() {
-  const title = trend ? "Movement of a storage tank\u2019s datum" : "Datum of a storage tank";
+  const title = index ? "Storage tanks of a scan" : trend ? "Movement of a storage tank\u2019s datum" : "Datum of a storage tank";
   document.getElementById("title").textContent = title;
-  const names = trend ? trend.surveys.map((s) => dated(s.path, s.date)) : datum.input.files.map((file) => file.path);
+  const names = trend ? trend.surveys.map((s) => dated(s.path, s.date)) : (index ? index.files : datum.input.files).map((file) => file.path);
   document.title = `${title}: ${names.join(", ")}`;
   document.getElementById("scans").textContent = names.join(", ");
 }
 
 function addFooter() {
   const licences = make("details", {}, make("summary", {}, "Licences"), make("pre", {}, document.getElementById("licences").content.textContent));
-  document.getElementById("footer").append(make("p", {}, `Written by ${trend ? `tank_datum_compare ${trend.version}` : `tank_datum ${datum.version}`}. Figures are in the frame of the scan; azimuths in degrees.`), licences);
+  document.getElementById("footer").append(make("p", {}, `Written by ${trend ? `tank_datum_compare ${trend.version}` : `tank_datum ${(index || datum).version}`}. Figures are in the frame of the scan; azimuths in degrees.`), licences);
 }
 
 window.addEventListener("hashchange", () => {
-  if (window.location.hash.startsWith("#station=") && !trend) link.choose(firstAzimuth());
+  if (window.location.hash.startsWith("#station=") && datum) link.choose(firstAzimuth());
 });
 
 addHeading();
-if (trend) {
+if (index) {
+  addIndex();
+} else if (trend) {
   addTrend();
 } else {
   addSummary();
