@@ -75,7 +75,7 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootElevations& ele
     if (!foot.shell_seen[i]) {
       reasons[i] = Unmeasured::NoShell;
     } else if (!fit.valid() || !supported[i]) {
-      reasons[i] = Unmeasured::NoFoundation;
+      reasons[i] = Unmeasured::Hidden;
     } else {
       before[i] = goesOnBelow(foot, i, fit);
       const bool same = isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));

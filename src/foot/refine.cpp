@@ -154,7 +154,7 @@ std::vector<StationDatum> stationsOf(const Foot& foot, const std::vector<FootFit
 std::vector<StationDatum> withReasons(std::vector<StationDatum> stations, const std::vector<Unmeasured>& outliers) {
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (stations[i].flag == StationFlag::Measured) continue;
-    stations[i].reason = outliers[i] == Unmeasured::None ? Unmeasured::NoFoundation : outliers[i];
+    stations[i].reason = outliers[i] == Unmeasured::None ? Unmeasured::Hidden : outliers[i];
   }
   return stations;
 }

@@ -55,6 +55,11 @@ const Points& turnInto(Points& turned, const Points& points, const Eigen::Matrix
 
 }  // namespace
 
+/// A file as the readers share it.
+struct Scan::File {
+  std::shared_ptr<const InputFile> input;
+};
+
 const char* nameOf(Checksum checksum) {
   return checksum == Checksum::None ? "none" : checksum == Checksum::Xxh3 ? "xxh3" : "sha256";
 }
@@ -68,8 +73,9 @@ Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit, c
   Scan scan;
   scan.paths_ = paths;
   for (const std::string& path : paths) {
-    scan.files_.push_back(std::make_shared<const InputFile>(path, options.hash));
-    scan.sources_.push_back(openSource(scan.files_.back(), metres_per_unit, options));
+    const auto input = std::make_shared<const InputFile>(path, options.hash);
+    scan.files_.push_back(std::make_shared<const File>(File{input}));
+    scan.sources_.push_back(openSource(input, metres_per_unit, options));
   }
   if (!options.setups.empty()) scan.pickSetups(options.setups);
   scan.origin_ = scan.stored_origin_ = findOrigin(scan.sources_);
@@ -219,7 +225,7 @@ Points Scan::everyNth(std::uint64_t n, int threads) const {
 std::uint64_t Scan::sizeOf(std::size_t file) const { return sources_.at(file)->size(); }
 
 std::string Scan::hashOf(std::size_t file, const std::function<bool()>& wanted) const {
-  return files_.at(file)->xxh3(wanted);
+  return files_.at(file)->input->xxh3(wanted);
 }
 
 std::uint64_t Scan::size() const {

@@ -32,8 +32,8 @@ const char* nameOf(Unmeasured reason) {
       return "";
     case Unmeasured::NoShell:
       return "no_shell";
-    case Unmeasured::NoFoundation:
-      return "no_foundation";
+    case Unmeasured::Hidden:
+      return "hidden";
     case Unmeasured::OtherSurface:
       return "other_surface";
     case Unmeasured::OffCircle:

@@ -151,7 +151,7 @@ TEST(FindOutliers, TellsWhyAStationDoesNotStand) {
   }
   const std::vector<Unmeasured> reasons = outliersOfLevelRing(made, 100);
   EXPECT_EQ(reasons[10], Unmeasured::None);
-  EXPECT_EQ(reasons[50], Unmeasured::NoFoundation);
+  EXPECT_EQ(reasons[50], Unmeasured::Hidden);
   EXPECT_EQ(reasons[100], Unmeasured::NoShell);
   EXPECT_EQ(outliersWithShellBelow(0.010, 5, 1)[50], Unmeasured::OtherSurface);
 }

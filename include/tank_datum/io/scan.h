@@ -12,10 +12,6 @@
 
 #include "tank_datum/core/export.h"
 
-namespace tank_datum {
-class InputFile;
-}
-
 namespace TANK_DATUM_API tank_datum {
 
 /// Points relative to Scan::origin() [m].
@@ -217,7 +213,8 @@ class Scan {
 
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> paths_;
-  std::vector<std::shared_ptr<const InputFile>> files_;  ///< of paths_, open
+  struct File;
+  std::vector<std::shared_ptr<const File>> files_;  ///< of paths_, open
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d stored_origin_ = Eigen::Vector3d::Zero();  ///< the same point in the frame of the files
   std::optional<Eigen::Matrix3d> rotation_;                  ///< from their frame to the scan's

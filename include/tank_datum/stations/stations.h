@@ -35,13 +35,13 @@ const char* nameOf(StationFlag flag);
 enum class Unmeasured {
   None,          ///< it is; or the paper's method has no edge points there
   NoShell,       ///< the shell is not seen above it
-  NoFoundation,  ///< too few points of the surface beside it
+  Hidden,        ///< too few points of the surface beside it
   OtherSurface,  ///< what is seen there is not the surface on which its neighbours lie, or no foot: the shell goes on
                  ///< below
   OffCircle,     ///< what stands there is not the shell
 };
 
-/// The name used in files: "", "no_shell", "no_foundation", "other_surface", "off_circle".
+/// The name used in files: "", "no_shell", "hidden", "other_surface", "off_circle".
 const char* nameOf(Unmeasured reason);
 
 /// The datum at one azimuth, as the stages at the foot find it.

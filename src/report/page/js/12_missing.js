@@ -2,7 +2,7 @@
 
 const kReasons = {
   no_shell: "the shell is not seen there",
-  no_foundation: "the foundation is not seen there, or by too few points",
+  hidden: "the foundation is not seen there, or by too few points",
   other_surface: "what is seen there is not the surface of the neighbours, or stands before the foot",
   off_circle: "what stands there is not the shell",
 };
