@@ -168,6 +168,7 @@ def test_blocks_of_an_iterator_are_one_scan(points: Array) -> None:
         (np.zeros((4, 3), bool), "shape (4, 3) in bool"),
         (np.array([["a", "b", "c"]]), "shape (1, 3) in <U1"),
     ],
+    ids=["two columns", "one dimension", "complex", "bool", "text"],
 )
 def test_shape_errors_say_what_was_given(given: Any, said: str) -> None:
     with pytest.raises(TypeError) as caught:
