@@ -36,7 +36,7 @@ function drawTanks(svg, width, height, tanks) {
   const at = ([x, y]) => [width / 2 + scale * (x - (x0 + x1) / 2), height / 2 - scale * (y - (y0 + y1) / 2)];
   for (const tank of tanks) {
     const [x, y] = at(tank.tank.center), link_to = svg.append("a").attr("href", tank.page);
-    link_to.append("circle").attr("class", "ring").attr("cx", x).attr("cy", y).attr("r", scale * tank.tank.radius).style("fill", "var(--panel)");
+    link_to.append("circle").attr("class", "ring").attr("cx", x).attr("cy", y).attr("r", scale * tank.tank.radius);
     link_to.append("text").attr("x", x).attr("y", y).attr("text-anchor", "middle").style("font-weight", 600).text(tankName(tank));
     link_to.append("text").attr("class", `verdict-word ${outcomeClass(tank)}`).style("fill", "currentColor").attr("x", x).attr("y", y + 16)
       .attr("text-anchor", "middle").text(outcomeOf(tank));
