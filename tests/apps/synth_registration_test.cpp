@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 #include "support/synth_scenes.h"
+#include "support/test_folder.h"
 #include "synth/output.h"
 
 /// Scanners whose points are brought into the common frame with an error.
@@ -81,9 +80,7 @@ std::string headerOf(const std::string& path) {
 }
 
 TEST(SynthRegistration, FilesPerSetupHoldTheViewpointAndMergedOnesALabel) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("synth_registration_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const TestFolder folder;
   RegistrationError error;
   error.dz = 0.25;
   Command command;
@@ -91,12 +88,12 @@ TEST(SynthRegistration, FilesPerSetupHoldTheViewpointAndMergedOnesALabel) {
   command.scene.scanner.step = radians(10);
   command.scene.scanner.stations = {{18.0, 0.0, 1.5}, {-18.0, 0.0, 1.75}};
   command.scene.offset = {100.0, 200.0, 10.0};
-  command.output = (folder / "scan.pcd").string();
-  command.truth = (folder / "truth.json").string();
+  command.output = folder.path("scan.pcd");
+  command.truth = folder.path("truth.json");
   command.split = true;
   writeScan(Scene(command.scene), command);
-  EXPECT_NE(headerOf((folder / "scan_1.pcd").string()).find("VIEWPOINT 118 200 11.75 1 0 0 0\n"), std::string::npos);
-  EXPECT_NE(headerOf((folder / "scan_2.pcd").string()).find("VIEWPOINT 82 200 11.75 1 0 0 0\n"), std::string::npos);
+  EXPECT_NE(headerOf(folder.path("scan_1.pcd")).find("VIEWPOINT 118 200 11.75 1 0 0 0\n"), std::string::npos);
+  EXPECT_NE(headerOf(folder.path("scan_2.pcd")).find("VIEWPOINT 82 200 11.75 1 0 0 0\n"), std::string::npos);
   command.split = false;
   command.label_setups = command.ascii = true;
   writeScan(Scene(command.scene), command);
@@ -105,7 +102,6 @@ TEST(SynthRegistration, FilesPerSetupHoldTheViewpointAndMergedOnesALabel) {
   std::string line, last;
   while (std::getline(file, line)) last = line;
   EXPECT_EQ(last.substr(last.rfind(' ')), " 2");
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "support/synth_scenes.h"
+#include "support/test_folder.h"
 #include "synth/measurement.h"
 #include "synth/output.h"
 
@@ -219,11 +219,10 @@ TEST(SynthScan, BlocksStaySmallHoweverManyColumns) {
 }
 
 TEST(SynthOutput, WritesScanAndTruthOrOneFilePerStation) {
-  const auto folder = std::filesystem::temp_directory_path() / ("tank_datum_synth_test_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const TestFolder folder;
   Command command;
-  command.output = (folder / "scan.pcd").string();
-  command.truth = (folder / "scan.truth.json").string();
+  command.output = folder.path("scan.pcd");
+  command.truth = folder.path("scan.truth.json");
   command.scene = plainScene();
   command.scene.scanner.count = 2;
   const ScanSummary summary = writeScan(Scene(command.scene), command);
@@ -236,10 +235,9 @@ TEST(SynthOutput, WritesScanAndTruthOrOneFilePerStation) {
   command.split = true;
   command.doubles = true;
   writeScan(Scene(command.scene), command);
-  const auto first = std::filesystem::file_size(folder / "scan_1.pcd"),
-             second = std::filesystem::file_size(folder / "scan_2.pcd");
+  const auto first = std::filesystem::file_size(folder.path("scan_1.pcd")),
+             second = std::filesystem::file_size(folder.path("scan_2.pcd"));
   EXPECT_NEAR(static_cast<double>(first + second), static_cast<double>(summary.points * 28), 1000.0);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

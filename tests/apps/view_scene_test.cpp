@@ -130,6 +130,41 @@ TEST(TiltPlane, GoesThroughATiltedRing) {
   EXPECT_TRUE(tiltPlane(few, 10.0).empty());
 }
 
+TEST(NamedStations, AreTheWorstAndThePlacesOfTheResult) {
+  ViewedResult result = tilted();
+  for (Station& s : result.stations) s.u = 0.001;
+  result.stations[3].u = -0.004;
+  result.marks = {{"stairs", 0.0}, {"manhole", 2.0 * kPi - 1e-9}};
+  EXPECT_EQ(worstStation(result), 3);
+  const auto named = namedStations(result);
+  ASSERT_EQ(named.size(), 3U);
+  EXPECT_EQ(named[0], (std::pair<std::size_t, std::string>(3, "worst out of plane: 3")));
+  EXPECT_EQ(named[1], (std::pair<std::size_t, std::string>(0, "stairs")));
+  EXPECT_EQ(named[2].first, 0U);  // a whole turn ends where it began
+  for (Station& s : result.stations) s.u = kUnknown;
+  EXPECT_EQ(worstStation(result), -1);
+}
+
+TEST(Bounds, HoldTheTankAsHighAsItsShellIsSeen) {
+  const ViewedResult result = tilted();
+  const Eigen::Vector2d& c = result.circle.center;
+  const double r = result.circle.radius;
+  const Points cloud(1000, Eigen::Vector3d(c.x() + r, c.y(), 12.0));
+  const auto bounds = boundsOf(result, cloud);
+  EXPECT_LT(bounds[0], c.x() - r);
+  EXPECT_GT(bounds[1], c.x() + r);
+  EXPECT_NEAR(bounds[5], 12.0, 1e-6);
+  EXPECT_LT(bounds[4], 0.5);
+  EXPECT_LT(boundsOf(result, {Eigen::Vector3d(c.x() + 2.0 * r, c.y(), 40.0)})[5], 5.0);  // a mast beside the tank
+}
+
+TEST(Bar, IsARoundLengthWithinTheRadius) {
+  EXPECT_DOUBLE_EQ(barLength(10.0), 10.0);
+  EXPECT_DOUBLE_EQ(barLength(9.9), 5.0);
+  EXPECT_DOUBLE_EQ(barLength(30.0), 20.0);
+  EXPECT_DOUBLE_EQ(barLength(0.3), 0.2);
+}
+
 TEST(Describe, IsInTheScansFrame) {
   const std::string text = describe(octagon(), 2);
   for (const char* part : {"station 2, azimuth 90 deg", "z 100.6270 m +- 0.25 mm", "x 500001.500 m, y 4000012.250 m",

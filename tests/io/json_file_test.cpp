@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <fstream>
-
+#include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -12,8 +10,7 @@ namespace {
 
 class JsonFile : public testing::Test {
  protected:
-  ~JsonFile() override { std::remove(path_.c_str()); }
-  void write(const std::string& text) const { std::ofstream(path_) << text; }
+  void write(const std::string& text) const { folder_.file("datum.json", text); }
   std::string refusal() const {
     try {
       readJson(path_, "epoch", "a datum.json");
@@ -23,7 +20,8 @@ class JsonFile : public testing::Test {
     }
     return "";
   }
-  const std::string path_ = testing::TempDir() + "json_file_test.json";
+  const TestFolder folder_;
+  const std::string path_ = folder_.path("datum.json");
 };
 
 TEST_F(JsonFile, OfTheSchemaWrittenIsRead) {

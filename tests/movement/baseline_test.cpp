@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "support/made_datums.h"
+#include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/fit/curves.h"
 #include "tank_datum/foot/refined.h"
@@ -24,9 +25,8 @@ using made_datums::provenance;
 class BaselineFile : public ::testing::Test {
  protected:
   void SetUp() override { write(datumJson(octagon(), provenance())); }
-  void TearDown() override { std::filesystem::remove(path_); }
 
-  void write(const std::string& text) const { std::ofstream(path_) << text; }
+  void write(const std::string& text) const { folder_.file("baseline.json", text); }
   std::string refusal(const DatumOptions& current = {}, const MovementOptions& options = {}) const {
     try {
       readBaseline(path_, options, current);
@@ -36,9 +36,8 @@ class BaselineFile : public ::testing::Test {
     return "";
   }
 
-  const std::string name_ = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::string path_ =
-      (std::filesystem::temp_directory_path() / ("tank_datum_baseline_" + name_ + ".json")).string();
+  const TestFolder folder_;
+  const std::string path_ = folder_.path("baseline.json");
 };
 
 TEST_F(BaselineFile, IsTheDatumThatWasWritten) {
@@ -76,7 +75,6 @@ TEST_F(BaselineFile, IsRefusedWhileItsResultsAreIncomplete) {
   }
   fs::remove(journal);
   EXPECT_EQ(refused(folder), "");
-  fs::remove_all(folder);
 }
 
 TEST_F(BaselineFile, IsRefusedWhenUnusable) {

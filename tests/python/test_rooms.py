@@ -156,6 +156,18 @@ def test_one_way_to_be_parallel() -> None:
     assert not raw, "\n".join(raw)
 
 
+def test_no_two_cpp_tests_write_the_same_file() -> None:
+    """Cases run side by side, each a process: a file of a fixed name is written by several at once."""
+    shared = [
+        f"{path}:{number}: a temporary name of its own; use TestFolder"
+        for path in sources("tests")
+        if path != Path("tests/support/test_folder.h")
+        for number, line in enumerate((ROOT / path).read_text().splitlines(), start=1)
+        if re.search(r"temp_directory_path|TempDir\(|tmpnam|getpid\(", line)
+    ]
+    assert not shared, "\n".join(shared)
+
+
 def flags_in(text: str, path: Path) -> list[str]:
     """The lines whose text for people names a flag; comments may."""
     found = []

@@ -1,7 +1,6 @@
 #include "setups/agreement.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "locate/crop.h"
 #include "setups/setup_report.h"
 #include "support/scanned_tanks.h"
+#include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -27,14 +27,8 @@ SceneOptions closeRows() {
 /// Four setups of a small tank, one file each, each with an error of its own.
 class SetupAgreementTest : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    folder_ = std::filesystem::temp_directory_path() / ("agreement_test_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
-
   /// Scans the scene, and puts dz on each setup's points.
-  static std::vector<std::string> filesOf(const SceneOptions& scene, const std::vector<double>& dz) {
+  std::vector<std::string> filesOf(const SceneOptions& scene, const std::vector<double>& dz) const {
     const auto stations = synth::scanStations(synth::Scene(scene));
     std::vector<std::vector<double>> rows(stations.size());
     synth::scanScene(synth::Scene(scene), [&](std::size_t s, const synth::Rows& block) {
@@ -44,7 +38,7 @@ class SetupAgreementTest : public testing::Test {
     });
     std::vector<std::string> paths;
     for (std::size_t s = 0; s < rows.size(); ++s) {
-      paths.push_back((folder_ / ("scan_" + std::to_string(s + 1) + ".pcd")).string());
+      paths.push_back(folder_.path("scan_" + std::to_string(s + 1) + ".pcd"));
       const Eigen::Vector3d& at = stations[s].position;
       PcdWriter writer(paths.back(), {{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}}, PcdWriter::Format::Binary,
                        {"", {at.x(), at.y(), at.z() + dz[s]}});
@@ -54,10 +48,8 @@ class SetupAgreementTest : public testing::Test {
     return paths;
   }
 
-  static std::filesystem::path folder_;
+  const TestFolder folder_;
 };
-
-std::filesystem::path SetupAgreementTest::folder_;
 
 TEST_F(SetupAgreementTest, HeightsThatDisagreeAreFoundAndTakenOut) {
   const std::vector<double> dz = {0.003, -0.001, 0.002, -0.004};

@@ -1,24 +1,15 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "setups/agreement.h"
+#include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
 
 std::map<std::string, Eigen::Vector3d> read(const std::string& text, double metres = 1.0) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("setup_origins_" + std::to_string(getpid()) + ".csv")).string();
-  std::ofstream(path) << text;
-  struct Remover {
-    std::string path;
-    ~Remover() { std::filesystem::remove(path); }
-  } remover{path};
-  return readSetupOrigins(path, metres);
+  const TestFolder folder;
+  return readSetupOrigins(folder.file("setup_origins.csv", text), metres);
 }
 
 std::string refusal(const std::string& text) {
