@@ -1,0 +1,9 @@
+# What tank_datum uses of fsspec, which has no types of its own.
+from typing import Any
+
+from fsspec import core as core
+from fsspec import implementations as implementations
+
+def filesystem(protocol: str, **options: Any) -> Any: ...
+def get_filesystem_class(protocol: str) -> Any: ...
+def open(urlpath: str, mode: str = ...) -> Any: ...

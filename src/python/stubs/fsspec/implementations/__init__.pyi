@@ -1,0 +1,1 @@
+from fsspec.implementations import local as local

@@ -1,0 +1,1 @@
+"""The history's tables, version after version: Alembic's scripts."""
