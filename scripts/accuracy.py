@@ -1,6 +1,6 @@
 """The accuracy table: scans of known truth, their datums, and whether they are as good as required.
 
-Every scene is scanned anew with each seed.
+Every scene is scanned anew with each seed. A second table is about setups that disagree.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ from typing import Any
 
 from accuracy_figures import Figures, compare, figures_of
 from accuracy_rows import COLUMNS, REQUIRED, Row
+from setup_rates import print_table as print_setups
+from setup_surveys import KINDS
 
 ROOT = Path(__file__).resolve().parents[1]
 BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin"))
@@ -107,6 +109,13 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="scripts/accuracy", description=__doc__)
     parser.add_argument("--seeds", type=int, default=3, help="scans of each scene (%(default)s)")
     parser.add_argument("--scenes", default=",".join(REQUIRED), help="of %(default)s")
+    parser.add_argument(
+        "--setups",
+        type=int,
+        default=20,
+        metavar="N",
+        help="surveys of each kind of setups that disagree, 0 for none (%(default)s)",
+    )
     parser.add_argument("--json", type=Path, help="file for every figure")
     parser.add_argument("--keep", type=Path, help="folder that scans and results stay in")
     args = parser.parse_args()
@@ -139,7 +148,11 @@ def main() -> int:
     print("\n".join(row.explanation() for row in failed))
     if args.json:
         args.json.write_text(report(rows))
-    return 1 if failed else 0
+    setups_pass = True
+    if args.setups:
+        print()
+        setups_pass = print_setups(list(KINDS), range(1, args.setups + 1))
+    return 1 if failed or not setups_pass else 0
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/clauses.h"
 #include "core/parallel.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
@@ -21,6 +22,7 @@
 #include "shape/analysis.h"
 #include "shell/shell_measures.h"
 #include "shell/shell_survey.h"
+#include "sighting.h"
 #include "stations/stations.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/edge/find_edge_points.h"
@@ -63,6 +65,7 @@ FootResult measureUprightFoot(const Ring& ring, const Tank& tank, const DatumOpt
   for (const auto i : edge.indices) foot.edge_points.push_back(ring.search[static_cast<std::size_t>(i)]);
   tell(callbacks, "spline");
   foot.curve = fitClosedSpline(foot.edge_points, edge.azimuths, options.spline);
+  if (!foot.curve.valid()) foot.note = "no paper's curve: " + whyNoCurve(normals, candidates, edge);
   foot.stations = emptyStations(options.stations);
   if (foot.curve.valid()) {
     foot.stations = withParts(foot.stations, samplePaperCurve(foot.stations, foot.curve, edge, options.stations));
@@ -126,6 +129,7 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
     shareErrors(datum, ring);
   }
   datum = describeStations(std::move(datum), options);
+  addClause(datum.message, foot.note);
   if (!datum.usable()) return datum;
   if (options.method == Method::Refined) {  // the paper's curve swings where nothing is seen
     const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
@@ -147,44 +151,8 @@ Datum withChecks(Datum datum, const DatumOptions& options) {
   return datum;
 }
 
-/// Of the tanks found the one that options.pick counts, or why there is none.
-Datum extractPicked(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
-                    const Callbacks& callbacks) {
-  const auto picked = static_cast<std::size_t>(options.pick);
-  if (tanks.empty() || picked <= tanks.size()) {
-    return extractDatum(tanks.empty() ? Tank() : tanks[picked - 1], scan, options, callbacks);
-  }
-  Datum datum = startDatum(scan);
-  datum.counts = countsOf(scan, options.threads);
-  return endDatum(std::move(datum), Status::NoTank,
-                  "only " + std::to_string(tanks.size()) + " found, no tank " + std::to_string(picked) + " to pick");
-}
-
-/// The scan turned about the tank's foot so that the shell, whose lean is known, stands upright.
-Scan levelled(const Scan& scan, const Datum& datum) {
-  const Eigen::Vector2d& center = datum.tank.circle.center;
-  const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(datum.lean.axis(), Eigen::Vector3d::UnitZ());
-  return scan.turnedAbout(foot + datum.origin, turn.toRotationMatrix());
-}
-
-}  // namespace
-
-void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
-
-const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
-
-std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
-  requireValid(options);
-  tell(callbacks, "locate");
-  if (!options.tank) return locateTanks(scan, options.locate, options.threads);
-  const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
-  const std::optional<Tank> tank = describeTank(scan, circle, options.locate, options.threads);
-  return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
-}
-
-Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& given, const Callbacks& callbacks) {
-  requireValid(given);
+/// The stages after the search for tanks.
+Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given, const Callbacks& callbacks) {
   if (!tank.circle.valid()) return withoutTank(scan, given);
   const ThreadScope threads(given.threads);
   const DatumOptions options = inUnits(given, footUnit(tank.circle.radius, tank.resolution));
@@ -215,6 +183,48 @@ Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   return withChecks(std::move(datum), options);
 }
 
+/// Of the tanks found the one that options.pick counts, or why there is none.
+Datum extractPicked(const std::vector<Tank>& tanks, const Scan& scan, const DatumOptions& options,
+                    const Callbacks& callbacks) {
+  const auto picked = static_cast<std::size_t>(options.pick);
+  if (tanks.empty() || picked <= tanks.size()) {
+    return extractDatum(tanks.empty() ? Tank() : tanks[picked - 1], scan, options, callbacks);
+  }
+  Datum datum = startDatum(scan);
+  datum.counts = countsOf(scan, options.threads);
+  const std::string why =
+      "only " + std::to_string(tanks.size()) + " found, no tank " + std::to_string(picked) + " to pick";
+  return withSighting(endDatum(std::move(datum), Status::NoTank, why), scan, options);
+}
+
+/// The scan turned about the tank's foot so that the shell, whose lean is known, stands upright.
+Scan levelled(const Scan& scan, const Datum& datum) {
+  const Eigen::Vector2d& center = datum.tank.circle.center;
+  const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(datum.lean.axis(), Eigen::Vector3d::UnitZ());
+  return scan.turnedAbout(foot + datum.origin, turn.toRotationMatrix());
+}
+
+}  // namespace
+
+void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
+
+const char* nameOf(Method method) { return method == Method::Refined ? "refined" : "paper"; }
+
+std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
+  requireValid(options);
+  tell(callbacks, "locate");
+  if (!options.tank) return locateTanks(scan, options.locate, options.threads);
+  const Circle circle{options.tank->center - scan.origin().head<2>(), options.tank->radius};
+  const std::optional<Tank> tank = describeTank(scan, circle, options.locate, options.threads);
+  return tank ? std::vector<Tank>{*tank} : std::vector<Tank>{};
+}
+
+Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
+  requireValid(options);
+  return withSighting(measureDatum(tank, scan, options, callbacks), scan, options);
+}
+
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
   const std::vector<Tank> tanks = findTanks(scan, options, callbacks);
   if (callbacks.tanks) callbacks.tanks(tanks);
@@ -223,6 +233,15 @@ Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callback
   DatumOptions upright = options;
   upright.level = false;
   return extractDatum(levelled(scan, datum), upright, {callbacks.stage, {}, callbacks.normals});
+}
+
+std::vector<Datum> extractEveryDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
+  std::vector<Tank> tanks = findTanks(scan, options, callbacks);
+  if (callbacks.tanks) callbacks.tanks(tanks);
+  if (tanks.empty()) tanks.emplace_back();
+  std::vector<Datum> datums;
+  for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, options, callbacks));
+  return datums;
 }
 
 }  // namespace tank_datum

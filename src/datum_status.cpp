@@ -1,10 +1,10 @@
 #include "datum_status.h"
 
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/clauses.h"
+#include "core/plain_text.h"
 #include "refusals.h"
 #include "setups/setup_report.h"
 #include "shape/deformation.h"
@@ -20,7 +20,7 @@ void warnOfSteps(Datum& datum) {
   constexpr double kCoarse = 0.001;  // [m]
   if (datum.coordinate_step <= kCoarse) return;
   char text[96];
-  std::snprintf(text, sizeof text, "its coordinates have steps of %g mm here: store 8-byte ones, or a finer scale",
+  snprintfPlain(text, sizeof text, "its coordinates have steps of %g mm here: store 8-byte ones, or a finer scale",
                 1000.0 * datum.coordinate_step);
   addClause(datum.message, text);
 }
@@ -79,7 +79,8 @@ Datum withoutTank(const Scan& scan, const DatumOptions& options) {
   if (finite < static_cast<std::uint64_t>(options.normals.k)) {
     return endDatum(datum, Status::TooFewPoints, "fewer points in the scan than neighbours asked for");
   }
-  return endDatum(datum, Status::NoTank, whyNoTank(scan, options));
+  const std::string why = whyNoTank(scan, options, datum.sighting.circle);
+  return endDatum(datum, Status::NoTank, why);
 }
 
 Datum withoutFoundation(Datum datum, const Scan& scan, const DatumOptions& options) {

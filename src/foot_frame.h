@@ -17,6 +17,7 @@ struct FootResult {
   Circle circle;       ///< about whose centre the stations stand
   Refined refined;     ///< not valid with Method::Paper
   std::vector<Station> stations;
+  std::string note;  ///< why there is no curve through edge points
 };
 
 /// The frame in which the stages at the foot work. They think in metres, which are footUnit long, and of a shell that

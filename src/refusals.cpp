@@ -2,39 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <sstream>
 #include <vector>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "io/up_axis.h"
 #include "locate/locate.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 
 std::string candidateText(const Circle& circle, double coverage, const Eigen::Vector3d& origin) {
   char text[160];
-  std::snprintf(text, sizeof text, "circle found, R %.4g m at %.10g, %.10g, seen over %.0f deg", circle.radius,
+  snprintfPlain(text, sizeof text, "circle found, R %.4g m at %.10g, %.10g, seen over %.0f deg", circle.radius,
                 std::round(1e3 * (circle.center.x() + origin.x())) / 1e3,
                 std::round(1e3 * (circle.center.y() + origin.y())) / 1e3, toDegrees(coverage));
   return text;
 }
 
-std::string whyNoTank(const Scan& scan, const DatumOptions& options) {
-  std::ostringstream message;
+std::string whyNoTank(const Scan& scan, const DatumOptions& options, Circle& tried) {
   if (options.tank) {
-    message << "the scan shows no shell on the given circle, of radius " << options.tank->radius << " m";
-    return message.str();
+    tried = {options.tank->center - scan.origin().head<2>(), options.tank->radius};
+    return "the scan shows no shell on the given circle, of radius " + generalText(options.tank->radius) + " m";
   }
-  message << "no vertical cylinder with a radius of " << options.locate.min_radius << " m or more stands in the scan";
+  std::string message = "no vertical cylinder with a radius of " + generalText(options.locate.min_radius) +
+                        " m or more stands in the scan";
   std::vector<RejectedCircle> rejected;
   locateTanks(scan, options.locate, options.threads, &rejected);
   if (!rejected.empty()) {
     const RejectedCircle& best = rejected.front();
-    message << "; " << candidateText(best.circle, best.coverage, scan.origin()) << ", rejected: " << best.reason;
+    tried = best.circle;
+    message += "; " + candidateText(best.circle, best.coverage, scan.origin()) + ", rejected: " + best.reason;
   }
-  message << otherAxis(scan, options);
-  return message.str();
+  return message + otherAxis(scan, options);
 }
 
 std::string otherAxis(const Scan& scan, const DatumOptions& options) {
@@ -45,18 +45,26 @@ std::string otherAxis(const Scan& scan, const DatumOptions& options) {
     const auto tank = std::find_if(tanks.begin(), tanks.end(), stands);
     if (tank == tanks.end()) continue;
     char text[120];
-    std::snprintf(text, sizeof text, "; along %s stands a cylinder of R %.4g m: is that up (option up %s)?",
+    snprintfPlain(text, sizeof text, "; along %s stands a cylinder of R %.4g m: is that up (option up %s)?",
                   axis.c_str(), tank->circle.radius, axis.c_str());
     return text;
   }
   return {};
 }
 
+std::string whyNoCurve(const Normals& normals, const std::vector<std::int32_t>& candidates, const EdgePoints& edge) {
+  if (!candidates.empty()) return std::to_string(edge.indices.size()) + " edge points lie along the foot";
+  constexpr float kSame = 1e-6F;  // 1 - cosine
+  const auto same = [&](const Eigen::Vector3f& n) { return 1.0F - std::abs(n.dot(normals.normals[0])) < kSame; };
+  const bool constant = std::all_of(normals.normals.begin(), normals.normals.end(), same);
+  return constant ? "all normals are the same" : "no neighbouring normals differ by more than option angle_deg";
+}
+
 std::string doubtfulUnits(double radius) {
   constexpr double kLargest = 150.0;  // the largest tanks have 60 m, gas holders of old 35 m, reservoirs of water 100 m
   if (!(radius > kLargest)) return {};
   char text[64];
-  std::snprintf(text, sizeof text, "R = %.0f m: is the scan in mm?", radius);
+  snprintfPlain(text, sizeof text, "R = %.0f m: is the scan in mm?", radius);
   return text;
 }
 
@@ -64,13 +72,11 @@ std::string leanText(const Datum& datum, const StationOptions& options) {
   constexpr double kWorthSaying = 0.00175;  // a tenth of a degree [m/m]
   const ShellLean& lean = datum.lean;
   if (!lean.known() || lean.slope.norm() < std::max(kWorthSaying, 4.0 * lean.sigma)) return {};
-  const double direction = std::atan2(lean.slope.y(), lean.slope.x()) - options.zero_azimuth;
-  double degrees = toDegrees(options.clockwise ? -direction : direction);
-  degrees -= 360.0 * std::floor(degrees / 360.0);
+  const double degrees = toDegrees(azimuthOf(std::atan2(lean.slope.y(), lean.slope.x()), options));
   const bool together = datum.tilt.valid() &&
                         (lean.slope + datum.tilt.gradient).norm() < std::max(0.2 * lean.slope.norm(), 4.0 * lean.sigma);
   char text[160];
-  std::snprintf(text, sizeof text, "%s by %.2f deg towards %.0f deg%s",
+  snprintfPlain(text, sizeof text, "%s by %.2f deg towards %.0f deg%s",
                 together ? "shell and foundation lean together" : "the shell leans",
                 toDegrees(std::atan(lean.slope.norm())), degrees,
                 together ? " (of the tank or of the scan: cannot be told)" : "");

@@ -10,11 +10,15 @@ namespace tank_datum {
 std::string candidateText(const Circle& circle, double coverage, const Eigen::Vector3d& origin);
 
 /// Why no tank stands in a scan, in which the best candidate is named, and the axis along which one does stand.
-std::string whyNoTank(const Scan& scan, const DatumOptions& options);
+/// @param tried  where to put that candidate's circle
+std::string whyNoTank(const Scan& scan, const DatumOptions& options, Circle& tried);
 
 /// ": along y stands a cylinder of R 5 m: is that up (option up y)?", or nothing when there is none along another axis
 /// than z.
 std::string otherAxis(const Scan& scan, const DatumOptions& options);
+
+/// Why there is no curve through the edge points.
+std::string whyNoCurve(const Normals& normals, const std::vector<std::int32_t>& candidates, const EdgePoints& edge);
 
 /// A question where a radius is no tank's: "R = 10670 m: is the scan in mm?"; else nothing.
 std::string doubtfulUnits(double radius);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "tank_datum/datum.h"
 
 namespace tank_datum {
@@ -12,14 +12,14 @@ std::vector<std::string> warningsOf(const Datum& datum) {
   std::vector<std::string> warnings;
   char text[200];
   if (datum.circle.radius > kLargestRadius) {
-    std::snprintf(text, sizeof text, "radius %.0f m: is the input in %s?", datum.circle.radius,
+    snprintfPlain(text, sizeof text, "radius %.0f m: is the input in %s?", datum.circle.radius,
                   datum.circle.radius > 10.0 * kLargestRadius ? "mm" : "ft or mm");
     warnings.emplace_back(text);
   }
   double seen = 0.0;
   for (const ShellPoint& point : datum.shell.points) seen = std::max(seen, point.height);
   if (datum.asked_height < seen - kAbove) {
-    std::snprintf(text, sizeof text,
+    snprintfPlain(text, sizeof text,
                   "a shell height of %.2f m was given, and the shell is seen up to %.2f m: is it in m?",
                   datum.asked_height, seen);
     warnings.emplace_back(text);

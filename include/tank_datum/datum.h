@@ -69,6 +69,14 @@ enum class Status {
 /// The name used in files: "ok", "partial", "no_tank", ...
 const char* nameOf(Status status);
 
+/// What was looked at where no datum was found: to see why, and what may help.
+struct Sighting {
+  Circle circle;                    ///< the circle tried, relative to the scan's origin [m]; not valid without any
+  double foot = kUnknown;           ///< mean height of the shell's foot, relative to the origin [m]
+  Points points;                    ///< a thinned sample of the scan, near the circle if there is one [m]
+  std::vector<std::string> advice;  ///< three things to try
+};
+
 /// The datum of one tank. Lengths in metres relative to `origin`; usable() says whether there is one.
 struct Datum {
   Status status = Status::NotRun;
@@ -94,6 +102,7 @@ struct Datum {
   std::vector<TankTest> tests;     ///< of whether it is a tank
   ShellLean lean;                  ///< of the shell near its foot
   double foot_density = kUnknown;  ///< points a degree beside the foot, on the foundation's side
+  Sighting sighting;               ///< of a datum that is not usable
 
   bool usable() const { return status == Status::Ok || status == Status::Partial; }
   /// Whether there are stations to look at: of a usable datum, or of a doubtful one.

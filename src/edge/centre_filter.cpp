@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/refusal.h"
 #include "core/units.h"
 #include "fit/circle.h"
 #include "tank_datum/edge/find_edge_points.h"
@@ -46,6 +47,7 @@ void sortByAzimuth(EdgePoints& edge) {
 
 EdgePoints filterByCentre(const Points& points, const std::vector<std::int32_t>& candidates,
                           const std::optional<Circle>& start, const CentreFilterOptions& options) {
+  refuseFirst(firstError(options));
   std::vector<Eigen::Vector2d> plan;
   plan.reserve(candidates.size());
   for (const std::int32_t i : candidates) plan.push_back(points[static_cast<std::size_t>(i)].head<2>());

@@ -2,11 +2,13 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/refusal.h"
 #include "tank_datum/edge/find_edge_points.h"
 
 namespace tank_datum {
 
 std::vector<std::int32_t> growCandidates(const Normals& normals, const GrowingOptions& options, int threads) {
+  refuseFirst(firstError(options));
   const auto k = static_cast<std::size_t>(normals.k);
   const float limit = static_cast<float>(std::cos(options.angle));
   std::vector<std::atomic<char>> marked(normals.size());

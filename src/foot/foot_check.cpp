@@ -60,19 +60,28 @@ std::vector<Run> runsBetweenSteps(const std::vector<FootFit>& fits, const std::v
 
 bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, double prior_slope,
                    const FootProfile& profile) {
-  constexpr double kSlope = 0.03;     // a foundation's slope varies by less along the shell [m/m]
-  constexpr double kNoise = 3.0;      // times the usual roughness
+  constexpr double kSlope = 0.03;       // a foundation's slope varies by less along the shell [m/m]
+  constexpr double kNoise = 3.0;        // times the usual roughness
+  constexpr double kBeside = 0.03;      // so far beyond its edge a surface is known to end by the step down [m]
+  constexpr double kLeastDrop = 0.003;  // of that step [m]
+  constexpr std::size_t kFewestBeside = 6;
   constexpr double kSection = 0.010;  // how far the section beyond may differ in height [m]
   if (std::abs(fit.slope - prior_slope) > kSlope + 3.0 * fit.sigma_slope) return false;
   if (fit.noise > kNoise * profile.noise) return false;
-  std::vector<double> off;
+  std::vector<double> off, beside, drops;
   for (const FootPoint& p : points) {
     const auto bin = static_cast<std::size_t>(std::max(0.0, p.d) / profile.bin);
     if (p.d < profile.edge + profile.blur || bin >= profile.height.size()) continue;
     if (!(profile.spread[bin] <= 2.0 * profile.noise)) continue;  // an upright face has no height of its own
     const double expected = fit.z - profile.offset + profile.height[bin];
-    if (std::isfinite(expected)) off.push_back(p.z - expected);
+    if (!std::isfinite(expected)) continue;
+    off.push_back(p.z - expected);
+    if (p.d > profile.edge + profile.blur + kBeside) continue;
+    beside.push_back(off.back());
+    drops.push_back(profile.offset + profile.slope * p.d - profile.height[bin]);
   }
+  const bool ends = beside.size() >= kFewestBeside && median(drops) > kLeastDrop;
+  if (ends && median(beside) > 0.5 * median(drops) + 2.0 * fit.sigma) return false;  // soil goes on over the edge
   return off.size() < 10 || std::abs(median(off)) <= kSection + 2.0 * fit.sigma;
 }
 

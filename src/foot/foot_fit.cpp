@@ -82,8 +82,7 @@ double selectionError(const SurfaceRows& rows, double from, double to) {
 /// @param to  where that is [m]
 SurfaceRows rowsOnSurface(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double& to) {
   const auto on_surface = [&](const FootPoint& p) {
-    return p.d >= profile.band_from && p.d <= profile.edge &&
-           std::abs(p.z - start - profile.slope * p.d) <= 8.0 * profile.noise + profile.blur;
+    return p.d >= profile.band_from && p.d <= profile.edge && fitsLevel(p, start, profile);
   };
   double seen_to = 0;  // a shadow may end the surface before its edge does
   for (const FootPoint& p : points) {

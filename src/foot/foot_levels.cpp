@@ -31,10 +31,10 @@ HalfCounts countHalves(const Foot& foot, const FootPass& pass, std::size_t stati
   HalfCounts counts;
   if (!pass.fits[station].valid()) return counts;
   const FootProfile& profile = pass.sections.at(station);
-  const double level = pass.fits[station].z, within = 8.0 * profile.noise + profile.blur;
+  const double level = pass.fits[station].z;
   for (const FootPoint& p : foot.points[station]) {
     const bool in_band = p.d >= profile.band_from && p.d <= profile.band_to;
-    if (in_band && std::abs(p.z - level - profile.slope * p.d) < within) ++(p.t < 0.0 ? counts.left : counts.right);
+    if (in_band && fitsLevel(p, level, profile)) ++(p.t < 0.0 ? counts.left : counts.right);
   }
   return counts;
 }

@@ -11,18 +11,24 @@
 namespace tank_datum {
 namespace {
 
-/// How many points each station's own stretch has on the surface, and whether it lies between points of its neighbours.
+/// How many points of the surface that was fitted at a station its own stretch has, and whether it lies between points
+/// of it.
 struct Support {
   std::size_t own = 0;
   bool between = false;
 };
 
-Support supportOf(const Foot& foot, std::size_t station, double level, const FootProfile& profile) {
+Support supportOf(const Foot& foot, std::size_t station, const FootPass& pass) {
   const double step = 2.0 * foot.half_step * foot.radius, azimuth = foot.directions[station];
+  const FootFit& fit = pass.fits[station];
+  const FootProfile& profile = pass.sections.at(station);
   Support support;
+  if (!fit.valid()) return support;
+  const double within = 4.0 * fit.noise;
   bool left = false, right = false;
-  foot.ring.visitAround(azimuth, 2.0 * foot.half_step, level, foot.reach, [&](const FootPoint& p) {
+  foot.ring.visitAround(azimuth, 2.0 * foot.half_step, fit.z, foot.reach, [&](const FootPoint& p) {
     if (p.d < profile.band_from || p.d > profile.band_to) return;
+    if (std::abs(p.z - fit.z - fit.slope * p.d - fit.along * p.t - fit.bend * p.t * p.t) > within) return;
     support.own += std::abs(p.t) <= 0.5 * step;
     (p.t < 0.0 ? left : right) = true;
   });
@@ -32,11 +38,10 @@ Support supportOf(const Foot& foot, std::size_t station, double level, const Foo
 
 /// A station is supported by points of its own; where the scan is so coarse that a stretch may be empty by chance, also
 /// by points within a step on either side.
-std::vector<bool> findSupport(const Foot& foot, const FootElevations& elevations, const FootSections& sections) {
+std::vector<bool> findSupport(const Foot& foot, const FootPass& pass) {
   constexpr double kPlenty = 20.0;
   std::vector<Support> supports(foot.directions.size());
-  forEachIndex(supports.size(), 0,
-               [&](std::size_t i) { supports[i] = supportOf(foot, i, elevations.filled[i], sections.at(i)); });
+  forEachIndex(supports.size(), 0, [&](std::size_t i) { supports[i] = supportOf(foot, i, pass); });
   std::vector<double> counts;
   for (const Support& s : supports) {
     if (s.own > 0) counts.push_back(static_cast<double>(s.own));
@@ -63,11 +68,27 @@ bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
   return below > kStray && static_cast<double>(below) > kShare * static_cast<double>(above);
 }
 
+/// Whether the points of a station and its neighbours rise to the shell as no foundation does, which a fit that is told
+/// the slope does not show: a heap of soil. (They fall to it where few rows of the scan cross the lip: range noise
+/// moves a row's points along their rays.)
+bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
+  constexpr double kSteepest = 0.10;  // of a lip, beside what the scan makes of them all [m/m]
+  if (!pass.priors.settled) return false;
+  FootPrior prior = pass.priors.at(station);
+  prior.sigma_slope = 1.0;
+  const FootFit& fit = pass.fits[station];
+  const FootProfile& profile = pass.sections.at(station);
+  const double usual = pass.priors.slope[station];
+  const auto points = foot.ring.around(foot.directions[station], 3.0 * foot.half_step, fit.z, foot.reach);
+  const FootFit own = fitFoundation(points, profile, fit.z + profile.offset, usual, prior);
+  return own.valid() && own.slope < std::min(usual, pass.priors.seen) - kSteepest - 3.0 * own.sigma_slope;
+}
+
 }  // namespace
 
-std::vector<Unmeasured> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass) {
+std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
   constexpr std::size_t kAsMany = 2;  // stations that stand to one below which the shell goes on; else none stands
-  const std::vector<bool> supported = findSupport(foot, elevations, pass.sections);
+  const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
   std::vector<char> before(reasons.size(), 0);
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
@@ -79,7 +100,7 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootElevations& ele
     } else {
       before[i] = goesOnBelow(foot, i, fit);
       const bool same = isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
-      if (before[i] || !same) reasons[i] = Unmeasured::OtherSurface;
+      if (before[i] || !same || isHeap(foot, i, pass)) reasons[i] = Unmeasured::OtherSurface;
     }
   });
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);

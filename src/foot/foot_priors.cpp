@@ -89,16 +89,39 @@ double feignedLean(const FootFit& fit, double shell_noise) {
   return shell_noise * fit.noise * static_cast<double>(fit.points) / (spread * spread);
 }
 
-/// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do.
+/// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do [m/m].
 struct Expected {
-  double slope, tolerance;
+  double parallel;  ///< to what the plate lies on: most are
+  double section;   ///< as the stacked section shows it
+  double noise;     ///< what range noise may feign, up or down
+  double lean;      ///< what beams that meet shell or edge too may feign, down only
 };
 
-/// Of a ring's slope: whether it is what it should be, and what the windows together leave open of it [m/m].
+/// A ring's slope, and its standard error [m/m].
 struct MeanSlope {
-  bool usual = false;
+  double seen = 0, slope = 0;  ///< as the windows show it, and as it is
   double sigma = 0;
 };
+
+double withPrior(double sigma) { return 1.0 / std::hypot(1.0 / sigma, 1.0 / kTankSlope); }
+
+/// The ring's own slope for what its windows show. Where that is neither of those expected, beams may feign it, half as
+/// much as they can and no more than makes the lip parallel; and lips are parallel but for what a tank's usually lean.
+/// @param error  standard error of what the windows show
+MeanSlope ringSlope(double seen, double error, const Expected& expected) {
+  constexpr double kFeigned = 0.6;  // of the largest lean that range noise may feign
+  constexpr double kDoubt = 0.35;   // of what may feign a slope or hide one, where it seems to be as expected
+  constexpr double kOddDoubt = 0.6;
+  const double off = seen - expected.parallel, tolerance = kFeigned * expected.noise + error;
+  const double beams = kOddDoubt * expected.lean;
+  const double usual = withPrior(std::hypot(kDoubt * std::hypot(expected.noise, error), beams));
+  if (off < tolerance && off > -tolerance - expected.lean) return {seen, expected.parallel, usual};
+  if (expected.lean <= 0.0 && std::abs(seen - expected.section) < tolerance) return {seen, expected.section, usual};
+  const double odd = std::hypot(kOddDoubt * expected.noise, error, beams);
+  const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd);
+  const double own = off + 0.5 * std::clamp(-off, 0.0, expected.lean);
+  return {seen, expected.parallel + weight * own, withPrior(odd)};
+}
 
 /// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
 /// more than their errors explain (empirical Bayes).
@@ -115,21 +138,19 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& series, const Expected& e
     values.push_back(v.value);
     variances.push_back(v.sigma * v.sigma);
   }
-  if (values.size() < 6) return {false, kLipSlope};
-  double ring = median(values);
-  const double scatter = robustSigma(values, ring);
-  const bool usual = std::abs(ring - expected.slope) < expected.tolerance;
-  if (usual) ring = expected.slope;
+  if (values.size() < 6) return {0.0, 0.0, withPrior(kLipSlope)};
+  const double seen = median(values), scatter = robustSigma(values, seen);
   const auto count = static_cast<double>(values.size());
   const double own = std::max(1e-12, scatter * scatter - median(variances));
   const double mean = 1.2533 * std::sqrt((own + median(variances)) / count);
+  const MeanSlope ring = ringSlope(seen, mean, expected);
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
     const double weight = own / (own + v.sigma * v.sigma);
-    v.value = weight * v.value + (1.0 - weight) * ring;
+    v.value = weight * (v.value + ring.slope - seen) + (1.0 - weight) * ring.slope;
     v.sigma *= std::sqrt(weight);
   }
-  return {usual, mean};
+  return ring;
 }
 
 /// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
@@ -176,18 +197,19 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
-  constexpr double kDoubt = 0.35, kOddDoubt = 0.6, kFeigned = 0.6;  // of the largest lean that range noise may feign
+  constexpr double kBlendLean = 3.5;     // as lips lean on simulated scans whose beams are wide
   constexpr std::size_t kWidest = 4;
   const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
   if (lips.series.empty()) return;
   std::vector<SeriesValue> smooth = smoothed(lips.series, kWidest);
-  const MeanSlope ring = drawTogether(lips.series, {sections.whole.slope, kFeigned * lips.doubt}, smooth);
+  const FootProfile& whole = sections.whole;
+  const double lean = kBlendLean * blendBeyond(whole) / whole.edge;
+  const MeanSlope ring = drawTogether(lips.series, {whole.slope_beyond, whole.slope, lips.doubt, lean}, smooth);
+  priors.seen = ring.seen;
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);
   }
-  const double doubt = std::hypot((ring.usual ? kDoubt : kOddDoubt) * lips.doubt, ring.sigma);
-  // what is known beforehand of the lips of a tank, beside what the windows tell
-  const double least = std::hypot(kLeastSigma, 1.0 / std::hypot(1.0 / doubt, 1.0 / kTankSlope));
+  const double least = std::hypot(kLeastSigma, ring.sigma);  // what the windows together leave open
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const std::size_t k = i / lips.stride, next = (k + 1) % smooth.size();
     const double share = static_cast<double>(i - k * lips.stride) / static_cast<double>(lips.stride);

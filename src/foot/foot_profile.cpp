@@ -17,8 +17,6 @@ struct Line {
   double at(double d) const { return offset + slope * d; }
 };
 
-double middle(const FootProfile& profile, std::size_t bin) { return (static_cast<double>(bin) + 0.5) * profile.bin; }
-
 /// Median of the slopes between bins far apart (Theil and Sen), and of the offsets: half of the bins but for the
 /// corner's may lie off without moving it.
 Line robustLine(const FootProfile& profile, std::size_t first, std::size_t last) {
@@ -136,7 +134,8 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   profile.surface =
       last + 1 < profile.height.size() ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;
   const bool plate = profile.surface == Surface::AnnularPlate;
-  profile.slope = plate ? slopeBeyond(profile, last, reach) : own.slope;
+  profile.slope_beyond = plate ? slopeBeyond(profile, last, reach) : 0.0;
+  profile.slope = plate ? profile.slope_beyond : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
   Plateau plateau = findPlateau(profile, first, last);
   if (plate) {  // one that leans is plain along its own slope only

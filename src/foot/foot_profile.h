@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tank_datum/foot/refined.h"
@@ -24,6 +25,20 @@ struct FootScales {
   /// Where the foundation begins: beyond the weld and the shell's noise [m].
   double nearest() const { return std::max(weld, 3.0 * shell_noise); }
 };
+
+/// Distance of a bin's middle from the shell [m].
+inline double middle(const FootProfile& profile, std::size_t bin) {
+  return (static_cast<double>(bin) + 0.5) * profile.bin;
+}
+
+/// How far points of a surface may lie from it by noise and blur [m].
+inline double heightTolerance(const FootProfile& profile) { return 8.0 * profile.noise + profile.blur; }
+
+/// Whether a point's height fits a surface with the profile's slope that meets the shell at a level, as far as noise
+/// and blur can tell.
+inline bool fitsLevel(const FootPoint& p, double level, const FootProfile& profile) {
+  return std::abs(p.z - level - profile.slope * p.d) <= heightTolerance(profile);
+}
 
 /// Stacks the points of all stations, z relative to `datum` of their station, and finds the surface that meets the
 /// shell: the line through the bins just outside the weld, extended both ways while bins lie on it.

@@ -63,6 +63,7 @@ struct FootPriors {
   std::vector<double> slope, sigma_slope;  ///< [m/m]
   double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
   bool settled = false;                    ///< a station's own points have no more to say about its slope
+  double seen = 0;                         ///< where it is settled: as the ring's windows show it, feigned or not [m/m]
 
   FootPrior at(std::size_t station) const;
 };
@@ -94,7 +95,7 @@ struct FootLevels {
 FootLevels levelStations(const Foot& foot, const FootPass& pass);
 
 /// Why stations do not stand: their fit has no support of its own, lies on something else, or steps off its neighbours.
-std::vector<Unmeasured> findOutliers(const Foot& foot, const FootElevations& elevations, const FootPass& pass);
+std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass);
 
 /// Elevations to stack the next section with: without outliers, unless they are most of what there is.
 std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<Unmeasured>& outliers);

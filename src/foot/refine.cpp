@@ -100,7 +100,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   FootPass pass;
   for (int i = 0; i < kPasses; ++i) {
     pass = runPass(foot, elevations, pass.sections);
-    pass.outliers = findOutliers(foot, elevations, pass);
+    pass.outliers = findOutliers(foot, pass);
     elevations = elevationsAfter(pass, elevations.seen);
   }
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {

@@ -25,6 +25,12 @@ double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& prof
 /// @return [m/m]
 double beamLean(double steepness, double lip);
 
+/// How far points on what a plate lies on are lifted 9 mm beyond the plate's edge, where their beams meet its edge too:
+/// what beams at the shell's foot do as well. Zero where the edge is sharp, or what lies beyond is as uneven, or is not
+/// seen.
+/// @return [m]
+double blendBeyond(const FootProfile& profile);
+
 /// How far a lip's middle may be lifted where it is seen to lean otherwise than it does, as a slope that would do it
 /// about the shell.
 /// @param seen,lip  slopes [m/m]; 0 where one is not known

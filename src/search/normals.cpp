@@ -1,4 +1,5 @@
 #include "core/parallel.h"
+#include "core/refusal.h"
 #include "fit/plane_normal.h"
 #include "search/bucket_tree.h"
 #include "search/pcl_normals.h"
@@ -63,6 +64,7 @@ const char* nameOf(SearchEngine engine) {
 }
 
 Normals estimateNormals(const Points& points, const NormalOptions& options, int threads) {
+  refuseFirst(firstError(options));
   const auto k = static_cast<std::size_t>(options.k);
   if (!points.empty() && points.size() < k) {
     throw Error(Error::Kind::Option, "normals", "k", std::to_string(options.k),
@@ -79,6 +81,11 @@ Normals estimateNormals(const Points& points, const NormalOptions& options, int 
 }
 
 Normals fitNormals(const Points& points, Neighbours neighbours, int k, int threads) {
+  if (k < 1 || neighbours.size() != points.size() * static_cast<std::size_t>(k)) {
+    throw Error(
+        Error::Kind::Option, "normals", "k", std::to_string(k),
+        "the length of the rows of neighbours, of which there are as many as points, " + std::to_string(points.size()));
+  }
   Normals result;
   result.k = k;
   result.neighbours = std::move(neighbours);

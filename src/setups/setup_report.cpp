@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/clauses.h"
+#include "core/plain_text.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 std::string millimetres(double metres) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f mm", 1e3 * metres);
+  snprintfPlain(text, sizeof text, "%.1f mm", 1e3 * metres);
   return text;
 }
 
@@ -35,12 +35,12 @@ std::string faultOf(const Setup& setup) {
   const double plan = std::hypot(setup.correction.dx, setup.correction.dy);
   char text[64];
   if (kFar * tilt > std::max(std::abs(setup.correction.dz), plan)) {
-    std::snprintf(text, sizeof text, "tilted by %.0f arc-seconds", toArcSeconds(tilt));
+    snprintfPlain(text, sizeof text, "tilted by %.0f arc-seconds", toArcSeconds(tilt));
   } else if (std::abs(setup.correction.dz) >= plan) {
-    std::snprintf(text, sizeof text, "%.1f mm too %s", 1e3 * std::abs(setup.correction.dz),
+    snprintfPlain(text, sizeof text, "%.1f mm too %s", 1e3 * std::abs(setup.correction.dz),
                   setup.correction.dz < 0.0 ? "high" : "low");
   } else {
-    std::snprintf(text, sizeof text, "%.1f mm off in plan", 1e3 * plan);
+    snprintfPlain(text, sizeof text, "%.1f mm off in plan", 1e3 * plan);
   }
   return text;
 }

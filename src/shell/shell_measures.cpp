@@ -1,8 +1,8 @@
 #include "shell/shell_measures.h"
 
 #include <cmath>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "limits/checks.h"
 #include "limits/survey_spacing.h"
@@ -16,7 +16,7 @@ constexpr double kNearlyAll = 0.9;  // of the shell's height
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
   char text[120];
-  std::snprintf(text, sizeof text, format, values...);
+  snprintfPlain(text, sizeof text, format, values...);
   return text;
 }
 

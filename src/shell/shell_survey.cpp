@@ -1,9 +1,9 @@
 #include "shell/shell_survey.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "core/normal95.h"
+#include "core/plain_text.h"
 #include "shell/shell_plumbness.h"
 #include "shell/shell_roundness.h"
 #include "tank_datum/core/unknown.h"
@@ -70,7 +70,7 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
   survey.points = pointsOf(grid, deviations, stations);
   if (!survey.valid()) {
     char text[96];
-    std::snprintf(text, sizeof text, "the scan holds no shell %g m or more above the datum", bands.heights().front());
+    snprintfPlain(text, sizeof text, "the scan holds no shell %g m or more above the datum", bands.heights().front());
     survey.message = text;
   }
   return survey;

@@ -42,12 +42,19 @@ const char* nameOf(Unmeasured reason) {
   return "";
 }
 
+double azimuthOf(double direction, const StationOptions& options) {
+  return wrapped((direction - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0));
+}
+
+double directionOf(double azimuth, const StationOptions& options) {
+  return wrapped(options.zero_azimuth + (options.clockwise ? -azimuth : azimuth));
+}
+
 std::vector<Station> emptyStations(const StationOptions& options) {
   std::vector<Station> stations(static_cast<std::size_t>(options.count));
   for (std::size_t i = 0; i < stations.size(); ++i) {
     stations[i].azimuth = kTwoPi * static_cast<double>(i) / options.count;
-    stations[i].direction =
-        wrapped(options.zero_azimuth + (options.clockwise ? -stations[i].azimuth : stations[i].azimuth));
+    stations[i].direction = directionOf(stations[i].azimuth, options);
   }
   return stations;
 }

@@ -9,6 +9,12 @@
 
 namespace tank_datum {
 
+/// A direction as stations are counted, in [0, 2 pi) [rad].
+double azimuthOf(double direction, const StationOptions& options);
+
+/// The direction of an azimuth, in [0, 2 pi) [rad].
+double directionOf(double azimuth, const StationOptions& options);
+
 /// Stations with their azimuths and nothing else.
 std::vector<Station> emptyStations(const StationOptions& options);
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -20,13 +20,18 @@ double footDensity(const Ring& ring, const Tank& tank) {
   return static_cast<double>(count) / toDegrees(tank.coverage);
 }
 
+std::string footDensityText(double per_degree) {
+  char text[48];
+  snprintfPlain(text, sizeof text, "%.*f foundation points a degree", per_degree < 9.95 ? 1 : 0, per_degree);
+  return text;
+}
+
 std::string sparseFoot(double per_degree) {
   constexpr double kUsual = 20.0;  // with fewer, half of the stations find too few on one surface
   if (!(per_degree < kUsual)) return {};
-  char text[80];
-  std::snprintf(text, sizeof text, "%.*f foundation points a degree; some %.0f are needed", per_degree < 9.95 ? 1 : 0,
-                per_degree, kUsual);
-  return text;
+  char needed[32];
+  snprintfPlain(needed, sizeof needed, "; some %.0f are needed", kUsual);
+  return footDensityText(per_degree) + needed;
 }
 
 }  // namespace tank_datum

@@ -9,6 +9,9 @@ namespace tank_datum {
 /// Points a degree that the ring has beside the foot of the shell, on the foundation's side, where the shell is seen.
 double footDensity(const Ring& ring, const Tank& tank);
 
+/// "1.2 foundation points a degree".
+std::string footDensityText(double per_degree);
+
 /// What there is to say of a foot with few points: "1.2 foundation points a degree; some 20 are needed"; nothing of a
 /// dense one.
 /// @param per_degree  points a degree

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -53,7 +53,7 @@ TankTest judged(const Bounds& bounds, double value, const char* format, Values..
                  : beyond(bounds.doubtful) ? TestOutcome::Doubtful
                                            : TestOutcome::Pass;
   char text[200];
-  std::snprintf(text, sizeof text, format, values...);
+  snprintfPlain(text, sizeof text, format, values...);
   test.finding = text;
   return test;
 }

@@ -111,7 +111,6 @@ std::vector<Unmeasured> outliersOfLevelRing(MadeFoot& made, std::optional<std::s
   Foot& foot = made.foot();
   if (without_shell) foot.shell_seen[*without_shell] = false;
   foot.points.resize(360);
-  const FootElevations elevations{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
   FootPass pass;
   FootFit fit = fitAt(0.0, 0.0002);
   fit.noise = 0.0004, fit.half_width = foot.half_step;
@@ -120,7 +119,7 @@ std::vector<Unmeasured> outliersOfLevelRing(MadeFoot& made, std::optional<std::s
   FootProfile& whole = pass.sections.whole;
   whole.bin = 0.003, whole.band_from = 0.015, whole.noise = 0.0005, whole.band_to = whole.edge = 0.3;
   pass.priors.slope.assign(360, 0.0);
-  return findOutliers(foot, elevations, pass);
+  return findOutliers(foot, pass);
 }
 
 /// Whether a station without a point of its own, between others of so many, is taken for something else.

@@ -81,6 +81,31 @@ TEST(IsSameSurface, TheSectionBeyondGoesOnAsElsewhere) {
   EXPECT_TRUE(isSameSurface(stationWith(0.025), fitOf(2.0, 0.003), 0.0, plateProfile()));
 }
 
+TEST(IsSameSurface, EndsBySteppingDownByHalfOfWhatItDoesElsewhere) {
+  EXPECT_TRUE(isSameSurface(stationWith(0.006), fitOf(2.0), 0.0, plateProfile()));
+  EXPECT_FALSE(isSameSurface(stationWith(0.004), fitOf(2.0), 0.0, plateProfile()));
+  EXPECT_TRUE(isSameSurface(stationWith(0.004), fitOf(2.0, 0.001), 0.0, plateProfile()));
+  auto few = stationWith(0.004);
+  few.erase(few.begin() + 41, few.end());  // five beyond edge and blur, at 72 mm
+  EXPECT_TRUE(isSameSurface(few, fitOf(2.0), 0.0, plateProfile()));
+}
+
+TEST(IsSameSurface, TheStepIsLookedForThreeCentimetresBesideTheEdge) {
+  auto raised = stationWith(0.010);
+  for (FootPoint& p : raised) p.z += p.d > 0.082 && p.d < 0.102 ? 0.008 : 0.0;
+  EXPECT_FALSE(isSameSurface(raised, fitOf(2.0), 0.0, plateProfile()));
+}
+
+TEST(IsSameSurface, AStepOfThreeMillimetresIsOne) {
+  const auto over = [](double drop) {
+    FootProfile profile = plateProfile();
+    for (double& z : profile.height) z = z < 0.0 ? -drop : 0.0;
+    return isSameSurface(stationWith(drop - 0.002), fitOf(2.0, 0.0001), 0.0, profile);
+  };
+  EXPECT_TRUE(over(0.0029));
+  EXPECT_FALSE(over(0.0031));
+}
+
 TEST(IsSameSurface, IsMeasuredFromTheBandsOffset) {
   FootProfile profile = plateProfile();
   profile.offset = 0.020;
@@ -178,58 +203,6 @@ TEST(FindSteps, OfNothingDropNothing) {
   EXPECT_TRUE(findSteps({}, kStep).empty());
   EXPECT_TRUE(droppedOf(std::vector<FootFit>(360)).empty());
   EXPECT_TRUE(droppedOf({fitOf(2.0)}).empty());
-}
-
-/// A level ring, measured with errors `truth` and standard errors `said`.
-std::vector<FootFit> noisyRing(double truth, double said) {
-  std::mt19937_64 random(8);
-  std::normal_distribution<double> normal;
-  std::vector<FootFit> fits(360, fitOf(2.0));
-  for (FootFit& fit : fits) {
-    fit.z += truth * normal(random);
-    fit.sigma = said;
-  }
-  return fits;
-}
-
-TEST(CommonSigma, IsNextToNothingForHonestSigmas) {
-  EXPECT_LT(commonSigma(noisyRing(0.0002, 0.0002), 1), 0.0001);
-  EXPECT_LT(commonSigma(noisyRing(0.0002, 0.0002), 3), 0.0001);
-}
-
-TEST(CommonSigma, IsWhatTheSigmasLeaveOut) {
-  EXPECT_NEAR(commonSigma(noisyRing(0.0005, 0.0003), 1), 0.0004, 0.00006);
-  EXPECT_NEAR(commonSigma(noisyRing(0.0005, 0.0003), 3), 0.0004, 0.00008);
-}
-
-TEST(CommonSigma, IsTheSameForSharpAndForBluntStations) {
-  std::mt19937_64 random(8);
-  std::normal_distribution<double> normal;
-  std::vector<FootFit> fits(360, fitOf(2.0));
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    fits[i].sigma = i < 180 ? 0.0001 : 0.0004;
-    fits[i].z += std::hypot(fits[i].sigma, 0.0003) * normal(random);
-  }
-  EXPECT_NEAR(commonSigma(fits, 1), 0.0003, 0.00006);
-}
-
-TEST(CommonSigma, IsNothingForSigmasTooLarge) { EXPECT_EQ(commonSigma(noisyRing(0.0001, 0.0004), 1), 0.0); }
-
-TEST(CommonSigma, ComparesWindowsThatShareNoPoints) {
-  auto fits = noisyRing(0.0, 0.0002);  // neighbours that share their points err alike
-  std::mt19937_64 random(8);
-  std::normal_distribution<double> normal;
-  for (std::size_t i = 0; i < 360; i += 5) raise(fits, i, 5, 0.0006 * normal(random));
-  EXPECT_NEAR(commonSigma(fits, 5), 0.00057, 0.0001);
-  EXPECT_LT(commonSigma(fits, 1), 0.5 * commonSigma(fits, 5));
-}
-
-TEST(CommonSigma, IsNothingWhereThereIsTooLittleToTell) {
-  auto fits = noisyRing(0.0008, 0.0002);
-  for (std::size_t i = 12; i < 360; ++i) fits[i] = {};
-  EXPECT_EQ(commonSigma(fits, 1), 0.0);
-  EXPECT_EQ(commonSigma({}, 1), 0.0);
-  EXPECT_EQ(commonSigma(noisyRing(0.0008, 0.0002), 90), 0.0);  // three windows round the tank
 }
 
 }  // namespace

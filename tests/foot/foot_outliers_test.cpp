@@ -7,6 +7,25 @@ namespace {
 
 using namespace made_feet;
 
+/// What a pass may have found of a level surface, up to `band_to` from the shell.
+FootPass levelPass(double half_width, double band_to) {
+  FootFit fit;
+  fit.z = fit.slope = fit.along = fit.bend = 0.0;
+  fit.sigma = 0.0002, fit.noise = 0.0004, fit.sigma_slope = 0.001, fit.half_width = half_width;
+  FootPass pass;
+  pass.fits.assign(360, fit);
+  pass.priors.slope.assign(360, 0.0);
+  pass.priors.sigma_slope.assign(360, 0.01);
+  pass.priors.sigma_bend = 0.01;
+  pass.sections.stations = 360;
+  FootProfile& profile = pass.sections.whole;
+  profile.bin = 0.003, profile.band_from = 0.015, profile.noise = 0.0005, profile.blur = 0.004;
+  profile.band_to = profile.edge = band_to;
+  return pass;
+}
+
+Unmeasured reasonAt50(const Foot& foot, const FootPass& pass) { return findOutliers(foot, pass)[50]; }
+
 /// Whether a station on a level pad is dropped beside which the shell is seen by so many points a centimetre below the
 /// pad, and by so many up to two above it.
 bool isDropped(int below, int above) {
@@ -15,17 +34,7 @@ bool isDropped(int below, int above) {
   for (int i = 0; i < below; ++i) made.add((50 - 0.2 + 0.4 * i / below) * made.step(), 0.0, -0.010);
   for (int i = 0; i < above; ++i) made.add((50 - 0.2 + 0.4 * i / above) * made.step(), 0.0, 0.004 + 0.014 * i / above);
   Foot& foot = made.foot();
-  FootFit fit;
-  fit.z = fit.slope = fit.along = fit.bend = 0.0;
-  fit.sigma = 0.0002, fit.noise = 0.0004, fit.sigma_slope = 0.001, fit.half_width = foot.half_step;
-  FootPass pass;
-  pass.fits.assign(360, fit);
-  pass.priors.slope.assign(360, 0.0);
-  pass.sections.stations = 360;
-  FootProfile& pad = pass.sections.whole;
-  pad.bin = 0.003, pad.band_from = 0.015, pad.noise = 0.0005, pad.band_to = pad.edge = 0.3;
-  return findOutliers(foot, {{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)}, pass)[50] !=
-         Unmeasured::None;
+  return reasonAt50(foot, levelPass(foot.half_step, 0.3)) != Unmeasured::None;
 }
 
 TEST(FindOutliers, AShellSeenBelowAQuarterAsOftenAsAboveGoesOn) {
@@ -36,6 +45,41 @@ TEST(FindOutliers, AShellSeenBelowAQuarterAsOftenAsAboveGoesOn) {
 TEST(FindOutliers, ThreePointsBelowAreStrayHoweverFewAreAbove) {
   EXPECT_FALSE(isDropped(3, 8));
   EXPECT_TRUE(isDropped(4, 8));
+}
+
+/// Why a station does not stand whose own stretch has points only so far above the surface that was fitted to its
+/// neighbours' points.
+Unmeasured reasonOfPointsAbove(double height) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) made.addStation(s, 40, 0.02, 0.28, [&](double) { return s == 50 ? height : 0.0; });
+  Foot& foot = made.foot();
+  return reasonAt50(foot, levelPass(4.0 * foot.half_step, 0.3));
+}
+
+TEST(FindOutliers, PointsFourNoisesOffTheSurfaceAreNoSupport) {
+  EXPECT_EQ(reasonOfPointsAbove(0.0012), Unmeasured::None);
+  EXPECT_EQ(reasonOfPointsAbove(0.0020), Unmeasured::Hidden);
+}
+
+/// Why a station does not stand that lies with its neighbours on points that slope, on a ring of level lips.
+/// @param seen  slope of lips as the scan shows them all
+Unmeasured reasonOfSlope(double slope, double seen = 0.0) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const bool heap = s >= 49 && s <= 51;
+    made.addStation(s, 40, 0.0155, 0.0595, [&](double d) { return heap ? slope * (d - 0.0375) : 0.0; });
+  }
+  Foot& foot = made.foot();
+  FootPass pass = levelPass(foot.half_step, 0.06);
+  pass.priors.settled = true, pass.priors.seen = seen;
+  return reasonAt50(foot, pass);
+}
+
+TEST(FindOutliers, WhatRisesToTheShellByOneInTenIsAHeap) {
+  EXPECT_EQ(reasonOfSlope(-0.11), Unmeasured::OtherSurface);
+  EXPECT_EQ(reasonOfSlope(-0.09), Unmeasured::None);
+  EXPECT_EQ(reasonOfSlope(-0.11, -0.03), Unmeasured::None);  // as the scan shows them all
+  EXPECT_EQ(reasonOfSlope(0.15), Unmeasured::None);          // few rows
 }
 
 }  // namespace

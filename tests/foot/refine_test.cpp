@@ -12,12 +12,14 @@ namespace {
 
 using namespace refined_scans;
 
-/// 65 mm of plate on a ringwall, a weld in the corner, soil over thirty degrees of it.
+/// 65 mm of plate on a ringwall, a weld in the corner, soil over thirty degrees of it and, with sudden
+/// ends, over fifteen.
 SceneOptions plateScene() {
   SceneOptions scene = tank20();
   scene.tanks[0].foundation.kind = "annular_plate";
   scene.tanks[0].foundation.weld = 0.006;
-  scene.tanks[0].soil = {{radians(100), radians(30), 0.05, 0.3, 0.3, 0.004, 0.03}};
+  scene.tanks[0].soil = {{radians(100), radians(30), 0.05, 0.3, 0.3, 0.004, 0.03},
+                         {radians(210), radians(15), 0.03, 0.25, 0.05, 0.002, 0.03}};
   scene.scanner.row_step = radians(0.05);
   return scene;
 }
@@ -63,7 +65,7 @@ TEST(RefineStations, OnAPlateAreTheTruthAndNamedSo) {
   expectAccurate(plateRun());
   EXPECT_EQ(plateRun().refined.profile.surface, Surface::AnnularPlate);
   EXPECT_LE(plateRun().refined.profile.band_to, 0.065);
-  EXPECT_GE(plateRun().measured, 320U);
+  EXPECT_GE(plateRun().measured, 310U);
 }
 
 TEST(RefineStations, OnSoilAreNotMeasuredOrRightWhereItFadesOut) {
@@ -80,7 +82,7 @@ TEST(RefineStations, OnSoilAreNotMeasuredOrRightWhereItFadesOut) {
     EXPECT_LT(std::abs(s.z - plateRun().truthAt(s).z), 2.0 * s.sigma_z) << degrees(s.direction);
   }
   EXPECT_GT(covered, 20U);
-  EXPECT_LE(measured, 1U);  // where the heap fades out
+  EXPECT_LE(measured, 2U);  // where the heap fades out
 }
 
 TEST(RefineStations, UnseenArcsAreMissingAndShortOnesBridged) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "foot/foot_profile.h"
 #include "tank_datum/core/unknown.h"
 
@@ -62,6 +64,39 @@ TEST(BeamLean, IsThatOfLevelLipsSeenByWideBeams) {
   EXPECT_EQ(beamLean(0.20, 0.054), 0.0);
   EXPECT_GT(beamLean(0.15, 0.054), 0.0);
   EXPECT_EQ(beamLean(0.051, 0.3), 0.0);  // a ringwall is wider than any footprint
+}
+
+/// A plate of 60 mm, 10 mm above what it lies on, which slopes; lifted beside the edge as exp(-distance / 6 mm). What
+/// it lies on goes up and down.
+FootProfile edgeWith(double lift, double slope, double drop = 0.010, double uneven = 0.0) {
+  FootProfile profile = lip();
+  profile.bin = 0.003, profile.edge = 0.060, profile.slope = profile.slope_beyond = slope;
+  for (int i = 0; i < 60; ++i) {
+    const double d = (i + 0.5) * profile.bin, beyond = d - profile.edge;
+    const double ground = drop - lift * std::exp(-beyond / 0.006) + (i % 2 == 0 ? uneven : -uneven);
+    profile.height.push_back(slope * d - (beyond > 0.0 ? ground : 0.0));
+  }
+  return profile;
+}
+
+TEST(BlendBeyond, IsTheLiftNineToFifteenMillimetresBesideTheEdge) {
+  EXPECT_NEAR(blendBeyond(edgeWith(0.003, 0.0)), 0.003 * std::exp(-12.0 / 6.0), 0.0001);
+  EXPECT_NEAR(blendBeyond(edgeWith(0.003, -0.02)), 0.003 * std::exp(-12.0 / 6.0), 0.0001);
+}
+
+TEST(BlendBeyond, IsNoneWhereTheEdgeIsSharpOrNotSeen) {
+  EXPECT_LT(blendBeyond(edgeWith(0.0, -0.02)), 1e-9);
+  EXPECT_EQ(blendBeyond(edgeWith(0.001, 0.0, 0.0029)), 0.0);
+  EXPECT_GT(blendBeyond(edgeWith(0.001, 0.0, 0.0031)), 0.0);
+  FootProfile hidden = edgeWith(0.003, 0.0);
+  hidden.height.resize(30);  // 30 mm beyond the edge
+  EXPECT_EQ(blendBeyond(hidden), 0.0);
+}
+
+TEST(BlendBeyond, IsWhatStandsOutOfAnUnevenGround) {
+  const double even = blendBeyond(edgeWith(0.003, 0.0));
+  EXPECT_NEAR(blendBeyond(edgeWith(0.003, 0.0, 0.010, 0.00005)), even - 2.0 * 1.4826 * 0.00005, 0.00006);
+  EXPECT_EQ(blendBeyond(edgeWith(0.003, 0.0, 0.010, 0.00030)), 0.0);
 }
 
 TEST(LiftOf, IsThatOfTheMiddleWhereTheLiftFallsOffWithTheSquareOfTheDistance) {

@@ -16,7 +16,7 @@ namespace TANK_DATUM_API tank_datum {
 /// with the seed's is a candidate. In the paper a point taken is no seed any more, so its result depends on the order
 /// of the points; here every point is a seed, which no shuffle or second thread can change.
 /// @param normals  with their neighbour lists
-/// @return indices of the candidates, ascending
+/// @return indices of the candidates, ascending; throws Error (Option) for a refused option, as filterByCentre does
 std::vector<std::int32_t> growCandidates(const Normals& normals, const GrowingOptions& options, int threads = 0);
 
 /// Step 4 of the method: candidates whose distance from the centre is not within a threshold of the radius are noise.

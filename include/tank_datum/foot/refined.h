@@ -42,6 +42,7 @@ struct FootProfile {
   double blur = 0;                    ///< distance from an edge within which range noise, which moves a point along its
                                       ///< slanting ray, shows in the elevations [m]
   double slope = 0;                   ///< of that surface, positive rising outwards [m/m]
+  double slope_beyond = 0;            ///< of what an annular plate lies on; 0 where that is not seen [m/m]
   double offset = 0;                  ///< of that surface at the shell [m]
   double misfit = 0;  ///< root mean square, over the whole surface, of what departs from the band's level;
                       ///< what blends do outside the band, they do to a lesser degree inside [m]

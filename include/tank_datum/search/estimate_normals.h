@@ -11,12 +11,12 @@ namespace TANK_DATUM_API tank_datum {
 /// depend on the number of threads.
 /// @param points   at least options.k of them [m], or none
 /// @param threads  0 means all cores
-/// @throws Error (Option) for fewer
+/// @throws Error (Option) for fewer, for a refused option
 Normals estimateNormals(const Points& points, const NormalOptions& options, int threads = 0);
 
 /// Step 2 alone, for neighbours found elsewhere.
 /// @param neighbours  points.size() rows of k
-/// @param threads     0 means all cores
+/// @throws Error (Option) for k < 1, for another number of rows
 Normals fitNormals(const Points& points, Neighbours neighbours, int k, int threads = 0);
 
 }  // namespace tank_datum
