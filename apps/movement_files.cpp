@@ -96,14 +96,16 @@ std::string movementsJson(const Comparison& comparison) {
                         {"lod95", number(place.lod95())},
                         {"significant", place.significant}});
   }
-  const Json json = {{"schema", kSchema},
-                     {"version", kVersion},
-                     {"surveys", surveysSection(comparison)},
-                     {"options", Json::parse(movementOptionsJson(comparison.options))},
-                     {"baseline", comparison.names.front()},
-                     {"baseline_date", comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates.front())},
-                     {"movements", surveys},
-                     {"trend", {{"unit", trendUnit(comparison)}, {"stations", stations}}}};
+  Json json = {{"schema", kSchema},
+               {"version", kVersion},
+               {"surveys", surveysSection(comparison)},
+               {"options", Json::parse(movementOptionsJson(comparison.options))},
+               {"baseline", comparison.names.front()},
+               {"baseline_date", comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates.front())},
+               {"movements", surveys},
+               {"trend", {{"unit", trendUnit(comparison)}, {"stations", stations}}}};
+  if (comparison.readers.display_units != "mm") json["display_units"] = comparison.readers.display_units;
+  if (comparison.readers.language != "en") json["language"] = comparison.readers.language;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

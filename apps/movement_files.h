@@ -5,6 +5,7 @@
 
 #include "results/result_folder.h"
 #include "tank_datum/movement/movement.h"
+#include "tank_datum/report/report.h"
 
 namespace tank_datum {
 
@@ -16,6 +17,7 @@ struct Comparison {
   std::vector<Movement> movements;  ///< one fewer
   std::vector<StationHistory> histories;
   MovementOptions options;
+  Identity readers = {};  ///< units and language of what people read
 };
 
 /// What a trend is in: "m/year" with dates, "m/survey" without.

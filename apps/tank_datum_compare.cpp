@@ -13,6 +13,8 @@
 #include "movement_files.h"
 #include "option_flags.h"
 #include "parsed.h"
+#include "report/movement_text.h"
+#include "report/words.h"
 #include "results/manifest.h"
 #include "results/output_guard.h"
 #include "run_main.h"
@@ -29,6 +31,7 @@ struct CompareCommand {
   std::string output = "movement";
   std::vector<std::string> dates;  ///< one per epoch, or none
   MovementOptions options;
+  Identity readers;  ///< units and language
 };
 
 bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& status) {
@@ -40,6 +43,9 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
   app.add_option("-o,--output", command.output, "folder for movement.json, movement.csv and report.html");
   app.add_option("--dates", command.dates, "of each survey, 2024-05-31 or 2024.41: trends become metres per year")
       ->delimiter(',');
+  app.add_option("--display-units", command.readers.display_units, "lengths in report and summary; files hold metres")
+      ->check(CLI::IsMember({"mm", "in", "ft"}));
+  app.add_option("--language", command.readers.language, "of the report")->check(CLI::IsMember(languages()));
   const OptionFlags flags(app, movementOptionsOf(command.options));
   app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
   if (!parsed(app, argc, argv, status)) return false;
@@ -50,29 +56,27 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
 void print(const Comparison& comparison) {
   std::printf("baseline %s, removed: %s\n", comparison.names.front().c_str(),
               nameOf(comparison.movements.front().removal));
-  std::printf("%-32s %8s %8s %8s %8s %8s %12s\n", "survey", "matched", "rms_mm", "max_mm", "at_deg", "lod95_mm",
-              "significant");
+  const Display display(comparison.readers.display_units);
+  const std::string unit = std::string("_") + display.shortUnit();
+  const double factor = display.shortFactor();
+  const int digits = display.digits(2);
+  std::printf("%-32s %8s %8s %8s %8s %8s %12s\n", "survey", "matched", ("rms" + unit).c_str(), ("max" + unit).c_str(),
+              "at_deg", ("lod95" + unit).c_str(), "significant");
   for (std::size_t i = 0; i < comparison.movements.size(); ++i) {
     const Movement& m = comparison.movements[i];
-    std::printf("%-32s %8zu %8.2f %8.2f %8.1f %8.2f %12zu\n", comparison.names[i + 1].c_str(), m.matched, 1e3 * m.rms,
-                1e3 * m.max, m.max_azimuth / kDegree, 1e3 * medianLod(m), m.significant);
+    std::printf("%-32s %8zu %8.*f %8.*f %8.1f %8.*f %12zu\n", comparison.names[i + 1].c_str(), m.matched, digits,
+                factor * m.rms, digits, factor * m.max, m.max_azimuth / kDegree, digits, factor * medianLod(m),
+                m.significant);
+    std::printf("  %s\n", withFlags(movementText(m, display, comparison.readers.language)).c_str());
   }
   const StationHistory* fastest = nullptr;
   for (const StationHistory& place : comparison.histories) {
     if (std::isfinite(place.rate) && (!fastest || std::abs(place.rate) > std::abs(fastest->rate))) fastest = &place;
   }
   if (!fastest) return;
-  std::printf("largest trend %.2f +- %.2f m%s at %.1f deg\n", 1e3 * fastest->rate, 1e3 * fastest->sigma_rate,
-              trendUnit(comparison), fastest->azimuth / kDegree);
-}
-
-std::vector<double> timesOf(const CompareCommand& command) {
-  std::vector<double> times;
-  for (const std::string& date : command.dates) times.push_back(yearOf(date));
-  for (std::size_t i = 0; command.dates.empty() && i < command.epochs.size(); ++i) {
-    times.push_back(static_cast<double>(i));
-  }
-  return times;
+  std::printf("largest trend %.*f +- %.*f %s%s (2 sigma) at %.1f deg\n", digits, factor * fastest->rate, digits,
+              2.0 * factor * fastest->sigma_rate, display.shortUnit(), trendUnit(comparison) + 1,
+              fastest->azimuth / kDegree);
 }
 
 int run(const CompareCommand& command) {
@@ -84,9 +88,9 @@ int run(const CompareCommand& command) {
   for (const std::string& epoch : command.epochs) settleToRead(epoch, kProgram);
   ResultFolder folder(command.output, kProgram);
   requireValid(command.options);
-  const std::vector<double> times = timesOf(command);
+  const std::vector<double> times = timesOf(command.dates, command.epochs.size());
   std::vector<Epoch> epochs;
-  Comparison comparison{command.epochs, {}, command.dates, {}, {}, command.options};
+  Comparison comparison{command.epochs, {}, command.dates, {}, {}, command.options, command.readers};
   for (const std::string& path : command.epochs) {
     epochs.push_back(readEpoch(path));
     comparison.hashes.push_back(sha256OfFile(epochFile(path)));

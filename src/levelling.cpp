@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "datum_stages.h"
 #include "datum_status.h"
@@ -58,9 +59,8 @@ double numberIn(const CsvRow& row, std::size_t column, const char* name, const s
 }
 
 void place(Station& s, double azimuth, double radius, const StationOptions& options) {
-  const double direction = options.zero_azimuth + (options.clockwise ? -azimuth : azimuth);
   s.azimuth = azimuth;
-  s.direction = direction - kTwoPi * std::floor(direction / kTwoPi);
+  s.direction = directionOf(azimuth, options);
   s.x = radius * std::cos(s.direction);
   s.y = radius * std::sin(s.direction);
 }
@@ -105,7 +105,7 @@ std::vector<Station> levellingStations(const std::string& text, const std::strin
   constexpr double kSame = 1e-6;  // [rad]
   for (std::size_t i = 1; i < stations.size(); ++i) {
     if (stations[i].azimuth - stations[i - 1].azimuth < kSame) {
-      throw refused(file, "two rows at " + std::to_string(toDegrees(stations[i].azimuth)) + " degrees",
+      throw refused(file, "two rows at " + fixedText(toDegrees(stations[i].azimuth)) + " degrees",
                     "one row per azimuth");
     }
   }
@@ -114,7 +114,7 @@ std::vector<Station> levellingStations(const std::string& text, const std::strin
 
 Datum datumOfLevelling(std::vector<Station> stations, double diameter, const DatumOptions& options) {
   if (!(diameter > 0.0 && std::isfinite(diameter))) {
-    throw refused("diameter", std::to_string(diameter), "the tank's in metres, > 0");
+    throw refused("diameter", fixedText(diameter), "the tank's in metres, > 0");
   }
   requireValid(options);
   Datum datum;
@@ -123,7 +123,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
   datum.stations = std::move(stations);
   datum.level = levelOf(datum.stations);
   if (datum.level.range() > kSteepest * diameter) {
-    throw refused("elevations", std::to_string(datum.level.range()) + " m apart",
+    throw refused("elevations", fixedText(datum.level.range()) + " m apart",
                   "at most a tenth of the diameter; are they in option units, and the columns as the header says?");
   }
   if (datum.level.measured < kFewestStations) {

@@ -7,9 +7,10 @@
 
 namespace tank_datum::rates {
 
-/// Simulated pairs of surveys of one 60 m tank with 360 stations.
+/// Simulated pairs of surveys of one 60 m tank.
 struct MovementTrial {
   int runs = 2000;
+  int stations = 360;
   double sigma = 0.00026;       ///< of a station [m]
   double scatter = 1.0;         ///< actual errors over sigma
   double window_deg = 2.0;      ///< what the surveys say of the arc behind a station
@@ -22,6 +23,7 @@ struct MovementTrial {
 
 struct MovementRates {
   int runs = 0, alarms = 0;  ///< unmoved pairs, and those with any significant station
+  int means = 0, tilts = 0;  ///< unmoved pairs with a significant mean settlement, or change of tilt
   int found = 0;             ///< pairs with a significant station within the dip
   int elsewhere = 0;         ///< of the found: with one further than the dip's width from its middle
 };

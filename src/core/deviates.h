@@ -32,4 +32,15 @@ class Deviates {
   bool kept_ready_ = false;
 };
 
+/// What a scale that is estimated from residuals may be, over the estimate: the root of freedom over a chi-square
+/// deviate, so that a normal deviate times it is Student's t. 1 for 0 degrees of freedom, which stand for a known
+/// scale.
+inline double studentWidth(Deviates& normal, double freedom) {
+  constexpr int kMost = 200;
+  const int squares = std::min(kMost, static_cast<int>(std::lround(freedom)));
+  double sum = 0.0;
+  for (int k = 0; k < squares; ++k) sum += std::pow(normal(), 2.0);
+  return squares > 0 ? std::sqrt(squares / sum) : 1.0;
+}
+
 }  // namespace tank_datum

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/clauses.h"
 #include "core/normal95.h"
+#include "core/plain_text.h"
 #include "core/statistics.h"
 #include "limits/limit_tables.h"
 #include "tank_datum/core/unknown.h"
@@ -66,7 +66,7 @@ std::string shareBeyond(const Measure& measure, double limit) {
   const auto beyond =
       std::count_if(measure.all.begin(), measure.all.end(), [limit](const PlacedValue& v) { return v.value > limit; });
   char text[80];
-  std::snprintf(text, sizeof text, "%.0f %% of %zu values exceed the limit",
+  snprintfPlain(text, sizeof text, "%.0f %% of %zu values exceed the limit",
                 100.0 * static_cast<double>(beyond) / static_cast<double>(measure.all.size()), measure.all.size());
   return text;
 }

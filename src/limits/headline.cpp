@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "limits/checks.h"
 
 namespace tank_datum {
@@ -50,7 +50,7 @@ std::string sentenceOf(const Headline& headline, const Check* check) {
   const std::string rule = check->code + ' ' + check->name;
   if (headline.word == "INCOMPLETE") return rule + " is not evaluated: " + check->note + ". " + screening;
   char share[64];
-  std::snprintf(share, sizeof share, " is at %.0f %% of its limit", 100.0 * headline.utilisation);
+  snprintfPlain(share, sizeof share, " is at %.0f %% of its limit", 100.0 * headline.utilisation);
   const char* meaning = headline.word == "FAIL"        ? ", beyond it with 95 % confidence. "
                         : headline.word == "UNDECIDED" ? ", too near or too little seen to decide. "
                                                        : ", the nearest of all. ";

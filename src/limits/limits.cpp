@@ -116,7 +116,7 @@ const std::vector<std::string>& knownQuantities() {
   static const std::vector<std::string> all = {
       "tilt_slope",     "tilt_height",    "second_difference", "curvature", "out_of_plane", "antipodal",
       "settlement_arc", "neighbour_bend", "neighbour_slope",   "slope_10m", "level_9m",     "level_3m",
-      "level_total",    "roundness_foot", "roundness_above",   "plumbness"};
+      "level_total",    "roundness_foot", "roundness_above",   "plumbness", "top_ovality"};
   return all;
 }
 

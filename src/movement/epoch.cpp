@@ -18,6 +18,17 @@ using Json = nlohmann::json;
 
 double numberOr(const Json& value, double otherwise) { return value.is_null() ? otherwise : value.get<double>(); }
 
+/// The columns of datum.json's `covariance.factors`, one a station; an unknown station's are zeros.
+std::vector<std::vector<double>> sharedErrors(const Json& json, std::size_t stations) {
+  std::vector<std::vector<double>> columns(stations);
+  const auto covariance = json.find("covariance");
+  if (covariance == json.end() || covariance->is_null()) return columns;
+  for (const Json& factor : covariance->at("factors").get_ref<const Json::array_t&>()) {
+    for (std::size_t i = 0; i < stations; ++i) columns[i].push_back(numberOr(factor.at(i), 0.0));
+  }
+  return columns;
+}
+
 Epoch epochFrom(const Json& json, const std::string& path) {
   Epoch epoch;
   epoch.name = path;
@@ -30,8 +41,11 @@ Epoch epochFrom(const Json& json, const std::string& path) {
   const Json& tank = json.at("tank");
   epoch.circle.center = {tank.at("center").at(0).get<double>(), tank.at("center").at(1).get<double>()};
   epoch.circle.radius = tank.at("radius").get<double>();
-  for (const Json& station : json.at("stations").get_ref<const Json::array_t&>()) {
+  const auto& stations = json.at("stations").get_ref<const Json::array_t&>();
+  const auto shared = sharedErrors(json, stations.size());
+  for (const Json& station : stations) {
     Elevation e;
+    e.shared = shared[epoch.stations.size()];
     e.azimuth = toRadians(station.at("azimuth_deg").get<double>());
     e.direction = toRadians(station.at("direction_deg").get<double>());
     if (station.at("flag") == nameOf(StationFlag::Measured)) {
@@ -59,8 +73,13 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
   if (datum.refined.valid()) epoch.surface = nameOf(datum.refined.profile.surface);
   epoch.levelled = datum.levelled;
   epoch.circle = {datum.circle.center + datum.origin.head<2>(), datum.circle.radius};
+  const Eigen::MatrixXd& factors = datum.covariance.factors;
   for (const Station& s : datum.stations) {
     Elevation e;
+    const auto column = static_cast<Eigen::Index>(epoch.stations.size());
+    for (Eigen::Index k = 0; k < (s.flag == StationFlag::Measured ? factors.rows() : 0); ++k) {
+      e.shared.push_back(factors(k, column));
+    }
     e.azimuth = s.azimuth, e.direction = s.direction;
     if (s.flag == StationFlag::Measured) e.z = s.z + datum.origin.z(), e.sigma_z = s.sigma_z, e.window = s.window;
     epoch.stations.push_back(e);

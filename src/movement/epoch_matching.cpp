@@ -25,6 +25,18 @@ std::vector<Elevation> byDirection(const Epoch& epoch) {
   return known;
 }
 
+std::vector<double> between(std::vector<double> a, const std::vector<double>& b, double share) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] += share * (b[k] - a[k]);
+  return a;
+}
+
+/// The shared errors of both surveys, which share none with each other.
+Eigen::VectorXd joined(const std::vector<double>& a, const std::vector<double>& b) {
+  Eigen::VectorXd all(static_cast<Eigen::Index>(a.size() + b.size()));
+  std::copy(b.begin(), b.end(), std::copy(a.begin(), a.end(), all.data()));
+  return all;
+}
+
 /// The known elevation at a direction, or NaN.
 Elevation elevationAt(const std::vector<Elevation>& known, double direction, double& slope) {
   Elevation at;
@@ -43,6 +55,7 @@ Elevation elevationAt(const std::vector<Elevation>& known, double direction, dou
     // as if the neighbours' errors were the same one: they share points
     at.sigma_z = (1.0 - share) * a.sigma_z + share * b.sigma_z;
     at.window = std::fmax(a.window, b.window) + width;  // fmax passes over what is unknown
+    at.shared = between(a.shared, b.shared, share);
   }
   return at;
 }
@@ -69,6 +82,7 @@ std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elev
     m.dz = places.of_baseline ? there.z - here.z : here.z - there.z;
     m.sigma = std::hypot(here.sigma_z, there.sigma_z);
     m.sigma_baseline = places.of_baseline ? here.sigma_z : there.sigma_z;
+    m.shared = joined(here.shared, there.shared);
     m.window = std::fmax(std::fmax(here.window, there.window), kLeastShared);
     matched.push_back(m);
   }
@@ -137,6 +151,18 @@ void CommonPart::removeFrom(std::vector<MatchedStation>& stations) const {
   for (Eigen::Index i = 0; i < dz.size(); ++i) dz[i] = stations[static_cast<std::size_t>(i)].dz;
   dz -= rows_ * (fit_ * dz);
   for (Eigen::Index i = 0; i < dz.size(); ++i) stations[static_cast<std::size_t>(i)].dz = dz[i];
+}
+
+void CommonPart::removeFromErrors(std::vector<MatchedStation>& stations) const {
+  if (rows_.cols() == 0 || stations.front().shared.size() == 0) return;
+  Eigen::MatrixXd shared(rows_.rows(), stations.front().shared.size());
+  for (Eigen::Index i = 0; i < shared.rows(); ++i) shared.row(i) = stations[static_cast<std::size_t>(i)].shared;
+  shared -= rows_ * (fit_ * shared);
+  for (Eigen::Index i = 0; i < shared.rows(); ++i) {
+    MatchedStation& m = stations[static_cast<std::size_t>(i)];
+    m.sigma = std::hypot(m.own(), shared.row(i).norm());
+    m.shared = shared.row(i);
+  }
 }
 
 AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {

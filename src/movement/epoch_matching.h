@@ -25,6 +25,10 @@ struct MatchedStation {
   double sigma_baseline = 0.0;  ///< the baseline's part of it [m]
   double window = 0.0;          ///< the wider of the arcs that the two elevations come from [rad]
   double slope = 0.0;           ///< of the interpolated elevation along the direction [m/rad]
+  Eigen::VectorXd shared;       ///< what errors of many stations make of its error, one sigma of each [m]
+
+  /// The part of sigma that is the station's own [m].
+  double own() const { return std::sqrt(std::fmax(0.0, sigma * sigma - shared.squaredNorm())); }
 };
 
 /// Stations measured in both surveys, by direction.
@@ -43,7 +47,10 @@ class CommonPart {
   /// @param robust  stations that stand out from the rest do not count (Tukey's biweight from least absolute
   ///                deviations), so that a sector that moved does not move the others
   CommonPart(const std::vector<MatchedStation>& stations, Removal removal, bool robust);
+  /// From dz.
   void removeFrom(std::vector<MatchedStation>& stations) const;
+  /// From what the stations share of their errors, and so from their sigmas.
+  void removeFromErrors(std::vector<MatchedStation>& stations) const;
 
  private:
   Eigen::MatrixXd rows_, fit_;  ///< one row per station; from dz to the coefficients

@@ -2,10 +2,11 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <sstream>
 
 #include "core/normal95.h"
+#include "core/plain_text.h"
 #include "core/refusal.h"
+#include "core/statistics.h"
 #include "core/units.h"
 #include "movement/epoch_matching.h"
 #include "movement/movement_errors.h"
@@ -18,12 +19,6 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kFewestStations = 8;  ///< stations in common
-
-std::string text(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 [[noreturn]] void refuse(const std::string& what, const std::string& value, const std::string& expected) {
   throw Error(Error::Kind::Option, "movement", what, value, expected);
@@ -68,17 +63,32 @@ std::vector<StationMovement> stationsOf(const Epoch& baseline, const Epoch& curr
 }
 
 /// Settlement and tilt of the whole, each with its test.
-void describeWhole(const CommonMotion& motion, double radius, Movement& movement) {
+void describeWhole(const CommonMotion& motion, double freedom, double radius, Movement& movement) {
   movement.mean = motion.mean, movement.sigma_mean = motion.sigma_mean;
-  movement.mean_significant = std::abs(motion.mean) > kNormal95 * motion.sigma_mean;
+  movement.mean_significant = std::abs(motion.mean) > student95(freedom) * motion.sigma_mean;
   movement.tilt_change = motion.rim.norm() / radius;
   const Eigen::Vector2d along = motion.rim.normalized();
   movement.sigma_tilt_change = std::sqrt(along.dot(motion.covariance * along)) / radius;
   movement.tilt_direction = turn(std::atan2(motion.rim.y(), motion.rim.x()));
-  movement.tilt_p_value = std::exp(-0.5 * motion.rim.dot(motion.covariance.inverse() * motion.rim));
+  movement.tilt_p_value = tiltPValue(motion, freedom);
+  movement.tilt_significant = movement.tilt_p_value < 0.05;
+}
+
+/// What is left of the movement without that of the tank as a rigid body, and its largest.
+void describeRest(std::vector<MatchedStation> matched, Movement& movement) {
+  const CommonPart rigid(matched, Removal::Tilt, true);
+  rigid.removeFrom(matched);
+  rigid.removeFromErrors(matched);
+  for (const MatchedStation& m : matched) {
+    StationMovement& s = movement.stations[m.station];
+    s.rest = m.dz;
+    if (std::abs(m.dz) <= std::abs(movement.max_rest)) continue;
+    movement.max_rest = m.dz, movement.sigma_rest = m.sigma, movement.rest_azimuth = s.azimuth;
+  }
 }
 
 void summarise(Movement& movement) {
+  movement.rest_significant = std::abs(movement.max_rest) > movement.threshold * movement.sigma_rest;
   double squares = 0.0;
   for (const StationMovement& s : movement.stations) {
     if (!std::isfinite(s.dz)) continue;
@@ -90,6 +100,11 @@ void summarise(Movement& movement) {
 }
 
 }  // namespace
+
+bool Movement::moved() const {
+  const bool whole = removal == Removal::Nothing && mean_significant;
+  return whole || (removal != Removal::Tilt && tilt_significant) || rest_significant || significant > 0;
+}
 
 double StationMovement::lod95() const { return kNormal95 * sigma; }
 
@@ -110,14 +125,15 @@ void requireSameTank(const Epoch& baseline, const std::string& name, const Circl
                      const MovementOptions& options) {
   const double from = baseline.circle.radius, to = circle.radius;
   if (!(std::abs(to - from) <= options.radius_difference)) {
-    refuse("radius of " + name, text(to) + " m",
-           "within " + text(options.radius_difference) + " m of the baseline's " + text(from) + unitBehind(to / from));
+    refuse("radius of " + name, generalText(to) + " m",
+           "within " + generalText(options.radius_difference) + " m of the baseline's " + generalText(from) +
+               unitBehind(to / from));
   }
   const double apart = (circle.center - baseline.circle.center).norm();
   const bool elsewhere = baseline.levelled || options.estimate_offset || options.azimuth_offset != 0.0;
   if (!elsewhere && !(apart <= options.centre_distance)) {
-    refuse("centre of " + name, text(apart) + " m from the baseline's",
-           "within " + text(options.centre_distance) + " m, the same tank in the same frame");
+    refuse("centre of " + name, generalText(apart) + " m from the baseline's",
+           "within " + generalText(options.centre_distance) + " m, the same tank in the same frame");
   }
 }
 
@@ -174,9 +190,15 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   const MovementErrors errors = shownErrors(matched);
   widenErrors(matched, errors, options.correlation);
   movement.errors_shown = errors.shown, movement.shared_arc = errors.shared;
-  describeWhole(commonMotion(matched, options.registration_error, rim), current.circle.radius, movement);
-  CommonPart(matched, options.removal, true).removeFrom(matched);
-  const Significance found = findMoved(matched, {options.registration_error, rim, offset.sigma}, options);
+  const CommonMotion motion = commonMotion(matched, options.registration_error, rim);
+  describeWhole(motion, errors.freedom, current.circle.radius, movement);
+  movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);
+  describeRest(matched, movement);
+  const CommonPart part(matched, options.removal, true);
+  part.removeFrom(matched);
+  part.removeFromErrors(matched);
+  const Significance found =
+      findMoved(matched, {options.registration_error, rim, offset.sigma, errors.freedom}, options);
   takeFound(found, matched, movement);
   summarise(movement);
   return movement;

@@ -67,15 +67,18 @@ void removeStandingWaves(std::vector<double>& values, const std::vector<MatchedS
 }  // namespace
 
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
-  constexpr std::size_t kFewestStations = 16, kDense = 65;
-  constexpr double kNone = 0.35;      // correlations below it are none: a wide movement of one sigma makes as much
-  constexpr double kCautious = 1.25;  // an arc is known to about a quarter
+  constexpr std::size_t kFewStations = 16, kDense = 32;
+  constexpr double kMismatch = 1.25;    // few stations exceed their sigma by less through chance
+  constexpr double kEfficiency = 0.37;  // of the median absolute deviation (Huber, Robust Statistics, 1981)
+  constexpr double kNone = 0.35;        // correlations below it are none: a wide movement of one sigma makes as much
+  constexpr double kCautious = 1.25;    // an arc is known to about a quarter
   constexpr double kWidest = 30.0 * kDegree;
   MovementErrors errors;
   const std::size_t n = stations.size();
-  if (n < kFewestStations) return errors;
   std::vector<MatchedStation> level = stations;
-  CommonPart(level, Removal::Tilt, true).removeFrom(level);
+  const CommonPart plane(level, Removal::Tilt, true);
+  plane.removeFrom(level);
+  plane.removeFromErrors(level);
   std::vector<double> values;
   for (const MatchedStation& m : level) values.push_back(m.dz / m.sigma);
   if (n >= kDense) removeStandingWaves(values, stations);
@@ -90,13 +93,17 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   // the plane took three degrees of freedom from as many values as are independent
   const double independent = errors.shared > 0.0 ? std::max(6.0, kTwoPi / errors.shared) : static_cast<double>(n);
   errors.shown = robustSigma(values, median(values)) / std::sqrt(1.0 - 3.0 / independent);
-  errors.scale = std::max(1.0, errors.shown);
+  if (errors.shown <= (n < kFewStations ? kMismatch : 1.0)) return errors;
+  errors.scale = errors.shown;
+  if (errors.shown > kMismatch) errors.freedom = std::max(1.0, kEfficiency * (independent - 3.0));
   return errors;
 }
 
 void widenErrors(std::vector<MatchedStation>& stations, const MovementErrors& errors, double declared) {
   for (MatchedStation& m : stations) {
-    m.sigma *= errors.scale, m.sigma_baseline *= errors.scale;
+    const double before = m.sigma;
+    m.sigma = std::hypot(errors.scale * m.own(), m.shared.norm());
+    m.sigma_baseline *= m.sigma / before;
     m.window = declared > 0.0 ? declared : std::max(m.window, errors.shared);
   }
 }
@@ -104,14 +111,15 @@ void widenErrors(std::vector<MatchedStation>& stations, const MovementErrors& er
 CommonMotion commonMotion(const std::vector<MatchedStation>& stations, double height, double rim) {
   const auto count = static_cast<Eigen::Index>(stations.size());
   Eigen::MatrixXd rows(count, 3), covariance(count, count);
-  Eigen::VectorXd dz(count), weights(count);
+  Eigen::VectorXd dz(count), weights(count), own(count);
+  for (Eigen::Index i = 0; i < count; ++i) own[i] = stations[static_cast<std::size_t>(i)].own();
   for (Eigen::Index i = 0; i < count; ++i) {
     const MatchedStation& m = stations[static_cast<std::size_t>(i)];
     rows.row(i) << 1.0, std::cos(m.direction), std::sin(m.direction);
     dz[i] = m.dz, weights[i] = 1.0 / (m.sigma * m.sigma);
     for (Eigen::Index j = 0; j < count; ++j) {
       const MatchedStation& other = stations[static_cast<std::size_t>(j)];
-      covariance(i, j) = m.sigma * other.sigma * overlapOf(m, other);
+      covariance(i, j) = own[i] * own[j] * overlapOf(m, other) + m.shared.dot(other.shared);
     }
   }
   const Eigen::MatrixXd weighted = rows.transpose() * weights.asDiagonal();
@@ -125,6 +133,11 @@ CommonMotion commonMotion(const std::vector<MatchedStation>& stations, double he
   result.rim = motion.tail<2>();
   result.covariance = errors.bottomRightCorner<2, 2>() + rim * rim * Eigen::Matrix2d::Identity();
   return result;
+}
+
+double tiltPValue(const CommonMotion& motion, double freedom) {
+  const double squares = motion.rim.dot(motion.covariance.inverse() * motion.rim);
+  return freedom > 0.0 ? std::pow(1.0 + squares / freedom, -0.5 * freedom) : std::exp(-0.5 * squares);
 }
 
 }  // namespace tank_datum

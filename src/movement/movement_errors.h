@@ -8,19 +8,20 @@ namespace tank_datum {
 
 /// What the differences of two surveys show of their errors.
 struct MovementErrors {
-  double scale = 1.0;   ///< errors over the given sigmas, at least 1
-  double shown = 1.0;   ///< the same as the stations show it, above or below 1
-  double shared = 0.0;  ///< arc within which neighbours share errors; 0: not beyond what the surveys say [rad]
+  double scale = 1.0;    ///< errors over the given sigmas, at least 1
+  double shown = 1.0;    ///< the same as the stations show it, above or below 1
+  double shared = 0.0;   ///< arc within which neighbours share errors; 0: not beyond what the surveys say [rad]
+  double freedom = 0.0;  ///< degrees of freedom that the scale is known by; 0: the given sigmas stand
 };
 
 /// Scatter and autocorrelation of dz about a robust plane, by medians: a movement of less than half of the ring hardly
-/// changes them, nor does a long wave of the whole ring that stands far above the waves shorter than it. From 16
-/// stations on; the autocorrelation and the waves from 65.
+/// changes them, nor does a long wave of the whole ring that stands far above the waves shorter than it. Fewer than 16
+/// stations must scatter by a quarter more than their sigmas; the autocorrelation and the waves need 32.
 /// Source of the robust autocovariance: Ma and Genton, J. Time Series Analysis 21, 2000, with the median absolute
 /// deviation as scale.
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations);
 
-/// Gives the stations the larger of given and shown errors, and the wider of the arcs.
+/// Gives the stations the larger of given and shown errors of their own, and the wider of the arcs.
 /// @param declared  the user's own arc, which stands; 0: none [rad]
 void widenErrors(std::vector<MatchedStation>& stations, const MovementErrors& errors, double declared);
 
@@ -33,5 +34,9 @@ struct CommonMotion {
 
 /// @param height, rim  1 sigma of height and tilt that the registration leaves [m]
 CommonMotion commonMotion(const std::vector<MatchedStation>& stations, double height, double rim);
+
+/// How likely an unmoved tank shows as large a change of tilt: the F test on 2 and `freedom` degrees of freedom, or
+/// chi-square on 2 where freedom is 0.
+double tiltPValue(const CommonMotion& motion, double freedom);
 
 }  // namespace tank_datum

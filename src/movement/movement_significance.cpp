@@ -34,15 +34,15 @@ class Steadied {
       for (std::size_t k = 1; k < n && near((i + n - k) % n); ++k) beside.push_back((i + n - k) % n);
       if (beside.size() < 5) beside.clear();
       beside_.push_back(std::move(beside));
+      reach_.push_back(kOutlier * stations[i].own());
     }
   }
 
   /// The stations with their dz so treated.
   const std::vector<MatchedStation>& of(const std::vector<MatchedStation>& stations) {
-    constexpr double kOutlier = 2.5;
     steadied_ = stations;
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      const double reach = kOutlier * stations[i].sigma;
+      const double reach = reach_[i];
       std::size_t far = 0;  // the median is no further off than half of the stations are
       for (const std::size_t j : beside_[i]) far += std::abs(stations[j].dz - stations[i].dz) > reach ? 1 : 0;
       if (2 * far < beside_[i].size() || beside_[i].empty()) continue;
@@ -56,13 +56,15 @@ class Steadied {
   }
 
  private:
+  static constexpr double kOutlier = 2.5;
   std::vector<std::vector<std::size_t>> beside_;
+  std::vector<double> reach_;  ///< of a station's own, kOutlier of its sigmas [m]
   std::vector<MatchedStation> steadied_;
   std::vector<double> around_;
 };
 
-/// Comparisons of an unmoved tank. A station's error is the mean of white noise along its window, so that stations
-/// share errors as far as they share points.
+/// Comparisons of an unmoved tank. A station's own error is the mean of white noise along its window, so that stations
+/// share errors as far as they share points; to it come the errors that the surveys say their stations share.
 class Unmoved {
  public:
   Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, const MovementOptions& options)
@@ -75,6 +77,7 @@ class Unmoved {
       const auto width = static_cast<std::size_t>(std::clamp(std::ceil(window / cell - 1e-6), 1.0, most));
       const double start = std::round(m.direction / cell - 0.5 * static_cast<double>(width));
       const auto first = static_cast<std::size_t>(start < 0.0 ? start + static_cast<double>(cells_) : start);
+      own_.push_back(m.own());
       shares_.push_back({first % cells_, width, 1.0 / std::sqrt(static_cast<double>(width))});
     }
   }
@@ -84,11 +87,13 @@ class Unmoved {
     std::vector<double> sums(2 * cells_ + 1, 0.0);
     for (std::size_t i = 0; i < cells_; ++i) sums[i + 1] = sums[i] + normal_();
     for (std::size_t i = 0; i < cells_; ++i) sums[cells_ + i + 1] = sums[cells_] + sums[i + 1];
-    const double turn = common_.turn * normal_();
+    Eigen::VectorXd common(stations_.front().shared.size());
+    for (double& error : common) error = normal_();
+    const double turn = common_.turn * normal_(), width = studentWidth(normal_, common_.freedom);
     for (std::size_t i = 0; i < stations_.size(); ++i) {
       const Share& s = shares_[i];
       const double error = (sums[s.first + s.width] - sums[s.first]) * s.scale;
-      stations_[i].dz = stations_[i].sigma * error + stations_[i].slope * turn;
+      stations_[i].dz = own_[i] * width * error + stations_[i].shared.dot(common) + stations_[i].slope * turn;
     }
     part_.removeFrom(stations_);
     const double height = common_.height * normal_(), east = common_.rim * normal_(), north = common_.rim * normal_();
@@ -106,6 +111,7 @@ class Unmoved {
   CommonPart part_;
   std::size_t cells_ = 0;
   std::vector<Share> shares_;
+  std::vector<double> own_;  ///< standard errors of the stations' own [m]
   Deviates normal_{20180419};
 };
 

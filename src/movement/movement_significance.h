@@ -6,11 +6,12 @@
 
 namespace tank_datum {
 
-/// Errors that all stations share, 1 sigma.
+/// What all stations share of the errors, 1 sigma.
 struct CommonErrors {
-  double height = 0.0;  ///< left after the removal [m]
-  double rim = 0.0;     ///< height at the shell by a tilt about either level axis, left after the removal [m]
-  double turn = 0.0;    ///< of the azimuth offset [rad]
+  double height = 0.0;   ///< left after the removal [m]
+  double rim = 0.0;      ///< height at the shell by a tilt about either level axis, left after the removal [m]
+  double turn = 0.0;     ///< of the azimuth offset [rad]
+  double freedom = 0.0;  ///< degrees of freedom of the scale of the stations' sigmas; 0: it is known
 };
 
 /// Which stations moved, and the threshold that says so.

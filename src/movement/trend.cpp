@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -131,10 +132,18 @@ double yearOf(const std::string& date) {
     for (int m = 0; m < month - 1; ++m) before += days[static_cast<std::size_t>(m)];
     return year + before / (leap ? 366.0 : 365.0);
   }
-  char* end = nullptr;
-  const double decimal = std::strtod(date.c_str(), &end);
-  if (date.empty() || *end != '\0' || !(decimal > 1800.0 && decimal < 2200.0)) throw refused();
+  double decimal = 0.0;
+  const char* const end = date.data() + date.size();
+  const auto typed = std::from_chars(date.data(), end, decimal);
+  if (typed.ec != std::errc() || typed.ptr != end || !(decimal > 1800.0 && decimal < 2200.0)) throw refused();
   return decimal;
+}
+
+std::vector<double> timesOf(const std::vector<std::string>& dates, std::size_t surveys) {
+  std::vector<double> times;
+  for (const std::string& date : dates) times.push_back(yearOf(date));
+  while (dates.empty() && times.size() < surveys) times.push_back(static_cast<double>(times.size()));
+  return times;
 }
 
 }  // namespace tank_datum

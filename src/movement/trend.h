@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "tank_datum/movement/movement.h"
 
@@ -9,5 +11,9 @@ namespace tank_datum {
 /// The time of a date as "2024-05-31" or a decimal year as "2024.41" [years].
 /// @throws Error (Option) for anything else, a date that there is not included
 double yearOf(const std::string& date);
+
+/// The times of so many surveys: of their dates [years], or without any their numbers.
+/// @throws Error (Option) as yearOf
+std::vector<double> timesOf(const std::vector<std::string>& dates, std::size_t surveys);
 
 }  // namespace tank_datum

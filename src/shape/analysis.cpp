@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "limits/checks.h"
 #include "limits/survey_spacing.h"
@@ -40,6 +40,23 @@ void addAntipodal(const std::vector<Station>& stations, std::vector<Measure>& me
   measures.push_back(measure);
 }
 
+/// The ovality of the shell's top, which settlement makes.
+void addTopOvality(double radius, double height, Analysis& result) {
+  const OutOfPlane& fit = result.out_of_plane;
+  const double lever = radius * height;
+  Measure measure;
+  measure.quantity = "top_ovality";
+  measure.worst = {lever * fit.max_curvature, lever * fit.sigma_curvature, fit.max_curvature_azimuth};
+  measure.interval = {lever * fit.curvature_interval.low, lever * fit.curvature_interval.high};
+  if (!fit.valid())
+    measure.unavailable = fit.message;
+  else if (!std::isfinite(height))
+    measure.unavailable = "not given: shell height (option height)";
+  else
+    result.top_ovality = {measure.worst, measure.interval};
+  result.measures.push_back(measure);
+}
+
 /// What the stations show of their errors, where it is not what they say.
 std::string errorsNote(const RingModel& model) {
   constexpr double kMismatch = 1.5;
@@ -47,7 +64,7 @@ std::string errorsNote(const RingModel& model) {
   const double over = noise.repeatability;
   if (!model.data().sigmas_known || !model.dense() || (over <= kMismatch && over >= 1.0 / kMismatch)) return {};
   char text[280];
-  std::snprintf(text, sizeof text,
+  snprintfPlain(text, sizeof text,
                 over > 1.0 ? "The stations depart from the fitted waves by %.1f times their standard errors (sigma_z): "
                              "errors that neighbours share. The intervals allow for it."
                            : "The stations scatter by %.1f times their standard errors (sigma_z) only: what is given "
@@ -75,7 +92,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
       "The antipodal inclination is an upper bound of the tilt: one station's error or bump counts in full."};
   if (tilt.r2 < 0.9) {
     char text[240];
-    std::snprintf(
+    snprintfPlain(
         text, sizeof text,
         "The tilt plane explains %.0f %% of the variance of the elevations; API 653 Annex B before 2024 asks for "
         "90 %%: its out-of-plane rule is not valid under that edition.",
@@ -84,7 +101,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
   }
   if (analysis.longest_gap > kSurveySpacing && stations.size() > 64) {
     char text[160];
-    std::snprintf(text, sizeof text,
+    snprintfPlain(text, sizeof text,
                   "A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
                   analysis.longest_gap);
     notes.push_back(text);
@@ -118,6 +135,7 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   figures.addArcs(result.arcs);
   figures.addLevels(result);
   result.measures = figures.all();
+  addTopOvality(radius, options.facts.height, result);
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
   for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kSurveySpacing, 2.01 * step);
   addTilt(ring.tilt, radius, result.measures);

@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "shape/datum_waves.h"
 #include "shape/partial_ring_tilt.h"
+#include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/stations/stations.h"
 
@@ -125,8 +126,7 @@ Tilt fitTilt(const std::vector<Station>& stations, const Eigen::Vector2d& center
   tilt.gradient = fit.plane.tail<2>();
   describePlane(stations, standingsTo(tilt, stations, center), tilt);
   const double up = std::atan2(fit.plane[2], fit.plane[1]);
-  const double azimuth = (up - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0);
-  tilt.direction = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
+  tilt.direction = azimuthOf(up, options);
   const Eigen::Matrix2d spread = fit.covariance.bottomRightCorner<2, 2>();
   const Eigen::Vector2d along(std::cos(up), std::sin(up));
   tilt.sigma_slope = std::sqrt(along.dot(spread * along));

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "core/normal95.h"
+#include "core/plain_text.h"
 #include "shape/arc_points.h"
 #include "shape/level_rows.h"
 #include "shape/ring_fits.h"
@@ -31,7 +31,7 @@ RingRows valueRows(const RingSeries& series) {
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
   char text[160];
-  std::snprintf(text, sizeof text, format, values...);
+  snprintfPlain(text, sizeof text, format, values...);
   return text;
 }
 

@@ -16,15 +16,10 @@ Eigen::MatrixXd drawn(Deviates& normal, Eigen::Index rows, int draws) {
   return m;
 }
 
-/// What a scale that is from residuals may be, over the estimate: Student's t.
+/// A width for each draw.
 Eigen::VectorXd drawnWidths(Deviates& normal, double freedom, int draws) {
-  Eigen::VectorXd widths = Eigen::VectorXd::Ones(draws);
-  const int squares = std::min(200, static_cast<int>(std::lround(freedom)));
-  for (Eigen::Index j = 0; j < widths.size() && freedom > 0.0; ++j) {
-    double sum = 0.0;
-    for (int k = 0; k < squares; ++k) sum += std::pow(normal(), 2.0);
-    widths[j] = std::sqrt(squares / sum);
-  }
+  Eigen::VectorXd widths(draws);
+  for (double& width : widths) width = studentWidth(normal, freedom);
   return widths;
 }
 

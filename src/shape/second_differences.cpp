@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "limits/survey_spacing.h"
 #include "shape/survey_rows.h"
@@ -21,7 +21,7 @@ constexpr double kRounding = 1e-6;
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
   char text[240];
-  std::snprintf(text, sizeof text, format, values...);
+  snprintfPlain(text, sizeof text, format, values...);
   return text;
 }
 

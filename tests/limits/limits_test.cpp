@@ -54,6 +54,7 @@ TEST(StandardLimits, AreWhatStandardsSay) {
   const auto& limits = standardLimits();
   EXPECT_GT(limits.size(), 30U);
   for (const std::string& quantity : knownQuantities()) {
+    if (quantity == "top_ovality") continue;  // no code limits it: a rim seal's room does
     EXPECT_TRUE(std::any_of(limits.begin(), limits.end(), [&](const Limit& l) { return l.quantity == quantity; }))
         << quantity;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/units.h"
 #include "support/made_epochs.h"
@@ -52,6 +53,56 @@ TEST(CompareEpochs, StationsOfWideWindowsAreNotTakenForIndependent) {
   }
   EXPECT_LE(alarms, 6);            // binomial(40, 0.05) exceeds it once in 300
   EXPECT_LE(alarms_of_silent, 6);  // the differences show by themselves over what arc they are shared
+}
+
+/// A levelling of a still tank at 24 places, of errors twice the sigma it claims.
+Epoch claimedHalf(unsigned seed) {
+  Epoch epoch{"levelling", "ok", "refined", "", {{0.0, 0.0}, 30.0}, {}};
+  epoch.levelled = true;
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal(0.0, 0.002);
+  for (double a = 0.0; a < kTwoPi - 0.01; a += kTwoPi / 24)
+    epoch.stations.push_back({a, a, normal(generator), 0.001, NAN});
+  return epoch;
+}
+
+TEST(CompareEpochs, OfFewStationsSigmasClaimedHalfRaiseNoAlarms) {
+  int alarms = 0, means = 0, tilts = 0;
+  for (unsigned run = 1; run <= 150; ++run) {
+    const Movement m = compareEpochs(claimedHalf(run), claimedHalf(1000 + run), {});
+    alarms += m.significant > 0, means += m.mean_significant, tilts += m.tilt_significant;
+  }
+  for (const int count : {alarms, means, tilts}) EXPECT_LE(count, 15);  // binomial(150, 0.05) exceeds it once in 200
+}
+
+/// A scan of a still tank whose setups leave height, tilt and a second wave of a millimetre that its stations share.
+Epoch ofSetups(unsigned seed, bool told) {
+  Epoch epoch{"scan", "ok", "refined", "foundation", {{0.0, 0.0}, 30.0}, {}};
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> errors(5);
+  for (double& error : errors) error = normal(generator);
+  for (int i = 0; i < 360; ++i) {
+    const double a = i * kDegree;
+    std::vector<double> shared = {0.001, 0.001 * std::cos(a), 0.001 * std::sin(a), 0.001 * std::cos(2.0 * a),
+                                  0.001 * std::sin(2.0 * a)};
+    double z = 0.0002 * normal(generator), squares = 0.0002 * 0.0002;
+    for (std::size_t k = 0; k < errors.size(); ++k) z += shared[k] * errors[k], squares += shared[k] * shared[k];
+    if (!told) shared.clear();
+    epoch.stations.push_back({a, a, z, std::sqrt(squares), 2.0 * kDegree, shared});
+  }
+  return epoch;
+}
+
+TEST(CompareEpochs, ErrorsOfSetupsAreNoMovement) {
+  int alarms = 0, means = 0, tilts = 0, untold = 0;
+  for (unsigned run = 1; run <= 40; ++run) {
+    const Movement m = compareEpochs(ofSetups(run, true), ofSetups(1000 + run, true), {});
+    alarms += m.significant > 0, means += m.mean_significant, tilts += m.tilt_significant;
+    untold += compareEpochs(ofSetups(run, false), ofSetups(1000 + run, false), {}).mean_significant;
+  }
+  for (const int count : {alarms, means, tilts}) EXPECT_LE(count, 6);  // binomial(40, 0.05) exceeds it once in 300
+  EXPECT_GE(untold, 20) << "a mean over stations that share errors is not that of as many";
 }
 
 TEST(CompareEpochs, SigmasClaimedHalfRaiseNoAlarms) {

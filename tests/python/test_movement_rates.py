@@ -12,17 +12,18 @@ import pytest
 from conftest import ROOT, executable
 
 LINES = ("unmoved: any significant station", "dip: found", "dip: significant elsewhere too")
+WHOLE = ("unmoved: mean settlement significant", "unmoved: change of tilt significant")
 
 
-def shares(text: str) -> list[float]:
+def shares(text: str, lines: tuple[str, ...] = LINES) -> list[float]:
     """Per cent of each line."""
-    return [float(re.search(rf"{line} .* ([\d.]+) %", text).group(1)) for line in LINES]
+    return [float(re.search(rf"{line} .* ([\d.]+) %", text).group(1)) for line in lines]
 
 
-def simulated(*options: object) -> list[float]:
+def simulated(*options: object, lines: tuple[str, ...] = LINES) -> list[float]:
     command = [executable("tank_datum_rates"), "movement", "--runs", 40, *options]
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=True)
-    return shares(done.stdout)
+    return shares(done.stdout, lines)
 
 
 def test_simulated_surveys() -> None:
@@ -43,12 +44,25 @@ def test_errors_beyond_their_sigma_are_estimated_and_raise_none() -> None:
     assert simulated("--scatter", 2)[0] < 10.0
 
 
+def test_few_stations_of_claimed_half_sigma_raise_no_mean_or_tilt() -> None:
+    settled, tilted = simulated("--stations", 24, "--scatter", 2, lines=WHOLE)
+    assert max(settled, tilted) <= 15.0
+
+
 def test_windows_as_wide_as_said_raise_none() -> None:
     assert simulated("--window-deg", 13)[0] <= 15.0
 
 
 @pytest.mark.parametrize(
-    "option", ["--runs=0", "--sigma=-1", "--scatter=0", "--window-deg=0", "--dip-width-deg=0"]
+    "option",
+    [
+        "--runs=0",
+        "--stations=7",
+        "--sigma=-1",
+        "--scatter=0",
+        "--window-deg=0",
+        "--dip-width-deg=0",
+    ],
 )
 def test_bad_values_are_refused_by_name(option: str) -> None:
     command = [str(executable("tank_datum_rates")), "movement", option]

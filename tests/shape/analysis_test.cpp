@@ -82,6 +82,26 @@ TEST(Analyse, OneWaveAtTwiceTheLimitFailsWhateverItsNumber) {
   }
 }
 
+TEST(Analyse, TheTopsOvalityIsTheCurvatureTimesHalfOfDAndH) {
+  // dR = (D H / 2) u'': a second wave of 20 mm bends by 4 x 0.020 / 900, times 30 x 16 m
+  const auto z = wave(360, [](double a) { return 0.020 * std::cos(2.0 * a); });
+  AnalysisOptions options = sixtyMetreTank();
+  options.limits = parseLimits(
+      "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation\n"
+      "own,seal,rim seal's room,top_ovality,judge,0.03,,m,,,,verified,drawing 7\n",
+      "own.csv");
+  const Analysis analysis = analysed(z, 1e-5, options);
+  const double expected = 30.0 * 16.0 * 4.0 * 0.020 / 900.0;
+  EXPECT_NEAR(analysis.top_ovality.largest.value, expected, 1e-4 * expected);
+  EXPECT_LE(analysis.top_ovality.interval.low, expected);
+  EXPECT_GE(analysis.top_ovality.interval.high, 0.999 * expected);
+  EXPECT_EQ(named(analysis, "rim seal's room").verdict, Verdict::Fail);
+  options.facts.height = NAN;
+  const Analysis without = analysed(z, 1e-5, options);
+  EXPECT_TRUE(std::isnan(without.top_ovality.largest.value));
+  EXPECT_NE(named(without, "rim seal's room").note.find("option height"), std::string::npos);
+}
+
 TEST(Analyse, DistortionIsBySecondDifferences) {  // STANDARDS 3: a first difference would be 1/379, and fail
   std::vector<double> z(30, 0.0);
   const double spacing = kTurn;  // between 30 points round 188.5 m

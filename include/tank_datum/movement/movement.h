@@ -21,6 +21,9 @@ struct Elevation {
   double z = kUnknown;          ///< in the scan's own frame [m]
   double sigma_z = kUnknown;    ///< standard error [m]
   double window = kUnknown;     ///< arc along which the points behind z lie; NaN: at the station alone [rad]
+  /// What errors that all stations share make of its error, one sigma of each [m]: a column of the covariance's
+  /// factors.
+  std::vector<double> shared = {};
 };
 
 /// One survey of a tank, as far as surveys are compared.
@@ -74,6 +77,7 @@ struct StationMovement {
   double azimuth = kUnknown;         ///< as the current survey counts it [rad]
   double direction = kUnknown;       ///< in the baseline's frame [rad]
   double dz = kUnknown;              ///< current less baseline, after the removal [m]; NaN where either is not measured
+  double rest = kUnknown;            ///< current less baseline without settlement and tilt of the whole [m]
   double sigma = kUnknown;           ///< standard error of dz, the registration's included [m]
   double sigma_baseline = kUnknown;  ///< the baseline's part of it [m]
   bool significant = false;          ///< moved: false anywhere on an unmoved tank in at most 5 % of comparisons
@@ -96,8 +100,14 @@ struct Movement {
   double tilt_change = kUnknown;                  ///< slope of the change of tilt, before the removal [m/m]
   double sigma_tilt_change = kUnknown;            ///< along its direction [m/m]
   double tilt_direction = kUnknown;               ///< towards the part that rose, in the baseline's frame [rad]
-  double tilt_p_value = kUnknown;                 ///< chi-square test on 2 degrees of freedom
-  double threshold = kUnknown;                    ///< of the largest standardised window mean on an unmoved tank, 97 %
+  double tilt_p_value = kUnknown;  ///< test on 2 degrees of freedom: chi-square, or F where the sigmas are estimated
+  bool tilt_significant = false;   ///< p < 0.05
+  double rise_azimuth = kUnknown;  ///< the same direction as the current survey counts it [rad]
+  double max_rest = kUnknown;      ///< the rest of the largest magnitude, out of plane [m]
+  double sigma_rest = kUnknown;    ///< its standard error [m]
+  double rest_azimuth = kUnknown;  ///< where [rad]
+  bool rest_significant = false;   ///< beyond `threshold` of its standard error
+  double threshold = kUnknown;     ///< of the largest standardised window mean on an unmoved tank, 97 %
   std::vector<StationMovement> stations;  ///< of one survey, in its order: the current one's, or the sparser baseline's
   std::size_t matched = 0;                ///< stations measured in both
   std::size_t significant = 0;
@@ -107,6 +117,8 @@ struct Movement {
   std::string message;            ///< why there is none
 
   bool valid() const { return matched > 0 && message.empty(); }
+  /// Whether anything that was not removed has moved significantly.
+  bool moved() const;
 };
 
 /// Compares two surveys of one tank, scanned or levelled, at the stations of the current one; where the baseline's lie

@@ -110,6 +110,13 @@ struct LocalSettlement {
   double sigma = kUnknown;    ///< [m]
 };
 
+/// How far the shell's top moves in or out of round by the settlement: (D H / 2) u'', the largest round the tank. A
+/// floating roof needs that much room at its rim seal. Source: equation 6 of the white paper behind ballot 653-1012.
+struct Ovality {
+  PlacedValue largest;  ///< [m]
+  Interval95 interval;  ///< of the largest round the tank [m]
+};
+
 /// What the datum's shape means.
 struct Analysis {
   std::vector<Harmonic> harmonics;
@@ -118,6 +125,7 @@ struct Analysis {
   SecondDifferences second_differences;
   std::vector<SettlementArc> arcs;
   PlacedValue level_9m, level_3m, level_total;  ///< of the foundation (API 650 7.5.5) [m]
+  Ovality top_ovality;                          ///< where the shell's height is given
   double longest_gap = kUnknown;                ///< arc between neighbouring stations with an elevation [m]
   std::vector<Measure> measures;                ///< the figures, as they go to the limits
   std::vector<Check> checks;
