@@ -1,4 +1,4 @@
-"""Lints the report's scripts as the page runs them: joined, in the order of their names.
+"""Lints the scripts of report and farm as their pages run them: joined, in the order of names.
 
 lint_page.py OXLINT: the linter. Only joined do names that one script declares and another uses
 have a meaning. What is found is printed with the script's own name and line; status 1 if anything.
@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-SCRIPTS = ROOT / "src/report/page/js"
+PAGES = (ROOT / "src/report/page/js", ROOT / "src/python/tank_datum/farm/page")
 
 
 def joined(scripts: list[Path]) -> tuple[str, list[tuple[str, int]]]:
@@ -45,8 +45,10 @@ def findings(oxlint: str, text: str, places: list[tuple[str, int]]) -> list[str]
 
 
 def main() -> int:
-    text, places = joined(sorted(SCRIPTS.glob("*.js")))
-    found = findings(sys.argv[1], text, places)
+    found = []
+    for folder in PAGES:
+        text, places = joined(sorted(folder.glob("*.js")))
+        found += findings(sys.argv[1], text, places)
     print("\n".join(found), end="\n" if found else "")
     return 1 if found else 0
 

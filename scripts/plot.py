@@ -1,7 +1,7 @@
-"""Pictures of a result for documents: the paper's figures 5 to 8 and a PDF report of 6 pages.
+"""Pictures of a result for documents: the paper's figures 5 to 8.
 
-Exit status: 0; 1 the result holds no usable datum (then only the cloud and the report's front page
-are written); 2 wrong use; 3 a file could not be read or written.
+Exit status: 0; 1 the result holds no usable datum (then only the cloud is written); 2 wrong use;
+3 a file could not be read or written.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import sys
 from pathlib import Path
 
 import plot_figures
-from plot_report import write_report
 from plot_result import PlotError, Result, read_cloud, read_result
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "src" / "python"))
@@ -69,7 +68,7 @@ def require_untouched(args: argparse.Namespace, output: Path) -> None:
     """Refuses pictures in the place of what they are made of."""
     written = [output / f"{name}.{kind}" for name in PICTURES for kind in args.formats]
     read = [args.folder / name for name in RESULTS]
-    require_apart([*args.scan, *read], [output, output / "report.pdf", *written])
+    require_apart([*args.scan, *read], [output, *written])
 
 
 def draw(args: argparse.Namespace, output: Path) -> Result:
@@ -81,7 +80,6 @@ def draw(args: argparse.Namespace, output: Path) -> Result:
         for name, figure in pictures.items():
             for kind in args.formats:
                 figure.savefig(new / f"{name}.{kind}", metadata=METADATA[kind])
-        write_report(new / "report.pdf", result, list(pictures.values()))
     return result
 
 

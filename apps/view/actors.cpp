@@ -46,7 +46,8 @@ vtkSmartPointer<vtkActor> actorOf(vtkPolyData* data) {
 void paint(vtkActor* actor, const Rgb& colour) { actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]); }
 
 vtkSmartPointer<vtkLookupTable> shades(double low, double high) {
-  constexpr Rgb kLow = {0.23, 0.42, 0.85}, kMiddle = {0.86, 0.86, 0.82}, kHigh = {0.85, 0.22, 0.16};
+  constexpr Rgb kLow = {0.23, 0.42, 0.85}, kMiddle = {0.86, 0.86, 0.82}, kHigh = {0.85, 0.22, 0.16},
+                kBeyond = {0.42, 0.42, 0.44};
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(kShades);
   for (int i = 0; i < kShades; ++i) {
@@ -57,6 +58,10 @@ vtkSmartPointer<vtkLookupTable> shades(double low, double high) {
     table->SetTableValue(i, c[0], c[1], c[2]);
   }
   table->SetRange(low, high);
+  table->SetBelowRangeColor(kBeyond[0], kBeyond[1], kBeyond[2], 1.0);
+  table->SetAboveRangeColor(kBeyond[0], kBeyond[1], kBeyond[2], 1.0);
+  table->UseBelowRangeColorOn();
+  table->UseAboveRangeColorOn();
   table->SetNanColor(0.3, 0.3, 0.3, 1.0);
   return table;
 }
@@ -126,6 +131,18 @@ vtkSmartPointer<vtkBillboardTextActor3D> labelActor(const Eigen::Vector3d& at, c
   actor->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
   actor->GetTextProperty()->SetBackgroundOpacity(0.6);
   return actor;
+}
+
+vtkSmartPointer<vtkTextActor> textAt(double x, double y, bool hangs) {
+  auto text = vtkSmartPointer<vtkTextActor>::New();
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(x, y);
+  text->GetTextProperty()->SetFontSize(15);
+  text->GetTextProperty()->SetFontFamilyToCourier();
+  text->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
+  text->GetTextProperty()->SetBackgroundOpacity(0.6);
+  if (hangs) text->GetTextProperty()->SetVerticalJustificationToTop();
+  return text;
 }
 
 }  // namespace tank_datum::view

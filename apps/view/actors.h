@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
 #include <array>
 #include <vector>
@@ -14,7 +15,7 @@ namespace tank_datum::view {
 
 using Rgb = std::array<double, 3>;
 
-/// Points coloured by their numbers, blue at the low end over grey to red; NaN in dark grey.
+/// Points coloured by their numbers, blue at the low end over white to red, grey beyond both; NaN in dark grey.
 vtkSmartPointer<vtkActor> cloudActor(const Points& points, const Colouring& colouring);
 
 /// Points of one colour.
@@ -28,5 +29,8 @@ vtkSmartPointer<vtkActor> planeActor(const Points& polygon, const Rgb& colour);
 
 /// A text that faces the camera.
 vtkSmartPointer<vtkBillboardTextActor3D> labelActor(const Eigen::Vector3d& at, const std::string& text);
+
+/// A text at a place of the window, from 0 to 1 across and up; it hangs from there or stands on it.
+vtkSmartPointer<vtkTextActor> textAt(double x, double y, bool hangs);
 
 }  // namespace tank_datum::view

@@ -143,6 +143,50 @@ Eigen::Vector3d markOf(const ViewedResult& result, std::size_t station, double e
   return {s.x, s.y, exaggerated(s.z, levelOf(result.stations).mean, exaggeration)};
 }
 
+int worstStation(const ViewedResult& result) {
+  int worst = -1;
+  double most = -1.0;
+  for (std::size_t i = 0; i < result.stations.size(); ++i) {
+    const double u = std::abs(result.stations[i].u);
+    if (u > most) worst = static_cast<int>(i), most = u;
+  }
+  return worst;
+}
+
+std::vector<std::pair<std::size_t, std::string>> namedStations(const ViewedResult& result) {
+  std::vector<std::pair<std::size_t, std::string>> named;
+  const auto count = result.stations.size();
+  if (const int worst = worstStation(result); worst >= 0) {
+    named.emplace_back(worst, "worst out of plane: " + std::to_string(worst));
+  }
+  for (const auto& [name, azimuth] : result.marks) {
+    const auto at = static_cast<std::size_t>(std::lround(azimuth / kTwoPi * static_cast<double>(count)));
+    if (count > 0) named.emplace_back(at % count, name);
+  }
+  return named;
+}
+
+std::array<double, 6> boundsOf(const ViewedResult& result, const Points& cloud) {
+  constexpr double kNear = 0.05, kMargin = 1.15;  // of the radius
+  const double r = result.circle.radius, mean = levelOf(result.stations).mean;
+  std::vector<float> heights;
+  for (const auto& p : cloud) {
+    if (std::abs(result.circle.residual(p.head<2>())) < kNear * r) heights.push_back(static_cast<float>(p.z()));
+  }
+  const double top = heights.empty() ? mean : static_cast<double>(share(heights, 0.999));
+  const Eigen::Vector2d& c = result.circle.center;
+  return {c.x() - kMargin * r, c.x() + kMargin * r, c.y() - kMargin * r,
+          c.y() + kMargin * r, mean - kNear * r,    std::max(top, mean + kNear * r)};
+}
+
+double barLength(double radius) {
+  const double power = std::pow(10.0, std::floor(std::log10(radius)));
+  for (const double part : {5.0, 2.0}) {
+    if (part * power <= radius) return part * power;
+  }
+  return power;
+}
+
 std::string describe(const ViewedResult& result, std::size_t station) {
   const Station& s = result.stations.at(station);
   const auto in = [](const char* format, auto... values) {

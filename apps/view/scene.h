@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tank_datum/core/error.h"
@@ -48,6 +50,18 @@ Points tiltPlane(const ViewedResult& result, double exaggeration);
 
 /// Where a station's mark stands beside the curve; NaN of a missing one.
 Eigen::Vector3d markOf(const ViewedResult& result, std::size_t station, double exaggeration);
+
+/// The station where the datum is furthest from its plane; -1 where none is known.
+int worstStation(const ViewedResult& result);
+
+/// What is written beside single stations: the worst one, and the places that the result names.
+std::vector<std::pair<std::size_t, std::string>> namedStations(const ViewedResult& result);
+
+/// The ends of what must be in view, in the order of VTK: x, x, y, y, z, z; the shell as high as it is seen.
+std::array<double, 6> boundsOf(const ViewedResult& result, const Points& cloud);
+
+/// A round length that fits into the tank's radius [m].
+double barLength(double radius);
 
 /// The values of a station, for people, in the scan's frame.
 std::string describe(const ViewedResult& result, std::size_t station);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/length_units.h"
+#include "core/units.h"
 #include "io/json_file.h"
 #include "search/voxel_sample.h"
 #include "tank_datum/core/error.h"
@@ -44,6 +45,9 @@ void fill(ViewedResult& result, const Json& json, const std::string& folder, con
   result.circle.center = Eigen::Vector2d(center.at(0), center.at(1)) - result.origin.head<2>();
   result.circle.radius = json.at("tank").at("radius").get<double>();
   result.metres_per_unit = kUnits.at(input.at("units").get<std::string>());
+  for (const Json& mark : json.value("marks", Json::array())) {
+    result.marks.emplace_back(mark.at("name").get<std::string>(), mark.at("azimuth_deg").get<double>() * kDegree);
+  }
   result.scans = scans;
   if (!scans.empty()) return;
   for (const Json& file : input.at("files")) {

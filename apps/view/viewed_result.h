@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tank_datum/datum.h"
@@ -15,6 +16,7 @@ struct ViewedResult {
   Circle circle;
   std::vector<Station> stations;
   Points edge_points;
+  std::vector<std::pair<std::string, double>> marks;  ///< places at the shell: name and azimuth [rad]
   std::vector<std::string> scans;
   double metres_per_unit = 1.0;  ///< of the scans
 };

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "shape/deformation.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
 #include "view/interaction.h"
@@ -36,18 +37,6 @@ constexpr Rgb kEdge = {1.0, 0.75, 0.1}, kCurve = {0.2, 1.0, 0.5}, kPlane = {0.6,
 constexpr double kReach = 12.0;  ///< of a click [pixels]
 constexpr double kMostExaggeration = 1e4;
 
-vtkSmartPointer<vtkTextActor> textAt(double x, double y, bool hangs) {
-  auto text = vtkSmartPointer<vtkTextActor>::New();
-  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  text->SetPosition(x, y);
-  text->GetTextProperty()->SetFontSize(15);
-  text->GetTextProperty()->SetFontFamilyToCourier();
-  text->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
-  text->GetTextProperty()->SetBackgroundOpacity(0.6);
-  if (hangs) text->GetTextProperty()->SetVerticalJustificationToTop();
-  return text;
-}
-
 }  // namespace
 
 Window::Window(const ViewedResult& result, const Points& cloud, const SceneOptions& options, bool on_screen)
@@ -55,31 +44,41 @@ Window::Window(const ViewedResult& result, const Points& cloud, const SceneOptio
       cloud_(cloud),
       options_(options),
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      above_(vtkSmartPointer<vtkRenderer>::New()),
       window_(vtkSmartPointer<vtkRenderWindow>::New()),
       values_(textAt(0.015, 0.03, false)),
       help_(textAt(0.015, 0.90, true)),
-      heading_(textAt(0.015, 0.975, true)) {
+      heading_(textAt(0.015, 0.975, true)),
+      key_title_(textAt(0.56, 0.135, false)) {
   window_->SetOffScreenRendering(on_screen ? 0 : 1);
   window_->SetSize(1280, 800);
   window_->SetWindowName("tank_datum_view");
+  window_->SetNumberOfLayers(2);
   window_->AddRenderer(renderer_);
+  above_->SetLayer(1);
+  above_->InteractiveOff();
+  above_->SetActiveCamera(renderer_->GetActiveCamera());
+  window_->AddRenderer(above_);
   renderer_->SetBackground(0.07, 0.08, 0.10);
   help_->SetInput(kKeys);
   help_->VisibilityOff();
-  for (const auto& text : {values_, help_, heading_}) renderer_->AddViewProp(text);
+  for (const auto& text : {values_, help_, heading_, key_title_}) above_->AddViewProp(text);
   replace(edge_, {pointsActor(result.edge_points, kEdge, 3.0F)});
   drawCloud();
   drawDatum();
+  drawFrame();
   look();
 }
 
 void Window::replace(std::vector<vtkSmartPointer<vtkProp>>& props, std::vector<vtkSmartPointer<vtkProp>> by) {
   const bool hidden = !props.empty() && props.front()->GetVisibility() == 0;
-  for (const auto& prop : props) renderer_->RemoveViewProp(prop);
+  const bool over = &props != &points_ && &props != &edge_ && &props != &plane_;
+  vtkRenderer& renderer = over ? *above_ : *renderer_;
+  for (const auto& prop : props) renderer.RemoveViewProp(prop);
   props = std::move(by);
   for (const auto& prop : props) {
     if (hidden) prop->VisibilityOff();
-    renderer_->AddViewProp(prop);
+    renderer.AddViewProp(prop);
   }
 }
 
@@ -92,17 +91,15 @@ void Window::drawCloud() {
   const auto cloud = cloudActor(cloud_, colouring);
   auto scale = vtkSmartPointer<vtkScalarBarActor>::New();
   scale->SetLookupTable(cloud->GetMapper()->GetLookupTable());
-  scale->SetTitle(colouring.title.c_str());
+  key_title_->SetInput((colouring.title + ", grey beyond").c_str());
   scale->SetLabelFormat("%-#.3g");
   scale->UnconstrainedFontSizeOn();
-  for (vtkTextProperty* text : {scale->GetTitleTextProperty(), scale->GetLabelTextProperty()}) {
-    text->SetFontSize(14);
-    text->BoldOff();
-    text->ItalicOff();
-    text->ShadowOff();
-  }
+  vtkTextProperty* text = scale->GetLabelTextProperty();
+  text->SetFontSize(14);
+  text->BoldOff();
+  text->ItalicOff();
+  text->ShadowOff();
   scale->SetOrientationToHorizontal();
-  scale->SetVerticalTitleSeparation(8);
   scale->SetPosition(0.56, 0.02);
   scale->SetWidth(0.40);
   scale->SetHeight(0.12);
@@ -131,7 +128,34 @@ void Window::drawLabels() {
     at.head<2>() += 0.06 * (at.head<2>() - result_.circle.center);
     labels.push_back(labelActor(at, std::to_string(i)));
   }
+  for (const auto& [station, name] : namedStations(result_)) {
+    Eigen::Vector3d at = markOf(result_, station, options_.exaggeration);
+    if (!at.allFinite()) continue;
+    at.head<2>() += 0.16 * (at.head<2>() - result_.circle.center);
+    labels.push_back(labelActor(at, name));
+  }
   replace(labels_, labels);
+}
+
+/// The axes of the scan's frame and a bar of a round length, beside the tank.
+void Window::drawFrame() {
+  constexpr Rgb kFrame = {0.9, 0.9, 0.9};
+  const double r = result_.circle.radius, bar = barLength(r), mean = levelOf(result_.stations).mean;
+  const Eigen::Vector3d centre(result_.circle.center.x(), result_.circle.center.y(), mean);
+  const Eigen::Vector3d corner = centre - Eigen::Vector3d(1.1 * r, 1.25 * r, 0.0);
+  std::vector<Points> lines = {{corner, corner + Eigen::Vector3d(bar, 0.0, 0.0)}};
+  char length[32];
+  std::snprintf(length, sizeof length, "%g m", bar);
+  std::vector<vtkSmartPointer<vtkProp>> words = {
+      labelActor(corner + Eigen::Vector3d(0.5 * bar, -0.07 * r, 0.0), length)};
+  const char* const names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d along = 0.25 * r * Eigen::Vector3d::Unit(axis);
+    lines.push_back({centre, centre + along});
+    words.push_back(labelActor(centre + 1.15 * along, names[axis]));
+  }
+  words.push_back(curveActor(lines, kFrame, 3.0F));
+  replace(frame_, words);
 }
 
 void Window::pick(int station) {
@@ -148,12 +172,14 @@ void Window::pick(int station) {
 
 void Window::look() {
   const Eigen::Vector2d c = result_.circle.center;
-  const double r = result_.circle.radius, z = markOf(result_, 0, 1.0).z();
-  const double mean = std::isfinite(z) ? z : result_.edge_points.empty() ? 0.0 : result_.edge_points.front().z();
+  const double r = result_.circle.radius;
+  const std::array<double, 6> bounds = boundsOf(result_, cloud_);
+  const double middle = 0.5 * (bounds[4] + bounds[5]);
   vtkCamera* camera = renderer_->GetActiveCamera();
-  camera->SetFocalPoint(c.x(), c.y(), mean);
-  camera->SetPosition(c.x() - 1.2 * r, c.y() - 3.2 * r, mean + 2.2 * r);
+  camera->SetFocalPoint(c.x(), c.y(), middle);
+  camera->SetPosition(c.x() - 1.2 * r, c.y() - 3.2 * r, middle + 2.2 * r);
   camera->SetViewUp(0.0, 0.0, 1.0);
+  renderer_->ResetCamera(bounds.data());
   renderer_->ResetCameraClippingRange();
 }
 

@@ -43,6 +43,7 @@ class Window {
   void drawDatum();
   void drawLabels();
   void toggle(std::vector<vtkSmartPointer<vtkProp>>& props);
+  void drawFrame();
   void replace(std::vector<vtkSmartPointer<vtkProp>>& props, std::vector<vtkSmartPointer<vtkProp>> by);
   void look();
 
@@ -50,10 +51,11 @@ class Window {
   const Points& cloud_;
   SceneOptions options_;
   int picked_ = -1;
-  std::vector<vtkSmartPointer<vtkProp>> points_, edge_, curve_, plane_, labels_, mark_;
+  std::vector<vtkSmartPointer<vtkProp>> points_, edge_, curve_, plane_, labels_, mark_, frame_;
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkRenderer> above_;  ///< what no point of the cloud hides: the datum and words
   vtkSmartPointer<vtkRenderWindow> window_;
-  vtkSmartPointer<vtkTextActor> values_, help_, heading_;
+  vtkSmartPointer<vtkTextActor> values_, help_, heading_, key_title_;
 };
 
 }  // namespace tank_datum::view

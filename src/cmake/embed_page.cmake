@@ -12,7 +12,23 @@ foreach(name IN LISTS names)
   file(READ "${name}" script)
   string(APPEND scripts "${script}\n")
 endforeach()
-foreach(part styles licences library scripts)
+# The words of the page, {"de":{...},"en":{...}}, one file a language
+file(GLOB languages "${PAGE}/words/*.json")
+list(SORT languages)
+set(words "")
+foreach(name IN LISTS languages)
+  file(READ "${name}" spoken)
+  string(FIND "${spoken}" "<" markup)
+  if(NOT markup EQUAL -1)
+    message(FATAL_ERROR "${name}: a < inside could end the page's data")
+  endif()
+  cmake_path(GET name STEM language)
+  string(STRIP "${spoken}" spoken)
+  string(APPEND words ",\"${language}\":${spoken}")
+endforeach()
+string(REGEX REPLACE "^," "{" words "${words}")
+string(APPEND words "}")
+foreach(part styles words licences library scripts)
   if(part STREQUAL "library" OR part STREQUAL "scripts")
     string(FIND "${${part}}" "</script" closing)
     if(NOT closing EQUAL -1)
@@ -37,6 +53,7 @@ namespace tank_datum {
 
 const std::string_view kPageBeforeData = R\"PAGE(${before_data})PAGE\";
 const std::string_view kPageAfterData = R\"PAGE(${after_data})PAGE\";
+const std::string_view kWords = R\"PAGE(${words})PAGE\";
 
 }  // namespace tank_datum
 ")

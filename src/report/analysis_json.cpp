@@ -53,6 +53,13 @@ Json curvatureLimit(const std::vector<Check>& checks) {
   return found == checks.end() ? Json(nullptr) : Json(found->limit);
 }
 
+Json ovalityJson(const Ovality& ovality) {
+  if (!std::isfinite(ovality.largest.value)) return nullptr;
+  Json json = placed(ovality.largest);
+  json["low95"] = number(ovality.interval.low), json["high95"] = number(ovality.interval.high);
+  return json;
+}
+
 Json outOfPlaneJson(const Analysis& analysis, const std::vector<Station>& stations) {
   const OutOfPlane& fit = analysis.out_of_plane;
   Json u_fit = Json::array(), curvature = Json::array();
@@ -72,6 +79,7 @@ Json outOfPlaneJson(const Analysis& analysis, const std::vector<Station>& statio
           {"max_curvature_95", interval(fit.curvature_interval)},
           {"max_abs_u_95", interval(fit.u_interval)},
           {"curvature_limit", curvatureLimit(analysis.checks)},
+          {"top_ovality", ovalityJson(analysis.top_ovality)},
           {"longest_gap", number(analysis.longest_gap)},
           {"u_fit_sigma", u_fit},
           {"curvature_sigma", curvature},

@@ -7,11 +7,13 @@
 #include "refusals.h"
 #include "report/analysis_json.h"
 #include "report/datum_record.h"
+#include "report/identity.h"
 #include "report/json_number.h"
 #include "report/movement_json.h"
 #include "report/setups_json.h"
 #include "report/shell_report.h"
 #include "shape/deformation.h"
+#include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/curves.h"
 #include "tank_datum/locate/tank.h"
@@ -138,6 +140,30 @@ Json leanJson(const Datum& datum, const StationOptions& options) {
           {"sentence", text.empty() ? Json(nullptr) : Json(text)}};
 }
 
+Json pointJson(const SurveyPoint& point, double z) {
+  return {{"number", point.number},
+          {"azimuth_deg", toDegrees(point.azimuth)},
+          {"z", number(point.z + z)},
+          {"sigma_z", number(point.sigma_z)},
+          {"u", number(point.u)}};
+}
+
+/// What the user says of the tank, and the survey's points: keys for what was given.
+void addIdentity(Json& json, const Datum& datum, const Provenance& provenance) {
+  const Identity& identity = provenance.identity;
+  const StationOptions& stations = provenance.options.stations;
+  for (const auto& [key, words] : identity.about) json["about"][key] = words;
+  for (const ReferenceMark& mark : identity.marks) {
+    json["marks"].push_back({{"name", mark.name}, {"azimuth_deg", toDegrees(mark.azimuth)}});
+  }
+  if (identity.display_units != "mm") json["display_units"] = identity.display_units;
+  if (identity.language != "en") json["language"] = identity.language;
+  if (std::isfinite(identity.north)) json["north_azimuth_deg"] = toDegrees(azimuthOf(identity.north, stations));
+  for (const SurveyPoint& point : surveyPointsOf(identity, datum.stations, stations)) {
+    json["survey_points"].push_back(pointJson(point, datum.origin.z()));
+  }
+}
+
 }  // namespace
 
 Json datumRecord(const Datum& datum, const Provenance& provenance) {
@@ -148,6 +174,8 @@ Json datumRecord(const Datum& datum, const Provenance& provenance) {
   json["options"] = optionsUsed(provenance);
   json["status"] = nameOf(datum.status);
   json["message"] = datum.message;
+  if (!datum.sighting.advice.empty()) json["advice"] = datum.sighting.advice;
+  addIdentity(json, datum, provenance);
   json["service"] = nameOf(provenance.options.analysis.facts.service);
   json["tank"] = tankJson(datum);
   json["tests"] = testsJson(datum.tests);

@@ -6,6 +6,7 @@
 #include "movement/movement.h"
 #include "options/option_json.h"
 #include "report/json_number.h"
+#include "report/movement_text.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
@@ -31,6 +32,7 @@ Json movementSection(const Movement& movement) {
   for (const StationMovement& s : movement.stations) {
     stations.push_back({{"azimuth_deg", toDegrees(s.azimuth)},
                         {"dz", number(s.dz)},
+                        {"rest", number(s.rest)},
                         {"lod95", number(s.lod95())},
                         {"significant", s.significant}});
   }
@@ -54,8 +56,16 @@ Json movementSection(const Movement& movement) {
             {"sigma", number(movement.sigma_tilt_change)},
             {"angle_arcsec", number(toArcSeconds(std::atan(movement.tilt_change)))},
             {"direction_deg", number(toDegrees(movement.tilt_direction))},
+            {"azimuth_deg", number(toDegrees(movement.rise_azimuth))},
             {"p_value", number(movement.tilt_p_value)},
-            {"significant", movement.tilt_p_value < 0.05}}},
+            {"significant", movement.tilt_significant}}},
+          {"out_of_plane",
+           {{"value", number(movement.max_rest)},
+            {"sigma", number(movement.sigma_rest)},
+            {"azimuth_deg", number(toDegrees(movement.rest_azimuth))},
+            {"significant", movement.rest_significant}}},
+          {"moved", movement.moved()},
+          {"not_given", unsaidOf(movement)},
           {"max", number(movement.max)},
           {"max_azimuth_deg", number(toDegrees(movement.max_azimuth))},
           {"rms", number(movement.rms)},

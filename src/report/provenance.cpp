@@ -4,8 +4,24 @@
 
 #include "io/input_file.h"
 #include "io/sha256.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
+namespace {
+
+Movement movementOf(const Datum& datum, const Baseline& baseline, const RunOptions& run) {
+  try {
+    return movementSince(baseline, datum, run.datum);
+  } catch (const Error& error) {
+    if (!run.all) throw;
+    Movement none;
+    none.baseline = baseline.epoch.name;
+    none.message = error.what();
+    return none;
+  }
+}
+
+}  // namespace
 
 std::vector<InputRecord> recordInputs(const Scan& scan, Checksum checksum, const std::function<bool()>& wanted) {
   std::vector<InputRecord> files;
@@ -33,6 +49,19 @@ Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units
   provenance.invalid_points = datum.counts.invalid;
   provenance.left_out_points = datum.counts.left_out;
   provenance.options = options;
+  return provenance;
+}
+
+Provenance provenanceOf(std::vector<InputRecord> files, const RunOptions& run, const std::optional<Baseline>& baseline,
+                        const Datum& datum) {
+  Provenance provenance = provenanceOf(std::move(files), run.units, run.datum, datum);
+  provenance.up = run.up;
+  provenance.reading = run.reading;
+  provenance.reading.foreign = nullptr;  // what reads does not leave with the result
+  provenance.baseline = run.baseline;
+  provenance.movement_options = run.movement;
+  if (run.identity) provenance.identity = *run.identity;
+  if (baseline && datum.usable()) provenance.movement = movementOf(datum, *baseline, run);
   return provenance;
 }
 

@@ -9,6 +9,7 @@
 #include "report/report_template.h"
 #include "report/section_json.h"
 #include "report/shell_report.h"
+#include "report/sighting_json.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -58,6 +59,10 @@ std::string pageWith(const std::vector<PageData>& data) {
 std::string reportPage(const Datum& datum, const Provenance& provenance) {
   std::vector<PageData> data = {{"datum", "application/json", datumJson(datum, provenance)},
                                 {"stations", "text/csv", stationsCsv(datum)}};
+  if (!provenance.identity.logo.empty()) {
+    data.push_back({"logo", "application/json", nlohmann::json(provenance.identity.logo).dump()});
+  }
+  if (!datum.sighting.points.empty()) data.push_back({"sighting", "application/json", sightingJson(datum)});
   if (datum.shell.valid()) data.push_back({"shell", "text/csv", shellCsv(datum.shell)});
   if (!datum.refined.sections.empty() && datum.hasStations()) {
     data.push_back({"sections", "application/json", sectionsJson(datum)});
@@ -74,6 +79,9 @@ std::string indexPage(const std::vector<IndexEntry>& tanks) {
   nlohmann::ordered_json& listed = index["tanks"] = nlohmann::ordered_json::array();
   for (const IndexEntry& entry : tanks) {
     const nlohmann::ordered_json record = datumRecord(entry.datum, entry.provenance);
+    for (const char* key : {"display_units", "language"}) {
+      if (record.contains(key)) index[key] = record[key];
+    }
     nlohmann::ordered_json tank = {{"page", entry.page}};
     for (const char* key : {"status", "message", "tank", "datum", "tilt", "verdict"}) {
       if (record.contains(key)) tank[key] = record[key];

@@ -9,4 +9,7 @@ namespace tank_datum {
 extern const std::string_view kPageBeforeData;
 extern const std::string_view kPageAfterData;
 
+/// {"en": {key: words}, ...}, as the page has them.
+extern const std::string_view kWords;
+
 }  // namespace tank_datum

@@ -2,8 +2,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -12,7 +12,7 @@ namespace {
 template <typename... Values>
 std::string line(const char* format, Values... values) {
   char buffer[200];
-  std::snprintf(buffer, sizeof buffer, format, values...);
+  snprintfPlain(buffer, sizeof buffer, format, values...);
   return std::string(buffer) + "\n";
 }
 
@@ -23,32 +23,34 @@ std::string text(double value) {
 }
 
 /// The foot's radii, or the lowest height's when the foot is not seen.
-std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances) {
+std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances,
+                          const Display& display) {
   const Roundness* r = survey.foot();
   if (!r && !survey.roundness.empty()) r = &survey.roundness.front();
   if (!r) return line("%-14s the shell is not seen round enough of the tank at any height", "roundness");
   const auto at = static_cast<std::size_t>(r - survey.roundness.data());
   char tolerance[80] = "no tolerance for it";
   if (at < tolerances.size() && std::isfinite(tolerances[at].limit)) {
-    std::snprintf(tolerance, sizeof tolerance, "tolerance %g mm: %s", 1e3 * tolerances[at].limit,
-                  nameOf(tolerances[at].verdict));
+    snprintfPlain(tolerance, sizeof tolerance, "tolerance %.4g %s: %s", display.shortFactor() * tolerances[at].limit,
+                  display.shortUnit(), nameOf(tolerances[at].verdict));
   }
-  return line("%-14s %+.1f / %+.1f mm at %.2f m above the datum, worst at %.0f deg (%s)", "roundness",
-              1e3 * r->max_deviation, 1e3 * r->min_deviation, r->height, toDegrees(r->azimuth), tolerance);
+  return line("%-14s %s / %s %s at %s above the datum, worst at %.0f deg (%s)", "roundness",
+              display.signedShort(r->max_deviation).c_str(), display.signedShort(r->min_deviation).c_str(),
+              display.shortUnit(), display.longText(r->height, 2).c_str(), toDegrees(r->azimuth), tolerance);
 }
 
-std::string plumbnessLine(const ShellSurvey& survey) {
+std::string plumbnessLine(const ShellSurvey& survey, const Display& display) {
   const Plumbness* worst = survey.worstPlumbness();
   if (!worst) return line("%-14s the shell is seen at one height only", "plumbness");
   std::string lean;
   if (survey.lean.valid()) {
     char buffer[80];
-    std::snprintf(buffer, sizeof buffer, "; the tank leans %.1f mm towards %.0f deg", 1e3 * survey.lean.offset(),
-                  toDegrees(survey.lean.direction));
+    snprintfPlain(buffer, sizeof buffer, "; the tank leans %s towards %.0f deg",
+                  display.shortText(survey.lean.offset()).c_str(), toDegrees(survey.lean.direction));
     lean = buffer;
   }
-  return line("%-14s %+.1f mm over %.1f m of height at %.0f deg%s", "plumbness", 1e3 * worst->offset, worst->height,
-              toDegrees(worst->azimuth), lean.c_str());
+  return line("%-14s %s %s over %s of height at %.0f deg%s", "plumbness", display.signedShort(worst->offset).c_str(),
+              display.shortUnit(), display.longText(worst->height, 1).c_str(), toDegrees(worst->azimuth), lean.c_str());
 }
 
 }  // namespace
@@ -62,9 +64,10 @@ std::string shellCsv(const ShellSurvey& survey) {
   return csv;
 }
 
-std::string shellSummary(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances) {
+std::string shellSummary(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances,
+                         const Display& display) {
   if (!survey.valid()) return survey.message.empty() ? "" : line("%-14s %s", "shell", survey.message.c_str());
-  return roundnessLine(survey, tolerances) + plumbnessLine(survey);
+  return roundnessLine(survey, tolerances, display) + plumbnessLine(survey, display);
 }
 
 }  // namespace tank_datum

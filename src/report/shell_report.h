@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/display.h"
 #include "tank_datum/limits/limits.h"
 #include "tank_datum/shell/shell_survey.h"
 
@@ -17,6 +18,7 @@ nlohmann::ordered_json shellJson(const ShellSurvey& survey, const std::vector<Li
 std::string shellCsv(const ShellSurvey& survey);
 
 /// The summary's lines on the shell: roundness, plumbness, or why there is neither.
-std::string shellSummary(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances);
+std::string shellSummary(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances,
+                         const Display& display = Display());
 
 }  // namespace tank_datum

@@ -2,9 +2,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/plain_text.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "refusals.h"
+#include "report/display.h"
+#include "report/movement_text.h"
 #include "report/shell_report.h"
 #include "report/sparkline.h"
 #include "setups/setup_report.h"
@@ -12,6 +15,7 @@
 #include "tank_datum/report/report.h"
 #include "tank_datum/shape/analysis.h"
 #include "tank_datum/stations/stations.h"
+#include "trust/foot_density.h"
 
 namespace tank_datum {
 namespace {
@@ -21,11 +25,11 @@ constexpr std::size_t kSparklineColumns = 48;  ///< three bytes each, within the
 template <typename... Values>
 std::string line(const char* title, const char* format, Values... values) {
   char titled[20], text[240];
-  std::snprintf(titled, sizeof titled, "%-14s ", title);
+  snprintfPlain(titled, sizeof titled, "%-14s ", title);
   if constexpr (sizeof...(values) == 0) {
-    std::snprintf(text, sizeof text, "%s", format);
+    snprintfPlain(text, sizeof text, "%s", format);
   } else {
-    std::snprintf(text, sizeof text, format, values...);
+    snprintfPlain(text, sizeof text, format, values...);
   }
   return std::string(titled) + text + "\n";
 }
@@ -38,46 +42,43 @@ double medianSigma(const std::vector<Station>& stations) {
   return median(std::move(sigmas));
 }
 
-std::string tankLine(const Datum& datum) {
-  if (datum.levelled) return line("tank", "radius %.3f m as given", datum.circle.radius);
-  return line("tank", "radius %.3f m, centre %.3f, %.3f, shell seen over %.0f deg", datum.circle.radius,
-              datum.circle.center.x() + datum.origin.x(), datum.circle.center.y() + datum.origin.y(),
-              toDegrees(datum.tank.coverage));
+std::string tankLine(const Datum& datum, const Display& display) {
+  const std::string radius = display.longText(datum.circle.radius);
+  if (datum.levelled) return line("tank", "radius %s as given", radius.c_str());
+  return line("tank", "radius %s, centre %s, %s, shell seen over %.0f deg", radius.c_str(),
+              display.longFigure(datum.circle.center.x() + datum.origin.x()).c_str(),
+              display.longFigure(datum.circle.center.y() + datum.origin.y()).c_str(), toDegrees(datum.tank.coverage));
 }
 
 std::string stationsLine(const Datum& datum) {
   const Level& level = datum.level;
-  char density[48] = "";
-  if (std::isfinite(datum.foot_density)) {
-    std::snprintf(density, sizeof density, "; %.*f foundation points a degree", datum.foot_density < 9.95 ? 1 : 0,
-                  datum.foot_density);
-  }
+  const std::string density = std::isfinite(datum.foot_density) ? "; " + footDensityText(datum.foot_density) : "";
   return line("stations", "%zu measured, %zu interpolated, %zu missing%s", level.measured, level.interpolated,
-              level.missing, density);
+              level.missing, density.c_str());
 }
 
-std::string methodLines(const Datum& datum) {
+std::string methodLines(const Datum& datum, const Display& display) {
   if (datum.levelled) return line("method", "elevations typed in from a levelling survey");
   const std::string curve =
-      line("paper's curve", "RMS %.1f mm, largest %.1f mm over %zu points not used in the fit (%td control points)",
-           1e3 * datum.curve.rms, 1e3 * datum.curve.max_residual, datum.curve.check_points,
-           datum.curve.control_points.rows());
+      line("paper's curve", "RMS %s, largest %s over %zu points not used in the fit (%td control points)",
+           display.shortText(datum.curve.rms).c_str(), display.shortText(datum.curve.max_residual).c_str(),
+           datum.curve.check_points, datum.curve.control_points.rows());
   if (!datum.refined.valid()) {
     return line("method", "the paper's curve through edge points: expect millimetres of bias") + curve;
   }
-  return line("method", "shell and %s intersected, standard error %.2f mm (median)",
-              nameOf(datum.refined.profile.surface), 1e3 * medianSigma(datum.stations)) +
+  return line("method", "shell and %s intersected, standard error %s (median)", nameOf(datum.refined.profile.surface),
+              display.shortText(medianSigma(datum.stations), 2).c_str()) +
          curve;
 }
 
 /// The plane and what departs from it.
-std::string tiltLine(const Datum& datum) {
+std::string tiltLine(const Datum& datum, const Display& display) {
   if (!datum.tilt.valid()) return {};
   char bending[80] = "";
   const OutOfPlane& rest = datum.analysis.out_of_plane;
   if (std::isfinite(rest.max_u)) {
-    std::snprintf(bending, sizeof bending, "; out of plane at most %.1f mm at %.0f deg", 1e3 * rest.max_u,
-                  toDegrees(rest.max_u_azimuth));
+    snprintfPlain(bending, sizeof bending, "; out of plane at most %s at %.0f deg",
+                  display.shortText(rest.max_u).c_str(), toDegrees(rest.max_u_azimuth));
   }
   const double high = std::fmod(std::round(toDegrees(datum.tilt.direction)), 360.0);
   return line("tilt", "%.1f arc-seconds, high side at %.0f deg, low side at %.0f deg%s",
@@ -85,7 +86,7 @@ std::string tiltLine(const Datum& datum) {
 }
 
 /// Settlements and rises of single places, the largest first.
-std::string localLine(std::vector<LocalSettlement> all) {
+std::string localLine(std::vector<LocalSettlement> all, const Display& display) {
   constexpr std::size_t kShown = 3;
   constexpr double kPrinted = 5e-5;  // what is not 0.0 mm
   const auto nil = [](const LocalSettlement& s) { return std::abs(s.height) < kPrinted; };
@@ -96,34 +97,34 @@ std::string localLine(std::vector<LocalSettlement> all) {
   std::string text;
   for (std::size_t i = 0; i < std::min(kShown, all.size()); ++i) {
     char part[100];
-    std::snprintf(part, sizeof part, "%s%+.1f +- %.1f mm (2 sigma) at %.0f deg, %.0f deg wide", i > 0 ? "; " : "",
-                  1e3 * all[i].height, 2e3 * all[i].sigma, toDegrees(all[i].azimuth), toDegrees(all[i].width));
+    snprintfPlain(part, sizeof part, "%s%s +- %s (2 sigma) at %.0f deg, %.0f deg wide", i > 0 ? "; " : "",
+                  display.signedShort(all[i].height).c_str(), display.shortText(2.0 * all[i].sigma).c_str(),
+                  toDegrees(all[i].azimuth), toDegrees(all[i].width));
     text += part;
   }
   if (all.size() > kShown) text += "; " + std::to_string(all.size() - kShown) + " more";
   return line("local", "%s", text.c_str());
 }
 
-std::string antipodalLine(const Antipodal& across) {
+std::string antipodalLine(const Antipodal& across, const Display& display) {
   if (!std::isfinite(across.max_h)) return {};
-  return line("antipodal", "h %.1f mm over D %.3f m: %.5f deg, %.1f arc-seconds, azimuth %.0f deg", 1e3 * across.max_h,
-              across.diameter, toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
+  return line("antipodal", "h %s over D %s: %.5f deg, %.1f arc-seconds, azimuth %.0f deg",
+              display.shortText(across.max_h).c_str(), display.longText(across.diameter).c_str(),
+              toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
 }
 
-/// A value with its limit as people say it: lengths in millimetres.
-std::string figures(const Check& check) {
+/// A value with its limit as people say it.
+std::string figures(const Check& check, const Display& display) {
+  if (check.unit == "m") return display.shortText(check.value) + ", limit " + display.shortText(check.limit);
+  if (check.unit == "m/m") return display.slopeText(check.value) + ", limit " + display.slopeText(check.limit);
   char text[80];
-  if (check.unit == "m") {
-    std::snprintf(text, sizeof text, "%.1f mm, limit %.1f mm", 1e3 * check.value, 1e3 * check.limit);
-  } else {
-    std::snprintf(text, sizeof text, "%.2g, limit %.2g %s", check.value, check.limit, check.unit.c_str());
-  }
+  snprintfPlain(text, sizeof text, "%.2g, limit %.2g %s", check.value, check.limit, check.unit.c_str());
   return text;
 }
 
 /// How many checks ended how, then those that failed, the furthest beyond its limit first; without any, the undecided
 /// one nearest to it.
-std::string checkLines(const std::vector<Check>& checks) {
+std::string checkLines(const std::vector<Check>& checks, const Display& display) {
   if (checks.empty()) return {};
   int counts[5] = {};
   std::vector<const Check*> failed, undecided;
@@ -140,9 +141,16 @@ std::string checkLines(const std::vector<Check>& checks) {
       "checks", "%d pass, %d fail, %d undecided, %d not evaluated, %d not applicable (screening, no code evaluation)",
       counts[0], counts[1], counts[2], counts[4], counts[3]);
   for (const Check* c : failed.empty() ? undecided : failed) {
-    lines += line(nameOf(c->verdict), "%s %s: %s", c->code.c_str(), c->name.c_str(), figures(*c).c_str());
+    lines += line(nameOf(c->verdict), "%s %s: %s", c->code.c_str(), c->name.c_str(), figures(*c, display).c_str());
   }
   return lines;
+}
+
+std::string movementLine(const Provenance& provenance, const Display& display) {
+  if (!provenance.movement || !provenance.movement->valid()) return {};
+  std::string title = line("movement", "");
+  title.pop_back();
+  return title + movementText(*provenance.movement, display, provenance.identity.language) + "\n";
 }
 
 std::string verdictLine(const Analysis& analysis) {
@@ -154,27 +162,36 @@ std::string verdictLine(const Analysis& analysis) {
 
 }  // namespace
 
-std::string summary(const Datum& datum, bool blocks) {
+std::string summary(const Datum& datum) {
+  const Provenance nothing_said;
+  return summary(datum, nothing_said);
+}
+
+std::string summary(const Datum& datum, const Provenance& provenance, bool blocks) {
+  const Display display(provenance.identity.display_units);
   std::string text = line("status", "%s", nameOf(datum.status));
   if (!datum.message.empty()) text += "               " + datum.message + "\n";
+  for (const std::string& advice : datum.sighting.advice) text += line("try", "%s", advice.c_str());
   if (!datum.hasStations()) return text;
   const Level& level = datum.level;
   const double z = datum.origin.z();
-  text += tankLine(datum);
+  text += tankLine(datum, display);
   text += stationsLine(datum);
   const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
-  text += line("datum", "mean %.4f m, range %.1f mm: lowest %.4f m at %.0f deg, highest %.4f m at %.0f deg",
-               level.mean + z, 1e3 * level.range(), level.min + z, toDegrees(level.min_azimuth), level.max + z,
-               toDegrees(level.max_azimuth));
+  text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",
+               display.longText(level.mean + z, 4).c_str(), display.shortText(level.range()).c_str(),
+               display.longText(level.min + z, 4).c_str(), toDegrees(level.min_azimuth),
+               display.longText(level.max + z, 4).c_str(), toDegrees(level.max_azimuth));
   if (blocks) {
     text += line("elevation", "%s from station 0 round", sparkline(datum.stations, kSparklineColumns).c_str());
   }
   const std::string lean = leanText(datum, {});
   if (!lean.empty()) text += line("lean", "%s", lean.c_str());
-  return text + methodLines(datum) + tiltLine(datum) + localLine(datum.analysis.local_settlements) +
-         antipodalLine(datum.antipodal) + shellSummary(datum.shell, datum.analysis.roundness) +
-         checkLines(datum.analysis.checks) + verdictLine(datum.analysis);
+  return text + methodLines(datum, display) + tiltLine(datum, display) +
+         localLine(datum.analysis.local_settlements, display) + antipodalLine(datum.antipodal, display) +
+         shellSummary(datum.shell, datum.analysis.roundness, display) + checkLines(datum.analysis.checks, display) +
+         movementLine(provenance, display) + verdictLine(datum.analysis);
 }
 
 }  // namespace tank_datum

@@ -58,7 +58,8 @@ class Opened:
         """What no reader should meet: console lines, words of a program, empty sections."""
         said = self.page.evaluate(
             """() => { const copy = document.body.cloneNode(true);
-                 copy.querySelectorAll('script, template, style, pre').forEach(e => e.remove());
+                 copy.querySelectorAll('script, template, style, pre, .paper-text')
+                   .forEach(e => e.remove());
                  return copy.textContent; }"""
         )
         empty = self.page.evaluate(

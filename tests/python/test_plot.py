@@ -19,7 +19,6 @@ from results import Run, write_pcd, write_xyz
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from plot_figures import curve_residuals, elevation  # noqa: E402
-from plot_report import checks  # noqa: E402
 from plot_result import PlotError, read_cloud, read_pcd, read_result  # noqa: E402
 
 SAMPLE = ROOT / "tests" / "data" / "sample.pcd"
@@ -65,21 +64,20 @@ def test_of_a_whole_result(whole: Path, tmp_path: Path) -> None:
     result = plot(whole, "-o", tmp_path)
     assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
     wanted = {f"{name}.{kind}" for name in PICTURES for kind in ("pdf", "svg", "png")}
-    assert {p.name for p in tmp_path.iterdir()} == wanted | {"report.pdf", "manifest.json"}
+    assert {p.name for p in tmp_path.iterdir()} == wanted | {"manifest.json"}
     for name in PICTURES:
         pixels = matplotlib.image.imread(tmp_path / f"{name}.png")[:, :, :3]
         assert pixels.shape[1] >= 1900  # 170 mm at 300 dpi
         assert (pixels < 0.9).any(axis=2).mean() > 0.01
         assert pages(tmp_path / f"{name}.pdf") == 1
         assert (tmp_path / f"{name}.svg").read_text().rstrip().endswith("</svg>")
-    assert pages(tmp_path / "report.pdf") == 6
 
 
 def test_same_bytes_beside_the_results_as_in_a_folder(copy: Path, tmp_path: Path) -> None:
     assert plot(copy, "-o", tmp_path / "a", "--formats", "svg").returncode == 0
     assert plot(copy, "--formats", "svg").returncode == 0
     names = sorted(p.name for p in (tmp_path / "a").iterdir())
-    assert names == sorted([*(f"{name}.svg" for name in PICTURES), "report.pdf", "manifest.json"])
+    assert names == sorted([*(f"{name}.svg" for name in PICTURES), "manifest.json"])
     for name in set(names) - {"manifest.json"}:
         assert (tmp_path / "a" / name).read_bytes() == (copy / name).read_bytes()
 
@@ -108,9 +106,7 @@ def test_of_no_tank(run: Runner, tmp_path: Path) -> None:
     assert sorted(p.name for p in (tmp_path / "pics").iterdir()) == [
         "cloud.png",
         "manifest.json",
-        "report.pdf",
     ]
-    assert pages(tmp_path / "pics" / "report.pdf") == 2
 
 
 def test_without_the_scan(copy: Path, tmp_path: Path) -> None:
@@ -124,7 +120,6 @@ def test_without_the_scan(copy: Path, tmp_path: Path) -> None:
     assert "scan.pcd" in result.stderr
     assert result.stderr.count("\n") == 1
     assert not (tmp_path / "a" / "cloud.svg").exists()
-    assert pages(tmp_path / "a" / "report.pdf") == 5
     assert len(read_cloud(read_result(copy), copy, [SAMPLE])) > 20_000
     shutil.copy(SAMPLE, copy.parent / "scan.pcd")  # beside the folder
     assert len(read_cloud(read_result(copy), copy, [])) > 20_000
@@ -199,10 +194,3 @@ def test_compressed_scans_are_refused(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes().replace(b"DATA binary\n", b"DATA binary_compressed\n"))
     with pytest.raises(PlotError, match="binary_compressed"):
         read_pcd(path, 10)
-
-
-def test_checks_are_listed_as_far_as_the_page_goes() -> None:
-    check = {"code": "API", "clause": "B", "name": "n", "verdict": "pass", "source": "verified"}
-    assert checks({}) == []
-    assert checks({"checks": [check]}) == [("pass", "API B: n (verified)")]
-    assert checks({"checks": [check] * 20})[-1] == ("", "4 more in datum.json")

@@ -112,4 +112,4 @@ def test_harmonics_are_as_tall_as_their_amplitudes(
     )
     with opened(browser, path) as page:
         assert page.page.locator("#harmonics-chart").count() == 0
-        assert "standard errors reach 5.0\u00a0m" in page.text("#out-of-plane .absent")
+        assert "two standard errors reach 10.0\u00a0m" in page.text("#out-of-plane .absent")

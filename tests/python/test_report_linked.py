@@ -78,6 +78,9 @@ def test_a_station_is_chosen_by_click_number_button_and_key(
 
 
 def test_series_can_be_left_out(page: Opened) -> None:
+    """The paper's curve is off at first."""
+    assert page.page.locator("#elevation-chart path.reference").count() == 0
+    page.page.get_by_label("paper\u2019s curve").check()
     assert page.page.locator("#elevation-chart path.reference").count() == 1
     page.page.get_by_label("paper\u2019s curve").uncheck()
     assert page.page.locator("#elevation-chart path.reference").count() == 0

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from report_fixtures import JUDGED
-from report_pages import SAMPLE, opened, scale_of, with_data
-from results import Run, read_datum, read_stations
+from report_pages import SAMPLE, inked, opened, scale_of, with_data
+from results import Run, read_datum, read_stations, write_xyz
 
 Runner = Callable[..., Run]
 
@@ -46,16 +46,43 @@ def test_gaps_are_shaded_and_named(browser: Any, gaps_report: Path) -> None:
 
 
 def test_no_tank(browser: Any, no_tank_report: Path) -> None:
+    """The reason once, the points that were looked at, three things to try; no empty sections."""
     datum = read_datum(no_tank_report)
+    assert len(datum["advice"]) == 3 and "20 m" in datum["advice"][0]
     with opened(browser, no_tank_report / "report.html") as page:
         assert page.slips() == []
         assert "No tank found" in page.text(".verdict")
         said = datum["message"][1:]  # after its capital
-        assert said in page.text(".verdict") and said in page.text("#summary li")
-        assert page.page.locator("main svg").count() == 0
-        for section in ("elevation", "out-of-plane", "plan", "station", "shell", "movement"):
-            assert datum["message"] in page.text(f"#{section} .absent"), section
+        assert page.text("main").count(said) == 1
+        assert page.texts("main > section h2") == ["No datum", "How it was made"]
+        assert page.texts(".advice li") == datum["advice"]
+        for chart in ("sighting-plan", "sighting-section"):
+            assert inked(page.picture(f"#{chart} svg")) > 0.02, chart
+        assert page.page.locator("#sighting-plan circle").count() == 0
         assert datum["input"]["files"][0]["hash"]["value"] in page.text("#provenance")
+
+
+def test_a_rejected_circle_is_drawn(run: Runner, browser: Any, tmp_path: Path) -> None:
+    """A square room: the circle tried stands among its walls, in plan and section."""
+    side, z = np.meshgrid(np.arange(-5, 5, 0.05), np.arange(0, 4, 0.1))
+    s, z, wall = side.ravel(), z.ravel(), np.full(side.size, 5.0)
+    walls = [(s, wall), (s, -wall), (wall, s), (-wall, s)]
+    points = np.concatenate([np.column_stack([x, y, z]) for x, y in walls])
+    done = run(write_xyz(tmp_path / "room.pcd", points), "-o", tmp_path / "out")
+    assert done.returncode == 1
+    datum = read_datum(tmp_path / "out")
+    assert done.stdout.count("\ntry ") == len(datum["advice"]) == 3
+    assert "--tank" in done.stdout and "option" not in done.stdout
+    with opened(browser, tmp_path / "out" / "report.html") as page:
+        assert page.slips() == []
+        circle = page.page.locator("#sighting-plan circle.limit")
+        a, b = scale_of(page, "sighting-plan", 0)
+        _, up = scale_of(page, "sighting-plan", 1)
+        assert a + b * float(circle.get_attribute("cx")) == pytest.approx(0, abs=0.01)
+        assert b == pytest.approx(-up, rel=1e-3)  # one scale for both ways
+        radius = b * float(circle.get_attribute("r"))
+        assert f"radius {radius:.2f}" in page.text("#summary .legend")
+        assert page.page.locator("#sighting-section line.limit").count() == 1
 
 
 def test_paper_method(run: Runner, browser: Any, tmp_path: Path) -> None:

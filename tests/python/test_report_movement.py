@@ -29,11 +29,20 @@ def test_movement_since_a_baseline(
     azimuth = np.degrees(np.arctan2(points[:, 1], points[:, 0])) % 360.0
     points[(azimuth > 80) & (azimuth < 140), 2] -= 0.003
     scan = write_xyz(tmp_path / "later.pcd", points)
-    assert run(scan, "-o", tmp_path / "out", "--baseline", sample_report).returncode == 0
+    done = run(scan, "-o", tmp_path / "out", "--baseline", sample_report)
+    assert done.returncode == 0
     movement = read_datum(tmp_path / "out")["movement"]
+    rest = movement["out_of_plane"]
+    assert rest["value"] == pytest.approx(-0.003, abs=4e-4) and rest["significant"]
+    assert 80 <= rest["azimuth_deg"] <= 140
     with opened(browser, tmp_path / "out" / "report.html") as page:
         assert page.slips() == []
-        assert "3.0" in page.text("#movement p").replace("2.9", "3.0")
+        told = next(line for line in done.stdout.splitlines() if line.startswith("movement "))
+        for place in ("#movement p", "#summary p.quality"):
+            assert told.split(maxsplit=1)[1] in plain(page.text(place)), place
+        assert "MOVED" in told and "only if both surveys share one height" in told
+        assert page.page.locator("#movement-chart path.fit").count() == 1
+        assert inked(page.picture("#movement-plan svg")) > 0.005
         a, b = scale_of(page, "movement-chart", 0)
         page.hover("movement-chart", (110 - a) / b, 120)
         dz = 1e3 * movement["stations"][110]["dz"]
@@ -41,6 +50,45 @@ def test_movement_since_a_baseline(
         assert "significant" in page.text("#tip")
         significant = sum(s["significant"] for s in movement["stations"])
         assert page.page.locator("#movement-chart circle.significant").count() == significant > 40
+
+
+def plain(text: str) -> str:
+    """The page's words as a terminal has them."""
+    signs = {"\u00a0": " ", "\u2212": "-", "\u00b1": "+-", "\u03c3": " sigma", "\u00b0": " deg"}
+    for sign, word in signs.items():
+        text = text.replace(sign, word)
+    return text
+
+
+def test_a_tank_that_sank_as_a_whole(browser: Any, tmp_path: Path) -> None:
+    """The rigid part alone: 5 mm down, nothing out of plane; the terminal and the page say so."""
+    before, after = epoch(tmp_path / "a.json"), epoch(tmp_path / "b.json")
+    survey = json.loads(after.read_text())
+    for station in survey["stations"]:
+        station["z"] -= 0.005
+    after.write_text(json.dumps(survey))
+    options = ("--registration-error", 0.001, "--registration-tilt-arcsec", 2)
+    done = compare(before, after, "-o", tmp_path / "m", *options)
+    movement = json.loads((tmp_path / "m" / "movement.json").read_text())["movements"][0]
+    assert movement["mean"]["value"] == pytest.approx(-0.005, abs=1e-6)
+    assert abs(movement["out_of_plane"]["value"]) < 1e-6
+    assert not movement["out_of_plane"]["significant"]
+    assert movement["moved"] and movement["not_given"] == []
+    assert "change of mean -5.00 mm" in done.stdout and "only if both" not in done.stdout
+    with opened(browser, tmp_path / "m" / "report.html") as page:
+        assert page.slips() == []
+        said = next(line.strip() for line in done.stdout.splitlines() if "MOVED" in line)
+        assert said.removeprefix("MOVED: ") in plain(page.text("#trend .verdict"))
+        assert "known to 1.00\u00a0mm and 2.0 arc-seconds" in page.text("#trend .verdict")
+
+
+def test_one_height_is_not_asked_for_where_it_is_taken_out(tmp_path: Path) -> None:
+    surveys = [epoch(tmp_path / f"{i}.json", 0.002 * i) for i in range(2)]
+    said = {}
+    for removed in ("none", "mean", "tilt"):
+        done = compare(*surveys, "-o", tmp_path / removed, "--remove", removed)
+        said[removed] = [words in done.stdout for words in ("share one height", "share one level")]
+    assert said == {"none": [True, True], "mean": [False, True], "tilt": [False, False]}
 
 
 def test_trend_over_surveys(browser: Any, tmp_path: Path) -> None:

@@ -17,6 +17,12 @@
 namespace tank_datum {
 namespace {
 
+/// Nothing of units and language.
+const Provenance& nothingSaid() {
+  static const Provenance none;
+  return none;
+}
+
 using made_datums::octagon;
 using made_datums::provenance;
 using pcd_files::Folder;
@@ -103,13 +109,14 @@ TEST(Summary, IsShortAndSaysWhatCounts) {
 
 TEST(Summary, DrawsTheElevationsWhereBlocksShow) {
   EXPECT_EQ(summary(octagon()).find("elevation"), std::string::npos);
-  const std::string text = summary(octagon(), true);
+  const std::string text = summary(octagon(), nothingSaid(), true);
   EXPECT_NE(text.find("elevation      ▁▂▃▄▅▆ █ from station 0 round\n"), std::string::npos) << text;
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 15);
   Datum many = octagon();
   const auto eight = many.stations;
   while (many.stations.size() < 360) many.stations.insert(many.stations.end(), eight.begin(), eight.end());
-  EXPECT_NE(summary(many, true).find(" from station 0 round\n"), std::string::npos);  // not cut by the line's buffer
+  EXPECT_NE(summary(many, nothingSaid(), true).find(" from station 0 round\n"),
+            std::string::npos);  // not cut by the line's buffer
 }
 
 TEST(Summary, OfNothingUsableSaysWhy) {
@@ -201,7 +208,7 @@ TEST(Summary, NamesTheThreeLargestLocalSettlementsOfATenthOfAMillimetre) {
 TEST(Summary, DrawsFortyEightBlocks) {
   Datum many = octagon();
   many.stations = std::vector<Station>(360, many.stations.front());
-  const std::string text = summary(many, true), block = "▅";
+  const std::string text = summary(many, nothingSaid(), true), block = "▅";
   std::size_t blocks = 0;
   for (std::size_t at = text.find(block); at != std::string::npos; at = text.find(block, at + block.size())) ++blocks;
   EXPECT_EQ(blocks, 48U) << text;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tank_datum/core/export.h"
@@ -20,6 +21,23 @@ struct InputRecord {
   std::string hash;  ///< by that checksum, in hexadecimal digits; empty: not taken
 };
 
+/// A place at the shell that readers know.
+struct ReferenceMark {
+  std::string name;
+  double azimuth = kUnknown;  ///< as stations are counted [rad]
+};
+
+/// What the user says of the tank and its survey, for the readers of the results.
+struct Identity {
+  std::vector<std::pair<std::string, std::string>> about;  ///< key and words, "tank", "site", ...; see outputs.md
+  std::string logo;                                        ///< an image as a data URI, or empty
+  std::vector<ReferenceMark> marks;
+  double north = kUnknown;           ///< direction of north, counter-clockwise from +x [rad]
+  int survey_points = 0;             ///< numbered clockwise from north, or from +y where north is not known; 0: none
+  std::string display_units = "mm";  ///< of lengths for readers: "mm", "in", "ft"; files hold metres
+  std::string language = "en";       ///< of the report and of what it shares with the summary
+};
+
 /// Where a datum comes from, for the record.
 struct Provenance {
   std::vector<InputRecord> files;
@@ -32,6 +50,7 @@ struct Provenance {
   std::string baseline;  ///< the earlier survey compared with, or empty
   MovementOptions movement_options;
   std::optional<Movement> movement;  ///< since the baseline
+  Identity identity;
 };
 
 /// The hashes and rows of a scan's files. XXH3 takes what the passes so far have read, with ScanOptions::hash, and
@@ -53,9 +72,10 @@ std::string stationsCsv(const Datum& datum);
 /// datum.json: two-space indented, unknown values null. Metres, degrees.
 std::string datumJson(const Datum& datum, const Provenance& provenance);
 
-/// The summary for a terminal: at most 15 lines.
+/// The summary for a terminal: some 15 lines, lengths in the provenance's units for readers.
 /// @param blocks  whether to draw the elevations in UTF-8 block characters
-std::string summary(const Datum& datum, bool blocks = false);
+std::string summary(const Datum& datum, const Provenance& provenance, bool blocks = false);
+std::string summary(const Datum& datum);
 
 /// Writes datum.json, stations.csv, shell.csv and, of a usable datum, datum_points.pcd and datum_curve.pcd into a
 /// folder.

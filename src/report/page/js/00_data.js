@@ -26,6 +26,7 @@ const datum = embeddedJson("datum");
 const stations = readTable(embeddedText("stations"));
 const sections = embeddedJson("sections");
 const shellPoints = readTable(embeddedText("shell"));
+const sighting = embeddedJson("sighting");
 const trend = embeddedJson("trend");
 const index = embeddedJson("index");
 
@@ -36,7 +37,7 @@ const hasSection = (key) => usable && datum[key] !== undefined && datum[key] !==
 
 /** Direction of an azimuth, counter-clockwise from the frame's +x [deg]. */
 function directionOf(azimuth) {
-  const options = datum.options.stations;
+  const options = datum ? datum.options.stations : { zero_azimuth_deg: 0, clockwise: false };
   return options.zero_azimuth_deg + (options.clockwise ? -azimuth : azimuth);
 }
 

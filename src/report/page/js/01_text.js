@@ -14,18 +14,12 @@ function make(tag, attributes = {}, ...children) {
   return element;
 }
 
-const kUnknown = "unknown";
+const kUnknown = say("word.unknown");
 const minus = (text) => text.replaceAll("-", "\u2212");
 const rounded = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "");  // no negative zero
 const figure = (value, digits) => (known(value) ? minus(rounded(value, digits)) : kUnknown);
 const withUnit = (value, digits, unit) => (known(value) ? `${figure(value, digits)}${unit === "\u2033" ? "" : "\u00a0"}${unit}` : kUnknown);
-const millimetres = (metres, digits = 1) => withUnit(known(metres) ? 1e3 * metres : null, digits, "mm");
-const metres = (value, digits = 3) => withUnit(value, digits, "m");
 const degrees = (value, digits = 0) => (known(value) ? `${figure(value, digits)}\u00b0` : kUnknown);
-const plusMinus = (sigma, digits = 1) => (known(sigma) ? `\u00b1 ${(2e3 * sigma).toFixed(digits)} mm (2\u03c3)` : "");
-
-/** A curvature, in the unit of its chart. */
-const curvature = (value) => withUnit(known(value) ? 1e6 * value : null, 1, "\u00d7 10\u207b\u2076 1/m");
 
 /** Figures of any size: as many digits as four significant ones take, small ones with an exponent. */
 function anyFigure(value) {
@@ -49,14 +43,13 @@ function nearestRow(rows, azimuth) {
 
 /** Plain words of a result as a reader expects them: signs, and options of the command in one piece. */
 function typeset(text) {
-  const signs = text.replaceAll("+-", "\u00b1").replaceAll(">=", "\u2265").replaceAll("^2", "\u00b2");
+  const signs = text.replaceAll("+-", "\u00b1").replaceAll("2 sigma", "2\u03c3").replaceAll(">=", "\u2265").replaceAll("^2", "\u00b2");
   return signs.split(/(--[a-z][a-z-]*)/).map((part, i) => (i % 2 === 1 ? make("code", { class: "option" }, part) : part));
 }
 
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
-const sentence = (text) => `${capital(text)}${text.endsWith(".") ? "" : "."}`;
-const plural = (count, name) => `${count} ${name}${count === 1 ? "" : "s"}`;
-const words = (name) => name.replaceAll("_", " ");
+const sentence = (text) => `${capital(text)}${/[.?]$/.test(text) ? "" : "."}`;
+const words = (name) => kSpoken[`word.${name}`] ?? name.replaceAll("_", " ");
 
 /** Figures in boxes: [name, value, further words]. */
 function boxes(list, kind = "facts") {

@@ -9,6 +9,16 @@ function addSection(id, heading) {
   return section;
 }
 
+/** Parts beside each other on paper, below each other on a screen; each is built by its function. */
+function addPaperPair(section, ...builders) {
+  const parts = builders.map((build) => {
+    const part = make("div");
+    build(part);
+    return part;
+  });
+  section.append(make("div", { class: "paper-pair" }, parts.filter((part) => part.childElementCount > 0)));
+}
+
 /** One line that says what is missing and why. */
 function sayAbsent(section, why) {
   if (section.childElementCount === 1) section.classList.add("absent-section");
@@ -17,8 +27,8 @@ function sayAbsent(section, why) {
 
 /** Why there is no such section in a result. */
 function whyAbsent(what) {
-  if (!usable) return `${what}: none, because no datum was found (${datum.message || words(datum.status)}).`;
-  return `${what}: not in this result; version ${datum.version} did not compute it from this scan.`;
+  if (!usable) return say("page.none_because_no_datum_was", { what, status: datum.message || words(datum.status) });
+  return say("page.not_in_this_result_version", { what, version: datum.version });
 }
 
 function save(name, blob) {

@@ -48,15 +48,15 @@ function stepOfAzimuth() {
 /** [name, value] of what is known at an azimuth, for tips, tables and listeners. */
 function describeStation(azimuth) {
   const i = stationAt(azimuth);
-  if (i < 0) return [["Azimuth", degrees(azimuth, 1)]];
+  if (i < 0) return [[say("common.azimuth"), degrees(azimuth, 1)]];
   const s = stations[i];
-  const lines = [["Station", `${s.station} at ${degrees(s.azimuth_deg, 1)}, ${s.flag}`]];
+  const lines = [[say("common.station"), say("link.at", { station: s.station, azimuth_deg: degrees(s.azimuth_deg, 1), flag: words(s.flag) })]];
   if (!known(s.z)) return lines;
-  lines.push(["Elevation", `${metres(s.z, 4)} ${plusMinus(s.sigma_z, 2)}`]);
-  if (known(s.u)) lines.push(["Out of plane", millimetres(s.u, 2)]);
-  if (known(s.z_paper)) lines.push(["Paper\u2019s curve", metres(s.z_paper, 4)]);
-  if (known(s.radius)) lines.push(["Radius", metres(s.radius, 4)]);
-  if (known(s.n_foundation)) lines.push(["Points", `shell ${s.n_shell}, foundation ${s.n_foundation}`]);
+  lines.push([say("common.elevation"), `${longLength(s.z, 4)} ${plusMinus(s.sigma_z, 2)}`]);
+  if (known(s.u)) lines.push([say("common.out_of_plane"), shortLength(s.u, 2)]);
+  if (known(s.z_paper)) lines.push([say("link.papers_curve"), longLength(s.z_paper, 4)]);
+  if (known(s.radius)) lines.push([say("common.radius"), longLength(s.radius, 4)]);
+  if (known(s.n_foundation)) lines.push([say("common.points"), say("link.shell_foundation", { n_shell: s.n_shell, n_foundation: s.n_foundation })]);
   return lines;
 }
 

@@ -2,6 +2,7 @@
 
 const charts = [];
 const kPaperHeight = 227;  // 60 mm [px]
+const kPairedHeight = 180;  // of two beside each other, 48 mm [px]
 
 /**
  * @param section  where it stands
@@ -14,7 +15,7 @@ const kPaperHeight = 227;  // 60 mm [px]
 function addChart(section, { id, label, ratio = 0.36, least = 260, most = 2000, legend = [], draw }) {
   const canvas = make("div", { class: "canvas", id });
   const caption = make("figcaption");
-  section.append(make("figure", {}, canvas, caption));
+  section.append(make("figure", {}, canvas, make("p", { class: "picked screen-only" }), caption));
   const chart = { id, canvas, draw, label, ratio, least, most, shown: {}, mark: null };
   const list = make("div", { class: "legend" });
   for (const entry of legend) list.append(legendEntry(chart, entry));
@@ -42,7 +43,7 @@ function drawChart(chart, width = Math.floor(chart.canvas.clientWidth)) {
   chart.width = width;
   const ratio = typeof chart.ratio === "function" ? chart.ratio(width) : chart.ratio;
   const paper = width === chart.paper;
-  const height = Math.round(Math.min(paper ? kPaperHeight : chart.most, Math.max(paper ? 0 : chart.least, ratio * width)));
+  const height = Math.round(Math.min(paper ? kPaperHeight : chart.most, Math.max(paper ? chart.leastOnPaper : chart.least, ratio * width)));
   chart.canvas.replaceChildren();
   const svg = d3.select(chart.canvas).append("svg").attr("xmlns", "http://www.w3.org/2000/svg")
     .attr("width", width).attr("height", height).attr("viewBox", `0 0 ${width} ${height}`)
@@ -66,7 +67,9 @@ function stepByKeys(event) {
 /** Draws all charts whose place has another width than they were drawn for; `width` that of a sheet of paper. */
 function drawCharts(width) {
   for (const chart of charts) {
-    const place = chart.canvas.closest(".pair") ? width / 2 - 10 : width;
+    const paired = chart.canvas.closest(".paper-pair > :not(:only-child)") !== null;
+    const place = paired || chart.canvas.closest(".pair") ? width / 2 - 10 : width;
+    chart.leastOnPaper = paired ? kPairedHeight : 0;
     const wanted = width ? place : Math.floor(chart.canvas.clientWidth);
     chart.paper = width ? place : null;
     if (wanted !== chart.width) drawChart(chart, wanted);
@@ -93,6 +96,8 @@ function followPointer(svg, azimuthAt, lines) {
   });
   node.addEventListener("click", (event) => {
     const azimuth = at(event);
-    if (azimuth !== null) link.choose(azimuth);
+    if (azimuth === null) return;
+    link.choose(azimuth);
+    node.closest("figure").querySelector(".picked").replaceChildren(...lines(azimuth).map(([name, value]) => make("span", {}, `${name} ${value}`)));
   });
 }

@@ -1,12 +1,13 @@
 // What the charts against azimuth have in common: axes, shaded gaps, broken lines, marks.
 
 /** Scales and axes of a chart against azimuth [deg]; `domain` of y in its unit. */
-function azimuthAxes(svg, width, height, domain, title, bottom = "Azimuth [\u00b0]") {
+function azimuthAxes(svg, width, height, domain, title, bottom = say("common.azimuth_2")) {
   const margin = { left: 62, right: 14, top: 26, bottom: 44 };
   const x = d3.scaleLinear([0, 360], [margin.left, width - margin.right]);
   const y = d3.scaleLinear(domain, [height - margin.bottom, margin.top]).nice();
   const every = width < 480 ? 90 : width < 800 ? 45 : 30;
   drawAxes(svg, x, y, d3.range(0, 361, every), title, bottom);
+  drawReferenceMarks(svg, { x, y, margin }, height);
   return { x, y, margin };
 }
 
@@ -33,7 +34,7 @@ function shadeGaps(svg, axes, height) {
       .attr("width", axes.x(to) - axes.x(from)).attr("height", tall);
     if (axes.x(to) - axes.x(from) > 44) {
       svg.append("text").attr("class", "gap-label").attr("x", axes.x((from + to) / 2)).attr("y", top + 14)
-        .attr("text-anchor", "middle").text("not seen");
+        .attr("text-anchor", "middle").text(say("common.not_seen"));
     }
   }
 }

@@ -1,18 +1,18 @@
 // The checks of the codes, each with its value, limit, verdict and how far its rule is trusted.
 
-/** [factor, unit, digits] of a check's figures: the unit that value and limit share. */
+/** [unit shown, digits] of a check's figures: the unit that value and limit share. */
 function scaleOf(check) {
-  if (check.unit === "m/m") return [1e3, "mm/m", 2];
-  if (check.unit === "1/m") return [1e6, "\u00d7 10\u207b\u2076 1/m", 1];
+  if (check.unit === "m/m") return [display.slope, 2];
+  if (check.unit === "1/m") return [display.bend, 1];
   if (check.unit !== "m") return null;
-  return [check.value, check.limit].filter(known).every((v) => Math.abs(v) < 1) ? [1e3, "mm", 1] : [1, "m", 3];
+  return [check.value, check.limit].filter(known).every((v) => Math.abs(v) < 1) ? [display.short, 1] : [display.long, 3];
 }
 
 function checked(value, check) {
   if (!known(value)) return "\u2013";
   const scale = scaleOf(check);
   if (scale === null) return check.unit ? `${anyFigure(value)}\u00a0${check.unit}` : anyFigure(value);
-  return withUnit(scale[0] * value, scale[2], scale[1]);
+  return shownAs(value, scale[0], scale[1]);
 }
 
 /** A cell with something below it. */
@@ -23,12 +23,12 @@ function cellWith(heading, kind, text, below) {
 
 function checkRow(check) {
   const more = [known(check.sigma) && known(check.value) ? `\u00b1 ${checked(2 * check.sigma, check)} (2\u03c3)` : "",
-    known(check.azimuth_deg) ? `at ${degrees(check.azimuth_deg)}` : ""].filter(Boolean).join(", ");
-  return [cellWith("Check", "", capital(check.name), [check.code, check.clause].filter(Boolean).join(", ")),
-    cellWith("Value", "number", checked(check.value, check), more),
+    known(check.azimuth_deg) ? say("common.at", { azimuth: degrees(check.azimuth_deg) }) : ""].filter(Boolean).join(", ");
+  return [cellWith(say("checks.check"), "", capital(check.name), [check.code, check.clause].filter(Boolean).join(", ")),
+    cellWith(say("checks.value"), "number", checked(check.value, check), more),
     checked(check.limit, check),
-    make("td", { class: `verdict-word ${check.verdict}`, "data-head": "Verdict" }, make("span", {}, words(check.verdict))),
-    cellWith("Rule\u2019s source", "", check.source, typeset(check.citation || "")),
+    make("td", { class: `verdict-word ${check.verdict}`, "data-head": say("common.verdict") }, make("span", {}, words(check.verdict))),
+    cellWith(say("checks.rules_source"), "", check.source, typeset(check.citation || "")),
     typeset(check.note || "")];
 }
 
@@ -42,7 +42,7 @@ function utilisationBars() {
   const judged = [...checksWith("fail"), ...checksWith("undecided"), ...checksWith("pass")].filter((check) => utilisation(check) !== null);
   if (judged.length === 0) return null;
   judged.sort((a, b) => utilisation(b) - utilisation(a));
-  return make("ul", { class: "bars", "aria-label": "Share of its limit that each judged check takes" }, judged.map((check) => {
+  return make("ul", { class: "bars", "aria-label": say("checks.share_of_its_limit_that") }, judged.map((check) => {
     const share = utilisation(check), bar = make("i", { class: check.verdict });
     bar.style.width = `${Math.min(100, 100 * share)}%`;
     return make("li", {}, make("span", {}, `${capital(check.name)}, ${check.code}`), make("span", { class: "track" }, bar),
@@ -50,7 +50,7 @@ function utilisationBars() {
   }));
 }
 
-const checkColumns = [["Check"], ["Value", "number"], ["Limit", "number"], ["Verdict"], ["Rule\u2019s source"], ["Note"]];
+const checkColumns = [[say("checks.check")], [say("checks.value"), "number"], [say("checks.limit"), "number"], [say("common.verdict")], [say("checks.rules_source")], [say("checks.note")]];
 
 /** A table of checks, folded under its heading where that is given. */
 function checksTable(checks, heading) {
@@ -63,7 +63,7 @@ function checksTable(checks, heading) {
 function checkTables() {
   const open = [...checksWith("fail"), ...checksWith("undecided")], passes = checksWith("pass");
   const rest = [...checksWith("not_evaluated"), ...checksWith("not_applicable")];
-  return [utilisationBars(), checksTable(open), checksTable(passes, passes.length === 1 ? "1 check passes" : `${passes.length} checks pass`),
-    checksTable(rest, `${rest.length} not evaluated or not applicable`),
-    make("p", { class: "quiet" }, "The rule\u2019s source says how its limit was read: verified in the standard, from a secondary source, or unverified.")].filter(Boolean);
+  return [utilisationBars(), checksTable(open), checksTable(passes, passes.length === 1 ? say("checks.1_check_passes") : say("checks.checks_pass", { passes: passes.length })),
+    checksTable(rest, say("checks.not_evaluated_or_not_applicable", { rest: rest.length })),
+    make("p", { class: "quiet" }, say("checks.the_rules_source_says_how"))].filter(Boolean);
 }

@@ -1,72 +1,78 @@
 // What is left when the tilt is taken away: the shape that strains the shell.
 
 function addOutOfPlane() {
-  const section = addSection("out-of-plane", "Out of plane");
-  if (!usable) return sayAbsent(section, whyAbsent("Out-of-plane settlement"));
+  const section = addSection("out-of-plane", say("common.out_of_plane"));
+  if (!usable) return sayAbsent(section, whyAbsent(say("out_of_plane.out_of_plane_settlement")));
   const found = datum.out_of_plane || null, fit = (found && found.u_fit_sigma) || [];
-  const rows = stations.map((s, i) => ({ ...s, mm: known(s.u) ? 1e3 * s.u : null, half: known(s.sigma_z) ? 2e3 * s.sigma_z : null,
-    fit: known(s.u_fit) ? 1e3 * s.u_fit : null, fitHalf: known(fit[i]) ? 2e3 * fit[i] : null }));
+  const rows = stations.map((s, i) => ({ ...s, value: toShort(s.u), half: toShort(twice(s.sigma_z)),
+    fit: toShort(s.u_fit), fitHalf: toShort(twice(fit[i])) }));
   const hasFit = rows.some((r) => known(r.fit)), sigmas = rows.some((r) => known(r.half));
-  section.append(make("p", { class: "quiet" }, "Elevation less the fitted tilt."));
+  section.append(make("p", { class: "quiet" }, say("out_of_plane.elevation_less_the_fitted_tilt")));
   const facts = [...outOfPlaneFacts(found), ...levelFacts()];
   if (facts.length > 0) section.append(boxes(facts));
   addChart(section, {
-    id: "out-of-plane-chart", label: "Out-of-plane settlement against azimuth", ratio: 0.34, least: 280, most: 400,
-    legend: [{ name: "u", label: `out-of-plane settlement${sigmas ? kBandWords : ""}`, colour: "datum" },
-      ...(hasFit ? [{ name: "fit", label: "harmonic fit", colour: "fit", on: true }] : [])],
+    id: "out-of-plane-chart", label: say("out_of_plane.out_of_plane_settlement_against"), ratio: 0.34, least: 280, most: 400,
+    legend: [{ name: "u", label: say("out_of_plane.out_of_plane_settlement_2", { k_band_words: sigmas ? kBandWords : "" }), colour: "datum" },
+      ...(hasFit ? [{ name: "fit", label: say("out_of_plane.harmonic_fit"), colour: "fit", on: true }] : [])],
     draw: (svg, width, height, shown) => drawOutOfPlane(svg, width, height, shown, rows),
   });
-  if (hasFit) addCurvature(section, found);
-  else sayAbsent(section, whyNoFit());
-  if (hasSection("harmonics") && datum.harmonics.length > 0) addHarmonics(section);
+  if (!hasFit) sayAbsent(section, whyNoFit());
+  addPaperPair(section, (part) => hasFit && addCurvature(part, found),
+    (part) => hasSection("harmonics") && datum.harmonics.length > 0 && addHarmonics(part));
 }
 
 /** The largest settlement, the harmonic fit, its curvature and the classic rule's figure. */
 function outOfPlaneFacts(found) {
   if (found === null) return [];
-  const list = [], at = (azimuth) => `at ${degrees(azimuth, 1)}`;
-  if (known(found.max_abs_u)) list.push(["Largest settlement", millimetres(found.max_abs_u), at(found.max_abs_u_azimuth_deg)]);
+  const list = [], at = (azimuth) => say("movement.rest.where", { azimuth: degrees(azimuth, 1) });
+  if (known(found.max_abs_u)) list.push([say("out_of_plane.largest_settlement"), shortLength(found.max_abs_u), at(found.max_abs_u_azimuth_deg)]);
   if (known(found.max_curvature)) {
-    list.push(["Harmonic fit", `waves 2 to ${found.order}`, `${millimetres(found.rms, 2)} left (RMS), adjusted R\u00b2 ${figure(found.adjusted_r2, 4)}`]);
-    const sigma = known(found.sigma_curvature) ? `\u00b1 ${figure(2e6 * found.sigma_curvature, 1)} (2\u03c3), ` : "";
-    const limit = known(found.curvature_limit) ? `, limit ${figure(1e6 * found.curvature_limit, 1)}` : "";
-    list.push(["Largest curvature", curvature(found.max_curvature), `${sigma}${at(found.max_curvature_azimuth_deg)}${limit}`]);
+    list.push([say("out_of_plane.harmonic_fit_2"), say("out_of_plane.waves_2_to", { order: found.order }), say("out_of_plane.left_rms_adjusted_r", { rms: shortLength(found.rms, 2), adjusted_r2: figure(found.adjusted_r2, 4) })]);
+    const sigma = known(found.sigma_curvature) ? `\u00b1 ${figure(bend(2 * found.sigma_curvature), 1)} (2\u03c3), ` : "";
+    const limit = known(found.curvature_limit) ? say("out_of_plane.limit", { curvature_limit: figure(bend(found.curvature_limit), 1) }) : "";
+    list.push([say("out_of_plane.largest_curvature"), curvature(found.max_curvature), `${sigma}${at(found.max_curvature_azimuth_deg)}${limit}`]);
+  }
+  if (found.top_ovality) {
+    const { value, low95, high95, azimuth_deg: azimuth } = found.top_ovality;
+    const between = known(low95) && known(high95) ? say("out_of_plane.95_to", { low95: shortLength(low95), high95: shortLength(high95) }) : "";
+    list.push([say("out_of_plane.ovality_of_the_shells_top"), shortLength(value), say("out_of_plane.a_floating_roofs_rim_seal", { between, azimuth: at(azimuth) })]);
   }
   const classic = found.second_differences, worst = classic && classic.worst;
   if (worst && known(worst.value)) {
-    list.push(["Second difference S_i", millimetres(worst.value),
-      `${at(worst.azimuth_deg)}; ${classic.points} points ${metres(classic.spacing, 2)} apart, ${plural(classic.starts, "start angle")}`]);
+    list.push([say("out_of_plane.second_difference_s_i"), shortLength(worst.value),
+      say("out_of_plane.points_apart", { azimuth_deg: at(worst.azimuth_deg), points: classic.points, spacing: longLength(classic.spacing, 2), starts: say("count.start_angle", { count: classic.starts }) })]);
   }
   return list;
 }
 
 /** How level the foundation is: differences within a length and over the circumference. */
 function levelFacts() {
-  const names = { level_3m: "Level within 3 m", level_9m: "Level within 9 m", level_total: "Level all round, from the mean" };
+  const [near, far] = kLongUnit === "m" ? ["3 m", "9 m"] : ["10 ft", "30 ft"];  // as the codes have them
+  const names = { level_3m: say("out_of_plane.level_within", { near }), level_9m: say("out_of_plane.level_within_2", { far }), level_total: say("out_of_plane.level_all_round_from_the") };
   const level = datum.foundation || {};
   return Object.entries(names).filter(([key]) => level[key] && known(level[key].value)).map(([key, name]) => {
     const { value, sigma, azimuth_deg: azimuth } = level[key];
-    return [name, millimetres(value), [plusMinus(sigma), known(azimuth) ? `at ${degrees(azimuth, 1)}` : ""].filter(Boolean).join(", ")];
+    return [name, shortLength(value), [plusMinus(sigma), known(azimuth) ? say("movement.rest.where", { azimuth: degrees(azimuth, 1) }) : ""].filter(Boolean).join(", ")];
   });
 }
 
 function drawOutOfPlane(svg, width, height, shown, rows) {
-  const values = rows.flatMap((r) => (known(r.mm) ? [r.mm - (r.half || 0), r.mm + (r.half || 0)] : [r.fit]));
-  const axes = azimuthAxes(svg, width, height, room(values), "Out-of-plane settlement [mm]");
+  const values = rows.flatMap((r) => (known(r.value) ? [r.value - (r.half || 0), r.value + (r.half || 0)] : [r.fit]));
+  const axes = azimuthAxes(svg, width, height, room(values), say("out_of_plane.out_of_plane_settlement_3", { unit: kShortUnit }));
   shadeGaps(svg, axes, height);
   drawLevel(svg, axes, 0, "zero");
-  drawBand(svg, axes, rows, (r) => r.mm, (r) => r.half);
-  drawLine(svg, axes, rows, (r) => r.mm, "datum");
-  drawFew(svg, axes, rows, (r) => r.mm);
+  drawBand(svg, axes, rows, (r) => r.value, (r) => r.half);
+  drawLine(svg, axes, rows, (r) => r.value, "datum");
+  drawFew(svg, axes, rows, (r) => r.value);
   if (shown.fit) drawLine(svg, axes, rows, (r) => r.fit, "fit");
   followPointer(svg, azimuthUnder(axes), (azimuth) => describeFit(azimuth));
-  return azimuthMarks(svg, axes, height, (azimuth) => rows[stationAt(azimuth)].mm);
+  return azimuthMarks(svg, axes, height, (azimuth) => rows[stationAt(azimuth)].value);
 }
 
 /** The station with its harmonic fit and curvature. */
 function describeFit(azimuth) {
   const s = stations[stationAt(azimuth)], lines = describeStation(azimuth);
-  if (known(s.u_fit)) lines.push(["Harmonic fit", millimetres(s.u_fit, 2)]);
-  if (known(s.curvature)) lines.push(["Curvature", curvature(s.curvature)]);
+  if (known(s.u_fit)) lines.push([say("out_of_plane.harmonic_fit_2"), shortLength(s.u_fit, 2)]);
+  if (known(s.curvature)) lines.push([say("out_of_plane.curvature"), curvature(s.curvature)]);
   return lines;
 }

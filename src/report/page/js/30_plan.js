@@ -5,8 +5,8 @@ const kAzimuthGap = 18;  // px: from the ring's ticks to their azimuths
 const kNarrow = 520;  // px: below it the colours' key stands under the plan
 
 function addPlan() {
-  const section = addSection("plan", "Plan");
-  if (!usable) return sayAbsent(section, whyAbsent("Plan"));
+  const section = addSection("plan", say("plan.plan"));
+  if (!usable) return sayAbsent(section, whyAbsent(say("plan.plan")));
   const largest = d3.max(stations, (s) => (known(s.z) ? Math.abs(s.z - datum.datum.mean) : 0)) || 1e-3;
   const strongest = (0.32 * datum.tank.radius) / largest;
   const slider = make("input", { type: "range", id: "exaggeration", min: 0, max: 100, step: 1, value: 90 });
@@ -16,13 +16,13 @@ function addPlan() {
     shown.textContent = `\u00d7 ${Number(plan.exaggeration.toPrecision(2))}`;
   };
   set();
-  section.append(make("p", { class: "quiet" }, "Seen from above. The curve lies outside the ring where the datum is higher than its mean, inside where it is lower; click it for a station."),
-    make("div", { class: "controls" }, make("label", { for: "exaggeration" }, "Exaggeration of the settlement"), slider, shown));
+  section.append(make("p", { class: "quiet" }, say("plan.seen_from_above_the_curve"), make("span", { class: "screen-only" }, say("plan.click_it_for_a_station")), "."),
+    make("div", { class: "controls" }, make("label", { for: "exaggeration" }, say("plan.exaggeration_of_the_settlement")), slider, shown));
   const chart = addChart(section, {
-    id: "plan-chart", label: "Plan of the tank with exaggerated settlement", ratio: (width) => (width < kNarrow ? 1.34 : 0.78), least: 330, most: 640,
-    legend: [{ name: "ring", label: "datum", colour: "datum" },
-      ...(datum.tilt ? [{ name: "tilt", label: "tilt, pointing up", colour: "fit", on: true }] : []),
-      ...(datum.antipodal && known(datum.antipodal.max_h) ? [{ name: "diameter", label: "worst diameter", colour: "reference", on: true }] : [])],
+    id: "plan-chart", label: say("plan.plan_of_the_tank_with"), ratio: (width) => (width < kNarrow ? 1.34 : 0.78), least: 330, most: 640,
+    legend: [{ name: "ring", label: say("plan.datum"), colour: "datum" },
+      ...(datum.tilt ? [{ name: "tilt", label: say("plan.tilt_pointing_up"), colour: "fit", on: true }] : []),
+      ...(datum.antipodal && known(datum.antipodal.max_h) ? [{ name: "diameter", label: say("plan.worst_diameter"), colour: "reference", on: true }] : [])],
     draw: drawPlan,
   });
   slider.addEventListener("input", () => {
@@ -51,6 +51,9 @@ function drawPlan(svg, width, height, shown) {
   if (shown.tilt) drawTiltArrow(svg, place, ring);
   if (shown.diameter) drawDiameter(svg, place, ring);
   drawColourKey(svg, height, colour);
+  drawPlanMarks(svg, place, ring);
+  drawNorth(svg, width);
+  drawPlanScale(svg, width, height, ring);
   const step = stepOfAzimuth();
   followPointer(svg, (px, py) => {
     const dx = px - middle[0], dy = middle[1] - py;
@@ -72,6 +75,7 @@ function drawPlanFrame(svg, middle, ring, place) {
     const [x, y] = place(azimuth, 1.36 * ring + kAzimuthGap);
     svg.append("text").attr("x", x).attr("y", y + 4).attr("text-anchor", "middle").attr("class", "axis-title").text(`${azimuth}\u00b0`);
   }
+  if (datum === null) return;
   const corner = [26, 56], long = 22;
   const axis = svg.append("g").attr("class", "axis");
   axis.append("line").attr("x1", corner[0]).attr("y1", corner[1]).attr("x2", corner[0] + long).attr("y2", corner[1]);
@@ -93,7 +97,7 @@ function drawColourKey(svg, height, colour) {
   d3.range(30).forEach((i) => svg.append("rect").attr("x", left).attr("y", top + (i * tall) / 30).attr("width", 12)
     .attr("height", tall / 30 + 0.5).style("fill", colour(colour.most * (1 - (2 * i) / 29))));
   [[top + 8, colour.most], [top + tall / 2 + 4, 0], [top + tall, -colour.most]].forEach(([y, value]) => (
-    svg.append("text").attr("x", left + 18).attr("y", y).text(value === 0 ? "mean" : `${value > 0 ? "+" : "\u2212"}${(1e3 * Math.abs(value)).toFixed(1)} mm`)));
+    svg.append("text").attr("x", left + 18).attr("y", y).text(value === 0 ? say("plan.mean") : `${value > 0 ? "+" : "\u2212"}${shortLength(Math.abs(value))}`)));
 }
 
 /** 1 where the worst diameter's high end lies further round than the tilt's, else -1: labels keep off the other line. */
@@ -110,17 +114,22 @@ function labelBeside(svg, place, azimuth, radius, side, text) {
 }
 
 function drawTiltArrow(svg, place, ring) {
-  const up = datum.tilt.direction_deg, [x1, y1] = place(up + 180, 0.5 * ring), [x2, y2] = place(up, 0.6 * ring);
+  drawArrow(svg, place, ring, datum.tilt.direction_deg, say("plan.tilt", { value: `${figure(datum.tilt.angle_arcsec, 0)}\u2033` }), -diameterBeyondTilt());
+}
+
+/** An arrow through the centre towards the side that is, or went, up. */
+function drawArrow(svg, place, ring, up, label, beside = -1) {
+  const [x1, y1] = place(up + 180, 0.5 * ring), [x2, y2] = place(up, 0.6 * ring);
   svg.append("line").attr("class", "arrow").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
   const turn = Math.atan2(y2 - y1, x2 - x1), wing = (side) => [x2 - 12 * Math.cos(turn + side), y2 - 12 * Math.sin(turn + side)];
   svg.append("path").attr("class", "arrow-head").attr("d", d3.line()([[x2, y2], wing(0.4), wing(-0.4)]));
-  labelBeside(svg, place, up, 0.42 * ring, -diameterBeyondTilt(), `tilt ${figure(datum.tilt.angle_arcsec, 0)}\u2033`);
+  labelBeside(svg, place, up, 0.42 * ring, beside, label);
 }
 
 function drawDiameter(svg, place, ring) {
   const high = datum.antipodal.azimuth_deg, [x1, y1] = place(high, ring), [x2, y2] = place(high + 180, ring);
   svg.append("line").attr("class", "diameter").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
-  labelBeside(svg, place, high + 180, 0.5 * ring, diameterBeyondTilt(), `${figure(1e3 * datum.antipodal.max_h, 1)} mm`);
+  labelBeside(svg, place, high + 180, 0.5 * ring, diameterBeyondTilt(), shortLength(datum.antipodal.max_h));
 }
 
 function planMarks(svg, place, ring, offset) {

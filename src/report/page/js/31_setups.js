@@ -5,10 +5,10 @@ const setupColour = (i) => d3.interpolateRainbow(((i * 0.618034) + 0.08) % 1);
 function addSetups() {
   const setups = usable ? datum.setups || [] : [];
   if (setups.length < 2) return;
-  const section = addSection("setups", "Setups");
+  const section = addSection("setups", say("setups.setups"));
   section.append(make("p", {}, setupsSentence(setups)));
   addChart(section, {
-    id: "setups-chart", label: "Plan of the scanner's setups and of the stations that each sees", ratio: 0.8, least: 330, most: 640,
+    id: "setups-chart", label: say("setups.plan_of_the_scanners_setups"), ratio: 0.8, least: 330, most: 640,
     legend: setups.map((s, i) => ({ name: String(i), label: s.name, colour: setupColour(i), on: setups.length <= 24 })),
     draw: (svg, width, height, shown) => drawSetups(svg, width, height, setups, shown),
   });
@@ -17,23 +17,23 @@ function addSetups() {
 
 function setupsSentence(setups) {
   const a = datum.agreement || {};
-  const from = { overlaps: "estimated from the overlaps", given: "as given", assumed: "assumed, since the overlaps do not tell" };
+  const from = { overlaps: say("setups.estimated_from_the_overlaps"), given: say("summary.as_given"), assumed: say("setups.assumed_since_the_overlaps_do") };
   const off = known(a.rms_before)
-    ? `Where two of the ${setups.length} setups see the same foundation they differed by ${millimetres(a.rms_before)} (RMS), and by ${millimetres(a.rms_after, 2)} after the adjustment. `
-    : `None of the ${setups.length} setups sees what another sees: they could not be compared. `;
-  return `${off}Before that a setup's height was taken to be known to ${millimetres(a.sigma_height)} (${from[a.height_from] || ""}), its tilt to ${figure(a.sigma_tilt_arcsec, 1)}\u2033 `
-    + `(${from[a.tilt_from] || ""}) and its place to ${millimetres(a.sigma_plan)} (${from[a.plan_from] || ""}). What all setups share no overlap shows: it stays in the stations\u2019 sigma.`;
+    ? say("setups.where_two_of_the_setups", { setups: setups.length, rms_before: shortLength(a.rms_before), rms_after: shortLength(a.rms_after, 2) })
+    : say("setups.none_of_the_setups_sees", { setups: setups.length });
+  return say("setups.before_that_a_setups_height", { off, sigma_height: shortLength(a.sigma_height), height_from: from[a.height_from] || "", sigma_tilt_arcsec: figure(a.sigma_tilt_arcsec, 1) })
+    + say("setups.and_its_place_to_what", { tilt_from: from[a.tilt_from] || "", sigma_plan: shortLength(a.sigma_plan), plan_from: from[a.plan_from] || "" });
 }
 
 function setupsTable(setups) {
   const sign = (value, digits, unit) => (known(value) && value > 0 ? "+" : "") + withUnit(value, digits, unit);
   const arcseconds = (value) => sign(known(value) ? (value * 180 * 3600) / Math.PI : null, 1, "\u2033");
-  const moved = (value) => sign(known(value) ? 1e3 * value : null, 1, "mm");
+  const moved = (value) => (known(value) && value > 0 ? "+" : "") + shortLength(value);
   return table(
-    [["Setup"], ["Stations", "number"], ["Up", "number"], ["1\u03c3", "number"], ["Tilt x", "number"], ["Tilt y", "number"], ["x", "number"], ["y", "number"], ["Off before", "number"], ["After", "number"], ["Verdict"]],
-    setups.map((s) => [s.name, anyFigure(s.stations), moved(s.dz), millimetres(s.sigma_dz), arcseconds(s.tilt_x), arcseconds(s.tilt_y), moved(s.dx), moved(s.dy),
-      millimetres(s.rms_before), millimetres(s.rms_after, 2), words(s.verdict || "")]),
-    "What each setup was moved by, and its foundation against the other setups\u2019 before and after.");
+    [[say("setups.setup")], [say("common.stations"), "number"], [say("setups.up"), "number"], ["1\u03c3", "number"], [say("setups.tilt_x"), "number"], [say("setups.tilt_y"), "number"], ["x", "number"], ["y", "number"], [say("setups.off_before"), "number"], [say("setups.after"), "number"], [say("common.verdict")]],
+    setups.map((s) => [s.name, anyFigure(s.stations), moved(s.dz), shortLength(s.sigma_dz), arcseconds(s.tilt_x), arcseconds(s.tilt_y), moved(s.dx), moved(s.dy),
+      shortLength(s.rms_before), shortLength(s.rms_after, 2), words(s.verdict || "")]),
+    say("setups.what_each_setup_was_moved"));
 }
 
 function drawSetups(svg, width, height, setups, shown) {
@@ -62,5 +62,5 @@ function drawSetups(svg, width, height, setups, shown) {
 function drawSetup(svg, [x, y], setup, colour) {
   const bad = setup.verdict === "bad";
   svg.append("circle").attr("cx", x).attr("cy", y).attr("r", bad ? 8 : 6).style("fill", bad ? "none" : colour).style("stroke", colour).style("stroke-width", bad ? 4 : 1);
-  svg.append("text").attr("x", x).attr("y", y - 11).attr("text-anchor", "middle").text(bad ? `${setup.name}: bad` : setup.name);
+  svg.append("text").attr("x", x).attr("y", y - 11).attr("text-anchor", "middle").text(bad ? say("setups.bad", { name: setup.name }) : setup.name);
 }

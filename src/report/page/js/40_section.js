@@ -1,8 +1,8 @@
 // What a station's elevation comes from: points in the section across the shell, the two fitted lines, residuals.
 
 function addStation() {
-  const section = addSection("station", "Station");
-  if (!usable) return sayAbsent(section, whyAbsent("Stations"));
+  const section = addSection("station", say("common.station"));
+  if (!usable) return sayAbsent(section, whyAbsent(say("common.stations")));
   section.append(stationControls());
   const values = make("div", { id: "station-values" });
   section.append(values);
@@ -11,13 +11,13 @@ function addStation() {
   fill();
   if (sections === null) return sayAbsent(section, whyNoSections());
   const pair = make("div", { class: "pair" });
-  section.append(make("h3", {}, "Section across the shell"), make("p", { class: "quiet" },
-    "A sample of the scan\u2019s points around the station, the shell\u2019s line and the foundation\u2019s line; the datum is where they meet."), pair);
-  const whole = addChart(pair, { id: "section-chart", label: "Section across the shell at the chosen station", ratio: 0.8, least: 300, most: 460,
-    legend: [{ name: "shell", label: "shell", colour: "shell" }, { name: "foundation", label: "foundation", colour: "foundation" }],
+  section.append(make("h3", {}, say("section.section_across_the_shell")), make("p", { class: "quiet" },
+    say("section.a_sample_of_the_scans")), pair);
+  const whole = addChart(pair, { id: "section-chart", label: say("section.section_across_the_shell_at"), ratio: 0.8, least: 300, most: 460,
+    legend: [{ name: "shell", label: say("section.shell"), colour: "shell" }, { name: "foundation", label: say("section.foundation"), colour: "foundation" }],
     draw: (svg, width, height) => drawSection(svg, width, height, chosenSection(), false) });
-  const close = addChart(pair, { id: "corner-chart", label: "The foundation close to the shell, heights enlarged", ratio: 0.8, least: 300, most: 460,
-    legend: [{ name: "fit", label: "the same, heights enlarged; shaded: the band fitted", colour: "foundation" }],
+  const close = addChart(pair, { id: "corner-chart", label: say("section.the_foundation_close_to_the"), ratio: 0.8, least: 300, most: 460,
+    legend: [{ name: "fit", label: say("section.the_same_heights_enlarged_shaded"), colour: "foundation" }],
     draw: (svg, width, height) => drawSection(svg, width, height, chosenSection(), true) });
   const residuals = addResiduals(section);
   document.addEventListener("station", () => [whole, close, residuals].forEach((chart) => drawChart(chart)));
@@ -38,9 +38,20 @@ function stationControls() {
     else number.value = stationAt(link.chosen);
   });
   document.addEventListener("station", () => { number.value = stationAt(link.chosen); });
-  return make("div", { class: "controls" }, make("label", { for: "station-number" }, "Station"),
-    step("previous station", "\u2039", -1), number, step("next station", "\u203a", 1),
-    goTo("worst out of plane", (s) => (known(s.u) ? Math.abs(s.u) : null)), goTo("highest", (s) => s.z), goTo("lowest", (s) => -s.z));
+  return make("div", { class: "controls" }, make("label", { for: "station-number" }, say("common.station")),
+    step(say("section.previous_station"), "\u2039", -1), number, step(say("section.next_station"), "\u203a", 1),
+    goTo(say("section.worst_out_of_plane"), (s) => (known(s.u) ? Math.abs(s.u) : null)), goTo(say("section.highest"), (s) => s.z), goTo(say("section.lowest"), (s) => -s.z), nextFail());
+}
+
+/** A button that leads round the tank from one failing or undecided check to the next; none without any. */
+function nextFail() {
+  const places = [...checksWith("fail"), ...checksWith("undecided")].map((check) => check.azimuth_deg).filter(known);
+  if (places.length === 0) return null;
+  const button = make("button", { type: "button" }, say("station.next_fail"));
+  const onwards = (azimuth) => (((azimuth - link.chosen) % 360) + 360) % 360 || 360;
+  const apart = (azimuth) => (angleApart(azimuth, link.chosen) < stepOfAzimuth() / 2 ? 360 : onwards(azimuth));
+  button.addEventListener("click", () => link.choose(stations[stationAt(places.reduce((best, p) => (apart(p) < apart(best) ? p : best)))].azimuth_deg));
+  return button;
 }
 
 function goTo(label, value) {
@@ -49,9 +60,9 @@ function goTo(label, value) {
   return button;
 }
 
-/** The points of a section [mm], and whether each is of the shell. */
+/** The points of a section in the short unit, and whether each is of the shell. */
 function sectionPoints(section) {
-  const scale = 1e3 * sections.step;
+  const scale = toShort(sections.step);
   return section.d.map((d, i) => ({ d: scale * d, z: scale * section.z[i], shell: section.z[i] > d }));
 }
 
@@ -59,13 +70,13 @@ function sectionPoints(section) {
 function sectionScales(width, height, section, points, close) {
   const left = 62, right = width - 14, low = height - 44, high = 26;
   if (close) {
-    const to = 1e3 * 1.25 * sections.band[1], middle = 1e3 * (section.foundation || 0);
-    const near = points.filter((p) => !p.shell && p.d > 0 && p.d < 1e3 * sections.band[1]).map((p) => Math.abs(p.z - middle));
-    const half = Math.max(3, 1.3 * (d3.quantile(near.sort(d3.ascending), 0.95) || 0), 6e3 * (section.noise || 0));
+    const to = 1.25 * toShort(sections.band[1]), middle = toShort(section.foundation || 0);
+    const near = points.filter((p) => !p.shell && p.d > 0 && p.d < toShort(sections.band[1])).map((p) => Math.abs(p.z - middle));
+    const half = Math.max(toShort(0.003), 1.3 * (d3.quantile(near.sort(d3.ascending), 0.95) || 0), toShort(6 * (section.noise || 0)));
     return { x: d3.scaleLinear([-0.12 * to, to], [left, right]), y: d3.scaleLinear([middle - half, middle + half], [low, high]) };
   }
-  const dMost = d3.max(points, (p) => p.d) || 500, zMost = d3.max(points, (p) => p.z) || 500, zLeast = d3.min(points, (p) => p.z) || -50;
-  const dLeast = Math.min(-60, d3.min(points, (p) => p.d) || 0);
+  const dMost = d3.max(points, (p) => p.d) || toShort(0.5), zMost = d3.max(points, (p) => p.z) || toShort(0.5), zLeast = d3.min(points, (p) => p.z) || toShort(-0.05);
+  const dLeast = Math.min(toShort(-0.06), d3.min(points, (p) => p.d) || 0);
   const perPixel = Math.max((dMost - dLeast) / (right - left), (zMost - zLeast) / (low - high)) * 1.05;
   const bottom = zLeast - 0.03 * perPixel * (low - high);
   return { x: d3.scaleLinear([dLeast, dLeast + perPixel * (right - left)], [left, right]),
@@ -74,29 +85,29 @@ function sectionScales(width, height, section, points, close) {
 
 function drawSection(svg, width, height, section, close) {
   const points = sectionPoints(section), { x, y } = sectionScales(width, height, section, points, close);
-  const inside = sections.side === "inside" ? "into the tank" : "outwards";
+  const inside = sections.side === "inside" ? say("section.into_the_tank") : "outwards";
   const [left, right] = x.range(), [low, high] = y.range(), clip = `clip-${close ? "corner" : "section"}`;
   svg.append("clipPath").attr("id", clip).append("rect").attr("x", left).attr("y", high).attr("width", right - left).attr("height", low - high);
   if (close && known(section.foundation)) {
-    svg.append("rect").attr("class", "gap").attr("x", x(1e3 * sections.band[0])).attr("y", high)
-      .attr("width", x(1e3 * sections.band[1]) - x(1e3 * sections.band[0])).attr("height", low - high);
+    svg.append("rect").attr("class", "gap").attr("x", x(toShort(sections.band[0]))).attr("y", high)
+      .attr("width", x(toShort(sections.band[1])) - x(toShort(sections.band[0]))).attr("height", low - high);
   }
-  drawAxes(svg, x, y, null, `Height about ${metres(section.base, 4)} [mm]`, `Distance from the shell, ${inside} [mm]`);
+  drawAxes(svg, x, y, null, say("section.height_about", { base: longLength(section.base, 4), unit: kShortUnit }), say("section.distance_from_the_shell", { inside, unit: kShortUnit }));
   const plot = svg.append("g").attr("clip-path", `url(#${clip})`);
   plot.selectAll("circle").data(points).enter().append("circle").attr("class", (p) => (p.shell ? "shell-point" : "foundation-point"))
     .attr("r", close ? 3 : 2.2).attr("cx", (p) => x(p.d)).attr("cy", (p) => y(p.z));
-  const foot = 1e3 * (section.foundation || 0);
+  const foot = toShort(section.foundation || 0);
   const segment = (name, x1, y1, x2, y2) => plot.append("line").attr("class", `line ${name}`)
     .attr("x1", x(x1)).attr("y1", y(y1)).attr("x2", x(x2)).attr("y2", y(y2));
   if (known(section.lean)) segment("shell-line", 0, foot, section.lean * (y.domain()[1] - foot), y.domain()[1]);
   if (known(section.slope)) segment("foundation-line", 0, foot, x.domain()[1], foot + section.slope * x.domain()[1]);
   const s = stations[stationAt(link.chosen)];
   if (known(section.slope) && known(s.sigma_z)) {
-    plot.append("line").attr("class", "whisker").attr("x1", x(0)).attr("x2", x(0)).attr("y1", y(foot - 2e3 * s.sigma_z)).attr("y2", y(foot + 2e3 * s.sigma_z));
+    plot.append("line").attr("class", "whisker").attr("x1", x(0)).attr("x2", x(0)).attr("y1", y(foot - toShort(twice(s.sigma_z)))).attr("y2", y(foot + toShort(twice(s.sigma_z))));
     plot.append("circle").attr("class", "chosen").attr("r", 4.5).attr("cx", x(0)).attr("cy", y(foot));
   }
   if (!known(section.slope)) svg.append("text").attr("class", "gap-label").attr("x", (left + right) / 2).attr("y", high + 16)
-    .attr("text-anchor", "middle").text("no foundation line was accepted here");
+    .attr("text-anchor", "middle").text(say("section.no_foundation_line_was_accepted"));
   sectionTips(svg, x, y, points);
 }
 
@@ -108,8 +119,8 @@ function sectionTips(svg, x, y, points) {
     const apart = (p) => Math.hypot(x(p.d) - px, y(p.z) - py);
     const nearest = points.reduce((best, p) => (best === null || apart(p) < apart(best) ? p : best), null);
     if (nearest === null || apart(nearest) > 30) return tip.hide();
-    tip.show(event, [[nearest.shell ? "Point of the shell\u2019s side" : "Point of the foundation\u2019s side", ""],
-      ["Distance from the shell", withUnit(nearest.d, 1, "mm")], ["Height", withUnit(nearest.z, 1, "mm")]]);
+    tip.show(event, [[nearest.shell ? say("section.point_of_the_shells_side") : say("section.point_of_the_foundations_side"), ""],
+      [say("section.distance_from_the_shell_2"), inShort(nearest.d, 1)], [say("common.height"), inShort(nearest.z, 1)]]);
   });
   node.addEventListener("pointerleave", () => tip.hide());
 }

@@ -1,7 +1,7 @@
 // The page of several surveys: the movement of each since the first, and how fast each station moves.
 
-const kTrendUnit = trend ? trend.trend.unit.replace("m/", "mm/") : "";
-const rateOf = (s) => `${figure(1e3 * s.rate, 2)} \u00b1 ${withUnit(2e3 * s.sigma, 2, kTrendUnit)}`;
+const kTrendUnit = trend ? trend.trend.unit.replace("m/", `${kShortUnit}/`) : "";
+const rateOf = (s) => `${figure(toShort(s.rate), 2 + display.short[2])} \u00b1 ${withUnit(toShort(twice(s.sigma)), 2 + display.short[2], kTrendUnit)}`;
 const dated = (name, date) => (date ? `${name} (${date})` : name);
 
 function addTrend() {
@@ -10,65 +10,65 @@ function addTrend() {
   link.describe = (azimuth) => [...describeMovement(azimuth, surveys), ...describeRate(rates, azimuth)];
   addMovements(surveys, rates);
   addRates(rates);
-  addCourse(addSection("course", "One azimuth over the surveys"), surveys, rates);
+  addCourse(addSection("course", say("trend.one_azimuth_over_the_surveys")), surveys, rates);
   addTrendProvenance();
 }
 
 function addMovements(surveys, rates) {
-  const section = addSection("trend", "Movement between surveys"), last = surveys[surveys.length - 1].movement;
+  const section = addSection("trend", say("trend.movement_between_surveys")), last = surveys[surveys.length - 1].movement;
   const fastest = rates.reduce((best, s) => (best === null || Math.abs(s.rate) > Math.abs(best.rate) ? s : best), null);
-  const moved = last.stations.filter((s) => s.significant).length;
-  section.append(make("div", { class: "verdict none", role: "status" },
-    make("p", {}, make("strong", { class: "breakable" }, `${moved} of ${plural(last.matched, "station")} moved significantly since ${dated(trend.baseline, trend.baseline_date)}; `
-      + `largest ${millimetres(last.max, 2)} at ${degrees(last.max_azimuth_deg, 1)}.`)),
-    make("p", {}, `${fastest ? `Fastest trend ${rateOf(fastest)} (2\u03c3) at ${degrees(fastest.azimuth_deg, 1)}. ` : ""}`
-      + `Removed from the differences: ${last.removed}; error of registration ${millimetres(last.registration_error, 2)} and ${figure(last.registration_tilt_arcsec, 1)}\u2033.`)),
-  table([["Survey"], ["Date"], ["Compared", "number"], ["Largest", "number"], ["At", "number"], ["RMS", "number"], ["Detectable from", "number"], ["Stations moved", "number"]],
-    trend.movements.map((m) => [m.survey, m.date || "\u2013", `${m.matched}`, millimetres(m.max, 2), degrees(m.max_azimuth_deg, 1), millimetres(m.rms, 2),
-      millimetres(d3.median(m.stations.filter((s) => known(s.dz)), (s) => s.lod95), 2), `${m.stations.filter((s) => s.significant).length}`]),
-    "A station counts as moved by what its neighbours say too; the level of detection (95 %, median) is of one station alone."));
-  drawMovements(section, "trend-chart", surveys);
+  const word = hasMovement(last) ? `${last.moved ? say("movement.moved") : say("movement.unmoved")}` : "";
+  section.append(make("div", { class: `verdict ${last.moved ? "undecided" : "none"}`, role: "status" },
+    word ? make("p", { class: "word" }, word) : null,
+    make("p", { class: "breakable" }, say("movement.since", { baseline: dated(trend.baseline, trend.baseline_date) })),
+    hasMovement(last) ? make("p", {}, typeset(movementText(last).slice(word.length + 2))) : null,
+    make("p", {}, `${fastest ? say("trend.fastest_trend_2_at", { fastest: rateOf(fastest), azimuth_deg: degrees(fastest.azimuth_deg, 1) }) : ""}${movementTerms(last)}`)),
+  table([[say("trend.survey")], [say("common.date")], [say("trend.compared"), "number"], [say("trend.largest"), "number"], [say("trend.at"), "number"], ["RMS", "number"], [say("trend.detectable_from"), "number"], [say("trend.stations_moved"), "number"]],
+    trend.movements.map((m) => [m.survey, m.date || "\u2013", `${m.matched}`, shortLength(m.max, 2), degrees(m.max_azimuth_deg, 1), shortLength(m.rms, 2),
+      shortLength(d3.median(m.stations.filter((s) => known(s.dz)), (s) => s.lod95), 2), `${m.stations.filter((s) => s.significant).length}`]),
+    say("trend.a_station_counts_as_moved")));
+  addMovementCharts(section, last, "trend", surveys);
 }
 
 /** The trend at an azimuth, for tips and listeners. */
 function describeRate(rates, azimuth) {
   const s = nearestRow(rates, azimuth);
-  if (s === null || angleApart(s.azimuth_deg, azimuth) > 1.5 * stepOfAzimuth()) return [["Trend", kUnknown]];
-  return [["Trend", `${rateOf(s)} (2\u03c3)`]];
+  if (s === null || angleApart(s.azimuth_deg, azimuth) > 1.5 * stepOfAzimuth()) return [[say("trend.trend"), kUnknown]];
+  return [[say("trend.trend"), `${rateOf(s)} (2\u03c3)`]];
 }
 
 function addRates(rates) {
-  const section = addSection("rates", "Trend of each station");
-  if (rates.length === 0) return sayAbsent(section, "Trends: none, because no station is in two surveys.");
-  section.append(make("p", { class: "quiet" }, `Least-squares slope of the elevation against ${trend.baseline_date ? "the date" : "the number of the survey"}.`));
-  const rows = fewOrAll(trend.trend.stations.map((s) => ({ ...s, mm: known(s.rate) ? 1e3 * s.rate : null, half: known(s.lod95) ? 1e3 * s.lod95 : null })),
-    (r) => r.mm);
+  const section = addSection("rates", say("trend.trend_of_each_station"));
+  if (rates.length === 0) return sayAbsent(section, say("trend.trends_none_because_no_station"));
+  section.append(make("p", { class: "quiet" }, say("trend.least_squares_slope_of_the", { baseline_date: trend.baseline_date ? say("trend.the_date") : say("trend.the_number_of_the_survey") })));
+  const rows = fewOrAll(trend.trend.stations.map((s) => ({ ...s, value: toShort(s.rate), half: toShort(s.lod95) })),
+    (r) => r.value);
   addChart(section, {
-    id: "rate-chart", label: "Trend of the elevation against azimuth", ratio: 0.34, least: 270, most: 400,
-    legend: [{ name: "rate", label: "trend; band: 95 %", colour: "fit" }],
+    id: "rate-chart", label: say("trend.trend_of_the_elevation_against"), ratio: 0.34, least: 270, most: 400,
+    legend: [{ name: "rate", label: say("trend.trend_band_95"), colour: "fit" }],
     draw: (svg, width, height) => {
-      const values = rows.flatMap((r) => (known(r.mm) ? [r.mm - (r.half || 0), r.mm + (r.half || 0)] : []));
-      const axes = azimuthAxes(svg, width, height, room([0, ...values]), `Trend, up positive [${kTrendUnit}]`);
+      const values = rows.flatMap((r) => (known(r.value) ? [r.value - (r.half || 0), r.value + (r.half || 0)] : []));
+      const axes = azimuthAxes(svg, width, height, room([0, ...values]), say("trend.trend_up_positive", { unit: kTrendUnit }));
       drawLevel(svg, axes, 0, "zero");
-      drawBand(svg, axes, rows, (r) => r.mm, (r) => r.half);
-      drawLine(svg, axes, rows, (r) => r.mm, "fit");
-      drawFew(svg, axes, rows, (r) => r.mm);
-      followPointer(svg, azimuthUnder(axes), (azimuth) => [["Azimuth", degrees(azimuth, 1)], ...describeRate(rates, azimuth)]);
+      drawBand(svg, axes, rows, (r) => r.value, (r) => r.half);
+      drawLine(svg, axes, rows, (r) => r.value, "fit");
+      drawFew(svg, axes, rows, (r) => r.value);
+      followPointer(svg, azimuthUnder(axes), (azimuth) => [[say("common.azimuth"), degrees(azimuth, 1)], ...describeRate(rates, azimuth)]);
       return azimuthMarks(svg, axes, height, (azimuth) => {
         const r = nearestRow(rows, azimuth);
-        return angleApart(r.azimuth_deg, azimuth) < 2 ? r.mm : null;
+        return angleApart(r.azimuth_deg, azimuth) < 2 ? r.value : null;
       });
     },
   });
 }
 
 function addTrendProvenance() {
-  const section = addSection("provenance", "How it was made");
-  section.append(table([["Survey"], ["Date"], ["SHA-256"]], trend.surveys.map((survey) => [survey.path, survey.date || "\u2013",
+  const section = addSection("provenance", say("common.how_it_was_made"));
+  section.append(table([[say("trend.survey")], [say("common.date")], ["SHA-256"]], trend.surveys.map((survey) => [survey.path, survey.date || "\u2013",
     make("td", { "data-head": "SHA-256" }, make("code", { class: "breakable" }, survey.sha256))])),
-  make("p", {}, `tank_datum_compare ${trend.version}; the first survey is the baseline.`),
-  make("h3", {}, "Options"), make("pre", { tabindex: 0, "aria-label": "Every option used" }, JSON.stringify(trend.options, null, 2)),
-  make("div", { class: "controls" }, make("strong", {}, "Data to take along"),
+  make("p", {}, say("trend.tank_datum_compare_the_first", { version: trend.version })),
+  ...optionsAppendix(trend.options),
+  make("div", { class: "controls" }, make("strong", {}, say("common.data_to_take_along")),
     saveButton("movement.json", "movement.json", () => embeddedText("trend"), "application/json"),
     saveButton("movement.csv", "movement.csv", () => embeddedText("movements"), "text/csv")));
 }

@@ -8,15 +8,22 @@ function hashOf(file) {
   return make("span", {}, `${name} `, make("code", { class: "breakable" }, hash.value));
 }
 
+/** Every option, line by line on a screen and without breaks on paper. */
+function optionsAppendix(options) {
+  return [make("h3", {}, say("provenance.appendix_every_option_used")),
+    make("pre", { class: "screen-only", tabindex: 0, "aria-label": say("provenance.every_option_used") }, JSON.stringify(options, null, 2)),
+    make("p", { class: "paper-text" }, JSON.stringify(options).replace(/([,:])/g, "$1 "))];
+}
+
 function addProvenance() {
-  const section = addSection("provenance", "How it was made");
-  section.append(table([[levelled ? "Table" : "Scan"], [levelled ? "Stations" : "Points", "number"], ["Hash"]],
-    datum.input.files.map((file) => [file.path, file.points.toLocaleString("en"), make("td", { "data-head": "Hash" }, hashOf(file))])));
-  section.append(make("p", {}, levelled ? `tank_datum ${datum.version}, units of the table ${datum.input.units}.`
-    : `tank_datum ${datum.version}, units of the scan ${datum.input.units}, ${datum.input.invalid_points || 0} invalid points left out, `
-    + `local origin ${datum.input.origin.map((c) => figure(c, 3)).join(", ")} m.`));
-  section.append(make("h3", {}, "Options"), make("pre", { tabindex: 0, "aria-label": "Every option used" }, JSON.stringify(datum.options, null, 2)));
-  section.append(make("div", { class: "controls" }, make("strong", {}, "Data to take along"),
+  const section = addSection("provenance", say("common.how_it_was_made"));
+  section.append(table([[levelled ? say("provenance.table") : say("provenance.scan")], [levelled ? say("common.stations") : say("common.points"), "number"], [say("provenance.hash")]],
+    datum.input.files.map((file) => [file.path, file.points.toLocaleString("en"), make("td", { "data-head": say("provenance.hash") }, hashOf(file))])));
+  section.append(make("p", {}, levelled ? say("provenance.table", { version: datum.version, units: datum.input.units })
+    : say("provenance.scan_read", { version: datum.version, units: datum.input.units, invalid: datum.input.invalid_points || 0,
+      origin: datum.input.origin.map((c) => figure(toLong(c), 3)).join(", "), unit: kLongUnit })));
+  section.append(...optionsAppendix(datum.options));
+  section.append(make("div", { class: "controls" }, make("strong", {}, say("common.data_to_take_along")),
     saveButton("datum.json", "datum.json", () => embeddedText("datum"), "application/json"),
     saveButton("stations.csv", "stations.csv", () => embeddedText("stations"), "text/csv"),
     shellPoints.length > 0 ? saveButton("shell.csv", "shell.csv", () => embeddedText("shell"), "text/csv") : ""));

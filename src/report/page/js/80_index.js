@@ -8,24 +8,24 @@ function outcomeOf(tank) {
   return words(tank.status);
 }
 
-const outcomeClass = (tank) => ({ FAIL: "fail", UNDECIDED: "undecided", INCOMPLETE: "undecided", PASS: "pass" }[outcomeOf(tank)] || "not_evaluated");
+const outcomeClass = (tank) => kVerdictClasses[outcomeOf(tank)] || "not_evaluated";
 
 function addIndex() {
-  const section = addSection("tanks", "Tanks"), found = index.tanks.filter((tank) => tank.tank);
-  section.append(make("p", {}, `${plural(found.length, "tank")} found in the scan, the best seen first.`));
+  const section = addSection("tanks", say("index.tanks")), found = index.tanks.filter((tank) => tank.tank);
+  section.append(make("p", {}, say("index.found_in_the_scan_the", { found: say("count.tank", { count: found.length }) })));
   if (found.length > 0) {
-    addChart(section, { id: "index-chart", label: "Plan of the tanks, each with the word of its verdict", ratio: 0.6, least: 260, most: 520,
+    addChart(section, { id: "index-chart", label: say("index.plan_of_the_tanks_each"), ratio: 0.6, least: 260, most: 520,
       draw: (svg, width, height) => drawTanks(svg, width, height, found) });
   }
-  section.append(table([["Tank"], ["Verdict"], ["What it rests on"], ["Centre x", "number"], ["y", "number"], ["Radius", "number"], ["Tilt", "number"], ["Stations"]],
+  section.append(table([[say("common.tank")], [say("common.verdict")], [say("index.what_it_rests_on")], [say("index.centre_x"), "number"], ["y", "number"], [say("common.radius"), "number"], [say("common.tilt"), "number"], [say("common.stations")]],
     index.tanks.map((tank) => [
-      make("td", { "data-head": "Tank" }, make("a", { href: tank.page }, tankName(tank))),
-      make("td", { class: `verdict-word ${outcomeClass(tank)}`, "data-head": "Verdict" }, make("span", {}, outcomeOf(tank))),
+      make("td", { "data-head": say("common.tank") }, make("a", { href: tank.page }, tankName(tank))),
+      make("td", { class: `verdict-word ${outcomeClass(tank)}`, "data-head": say("common.verdict") }, make("span", {}, words(outcomeOf(tank)))),
       tank.verdict ? tank.verdict.sentence : tank.message,
-      tank.tank ? metres(tank.tank.center[0]) : "\u2013", tank.tank ? metres(tank.tank.center[1]) : "\u2013",
-      tank.tank ? metres(tank.tank.radius) : "\u2013",
-      tank.tilt && known(tank.tilt.angle_arcsec) ? `${withUnit(tank.tilt.angle_arcsec, 1, "\u2033")}, high side ${degrees(tank.tilt.direction_deg)}` : "\u2013",
-      tank.datum ? `${tank.datum.measured} measured, ${tank.datum.missing} missing` : "\u2013"])));
+      tank.tank ? longLength(tank.tank.center[0]) : "\u2013", tank.tank ? longLength(tank.tank.center[1]) : "\u2013",
+      tank.tank ? longLength(tank.tank.radius) : "\u2013",
+      tank.tilt && known(tank.tilt.angle_arcsec) ? say("index.high_side", { angle_arcsec: withUnit(tank.tilt.angle_arcsec, 1, "\u2033"), direction_deg: degrees(tank.tilt.direction_deg) }) : "\u2013",
+      tank.datum ? say("index.measured_missing", { measured: tank.datum.measured, missing: tank.datum.missing }) : "\u2013"])));
 }
 
 /** The tanks to scale, each a link to its page. */
@@ -39,7 +39,7 @@ function drawTanks(svg, width, height, tanks) {
     link_to.append("circle").attr("class", "ring").attr("cx", x).attr("cy", y).attr("r", scale * tank.tank.radius);
     link_to.append("text").attr("x", x).attr("y", y).attr("text-anchor", "middle").style("font-weight", 600).text(tankName(tank));
     link_to.append("text").attr("class", `verdict-word ${outcomeClass(tank)}`).style("fill", "currentColor").attr("x", x).attr("y", y + 16)
-      .attr("text-anchor", "middle").text(outcomeOf(tank));
+      .attr("text-anchor", "middle").text(words(outcomeOf(tank)));
   }
   return null;
 }

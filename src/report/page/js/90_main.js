@@ -3,7 +3,9 @@
 const kPaperWidth = 680;  // of A4 between its margins [px]
 
 function addHeading() {
-  const title = index ? "Storage tanks of a scan" : trend ? "Movement of a storage tank\u2019s datum" : "Datum of a storage tank";
+  document.documentElement.lang = kLanguages[(datum || trend || index).language] ? (datum || trend || index).language : "en";
+  const tank = about.tank ? say("main.datum_of_tank", { tank: about.tank }) : say("main.datum_of_a_storage_tank");
+  const title = index ? say("main.storage_tanks_of_a_scan") : trend ? say("main.movement_of_a_storage_tanks") : tank;
   document.getElementById("title").textContent = title;
   const names = trend ? trend.surveys.map((s) => dated(s.path, s.date)) : (index ? index.files : datum.input.files).map((file) => file.path);
   document.title = `${title}: ${names.join(", ")}`;
@@ -11,8 +13,8 @@ function addHeading() {
 }
 
 function addFooter() {
-  const licences = make("details", {}, make("summary", {}, "Licences"), make("pre", {}, document.getElementById("licences").content.textContent));
-  document.getElementById("footer").append(make("p", {}, `Written by ${trend ? `tank_datum_compare ${trend.version}` : `tank_datum ${(index || datum).version}`}. Figures are in the frame of the scan; azimuths in degrees.`), licences);
+  const licences = make("details", {}, make("summary", {}, say("main.licences")), make("pre", {}, document.getElementById("licences").content.textContent));
+  document.getElementById("footer").append(make("p", {}, say("main.written_by_figures_are_in", { trend: trend ? say("main.tank_datum_compare", { version: trend.version }) : say("main.tank_datum", { version: (index || datum).version }) })), licences);
 }
 
 window.addEventListener("hashchange", () => {
@@ -20,10 +22,15 @@ window.addEventListener("hashchange", () => {
 });
 
 addHeading();
+addIdentity();
+addSheetFoot();
 if (index) {
   addIndex();
 } else if (trend) {
   addTrend();
+} else if (!usable) {
+  addRefusal();
+  addProvenance();
 } else {
   addSummary();
   addElevation();

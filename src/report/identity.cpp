@@ -1,0 +1,121 @@
+#include "report/identity.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/units.h"
+#include "io/io_error.h"
+#include "report/logo.h"
+#include "stations/stations.h"
+
+namespace tank_datum {
+namespace {
+
+Error refusedAbout(const std::string& path, const toml::source_region& at, const std::string& value,
+                   const std::string& expected) {
+  const std::string line = at.begin.line > 0 ? ":" + std::to_string(at.begin.line) : "";
+  return Error(Error::Kind::File, "about", echoPath(path) + line, value, expected);
+}
+
+std::string known() {
+  std::string all;
+  for (const std::string& key : aboutKeys()) all += key + ", ";
+  return all + "logo";
+}
+
+toml::table tableOf(const std::string& path) {
+  const std::string text = smallFile(path);
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw refusedAbout(path, error.source(), echo(error.description()), "TOML: key = \"value\"");
+  }
+}
+
+/// A value as words: texts, dates and numbers.
+std::string wordsOf(const toml::node& value, const std::string& path, const std::string& key) {
+  if (const auto* text = value.as_string()) return text->get();
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  if (const auto* date = value.as_date()) {
+    out << date->get();
+  } else if (const auto* number = value.as_integer()) {
+    out << number->get();
+  } else {
+    throw refusedAbout(path, value.source(), key, "a text, a date or a whole number");
+  }
+  return out.str();
+}
+
+void readAbout(const std::string& path, Identity& identity) {
+  const toml::table table = tableOf(path);
+  for (const auto& [key, value] : table) {
+    const std::string name(key.str());
+    if (name != "logo" && std::find(aboutKeys().begin(), aboutKeys().end(), name) == aboutKeys().end()) {
+      throw refusedAbout(path, key.source(), "key " + echo(name), "one of " + known());
+    }
+  }
+  for (const std::string& key : aboutKeys()) {
+    if (const toml::node* value = table.get(key)) identity.about.emplace_back(key, wordsOf(*value, path, key));
+  }
+  if (const toml::node* logo = table.get("logo")) identity.logo = logoOf(path, wordsOf(*logo, path, "logo"));
+}
+
+ReferenceMark markOf(const std::string& text) {
+  const auto sign = text.rfind('=');
+  const auto refused = [&] {
+    return Error(Error::Kind::Option, "options", {"mark", "\"" + echo(text) + "\"", "NAME=DEG, as stairs=75"});
+  };
+  if (sign == std::string::npos || sign == 0) throw refused();
+  std::istringstream in(text.substr(sign + 1));
+  in.imbue(std::locale::classic());
+  double degrees = kUnknown;
+  if (!(in >> degrees) || !in.eof() || !(std::abs(degrees) <= 360.0)) throw refused();
+  const double azimuth = degrees * kDegree;
+  return {text.substr(0, sign), azimuth - kTwoPi * std::floor(azimuth / kTwoPi)};
+}
+
+}  // namespace
+
+const std::vector<std::string>& aboutKeys() {
+  static const std::vector<std::string> keys = {"tank",          "product",     "site",       "client",
+                                                "company",       "survey_date", "instrument", "inspector",
+                                                "report_number", "revision",    "notes"};
+  return keys;
+}
+
+void readIdentity(RunOptions& run) {
+  Identity identity;
+  if (!run.about.empty()) readAbout(run.about, identity);
+  for (const std::string& text : run.marks) identity.marks.push_back(markOf(text));
+  identity.north = run.north * kDegree;
+  identity.survey_points = run.survey_points;
+  identity.display_units = run.display_units;
+  identity.language = run.language;
+  run.identity = std::make_shared<const Identity>(std::move(identity));
+}
+
+std::vector<SurveyPoint> surveyPointsOf(const Identity& identity, const std::vector<Station>& stations,
+                                        const StationOptions& options) {
+  std::vector<SurveyPoint> points;
+  const double first = std::isfinite(identity.north) ? identity.north : 0.5 * kPi;
+  for (int i = 0; i < identity.survey_points && !stations.empty(); ++i) {
+    SurveyPoint point;
+    point.number = i + 1;
+    point.azimuth = azimuthOf(first - kTwoPi * i / identity.survey_points, options);
+    const double place = point.azimuth / kTwoPi * static_cast<double>(stations.size());
+    const auto before = static_cast<std::size_t>(place) % stations.size();
+    const double share = place - std::floor(place);
+    const Station &a = stations[before], &b = stations[(before + (share > 1e-9 ? 1 : 0)) % stations.size()];
+    point.z = (1.0 - share) * a.z + share * b.z;
+    point.sigma_z = std::isfinite(point.z) ? std::fmax(a.sigma_z, b.sigma_z) : kUnknown;
+    point.u = (1.0 - share) * a.u + share * b.u;
+    points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,89 @@
+// What the user says of the tank: words in the heading and on paper, marks and north on the charts, the survey's points.
+
+const kAboutNames = {
+  tank: say("common.tank"), product: say("identity.product"), site: say("identity.site"), client: say("identity.client"), company: say("identity.company"), survey_date: say("identity.surveyed_on"),
+  instrument: say("identity.instrument"), inspector: say("common.inspector"), report_number: say("identity.report"), revision: say("identity.revision"), notes: say("common.notes"),
+};
+const about = (datum && datum.about) || {};
+const referenceMarks = (datum && datum.marks) || [];
+const surveyPoints = (datum && datum.survey_points) || [];
+
+/** The words of the heading, and the company's logo beside them. */
+function addIdentity() {
+  const logo = embeddedJson("logo"), keys = Object.keys(kAboutNames).filter((key) => about[key]);
+  if (keys.length === 0 && logo === null) return;
+  const list = make("dl", { class: "about" }, keys.map((key) => make("div", {}, make("dt", {}, kAboutNames[key]), make("dd", {}, about[key]))));
+  document.getElementById("scans").before(make("div", { class: "identity" }, list, logo === null ? "" : make("img", { src: logo, alt: about.company || "logo" })));
+}
+
+/** A text as a string of CSS. */
+const cssText = (text) => `"${[...text].map((c) => (/[\w .,:-]/u.test(c) ? c : `\\${c.codePointAt(0).toString(16)} `)).join("")}"`;
+
+/** "page 1 of 5", as a style sheet counts. */
+function pageOfPages() {
+  const counted = say("identity.page_of_pages").split(/(\{\w+\})/).filter(Boolean);
+  return counted.map((part) => ({ "{page}": "counter(page)", "{pages}": "counter(pages)" }[part] || cssText(part))).join(" ");
+}
+
+/** What stands at the foot of every sheet of paper. */
+function addSheetFoot() {
+  const left = [about.tank && say("export.tank", { tank: about.tank }), about.report_number && say("identity.report_2", { report_number: about.report_number }), about.revision && say("identity.revision_2", { revision: about.revision }),
+    about.survey_date, about.company].filter(Boolean).join(", ");
+  const small = "font: 8pt sans-serif; color: #444c56;";
+  document.head.append(make("style", {}, `@page { @bottom-left { content: ${cssText(left)}; ${small} } `
+    + `@bottom-right { content: ${pageOfPages()}; ${small} } }`));
+}
+
+/** The marks on a chart against azimuth, named at its top. */
+function drawReferenceMarks(svg, axes, height) {
+  referenceMarks.forEach(({ name, azimuth_deg: azimuth }, i) => {
+    const x = axes.x(azimuth), lift = 5 + 13 * (i % 2), right = x > (axes.x.range()[0] + axes.x.range()[1]) / 2;
+    svg.append("line").attr("class", "reference-mark").attr("x1", x).attr("x2", x).attr("y1", axes.margin.top).attr("y2", height - axes.margin.bottom);
+    svg.append("text").attr("class", "axis-title").attr("x", right ? x - 3 : x + 3).attr("y", height - axes.margin.bottom - lift)
+      .attr("text-anchor", right ? "end" : "start").text(name);
+  });
+}
+
+/** The marks and the survey's points round the plan. */
+function drawPlanMarks(svg, place, ring) {
+  for (const { name, azimuth_deg: azimuth } of referenceMarks) {
+    const [x1, y1] = place(azimuth, 0.9 * ring), [x2, y2] = place(azimuth, ring), [x, y] = place(azimuth, 0.86 * ring);
+    svg.append("line").attr("class", "reference-mark").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
+    svg.append("text").attr("class", "plan-label").attr("x", x).attr("y", y + 4).attr("text-anchor", x > place(0, 0)[0] ? "end" : "start").text(name);
+  }
+  for (const point of surveyPoints) {
+    const [x, y] = place(point.azimuth_deg, ring);
+    svg.append("circle").attr("class", "survey-place").attr("cx", x).attr("cy", y).attr("r", 2.5);
+    const [at, down] = place(point.azimuth_deg, ring - 11);
+    if (surveyPoints.length <= 40) svg.append("text").attr("class", "survey-number").attr("x", at).attr("y", down + 3).attr("text-anchor", "middle").text(point.number);
+  }
+}
+
+/** An arrow to north where it is given. */
+function drawNorth(svg, width) {
+  if (!known(datum.north_azimuth_deg)) return;
+  const turn = (directionOf(datum.north_azimuth_deg) * Math.PI) / 180, middle = [width - 40, 46], long = 20;
+  const at = (length) => [middle[0] + length * Math.cos(turn), middle[1] - length * Math.sin(turn)];
+  const [x1, y1] = at(-long), [x2, y2] = at(long), [x, y] = at(long + 12);
+  const wing = (side) => [x2 - 9 * Math.cos(turn + side), y2 + 9 * Math.sin(turn + side)];
+  svg.append("line").attr("class", "zero").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
+  svg.append("path").attr("class", "north").attr("d", d3.line()([[x2, y2], wing(0.4), wing(-0.4)]));
+  svg.append("text").attr("x", x).attr("y", y + 4).attr("text-anchor", "middle").text("N");
+}
+
+/** A bar of a round length, and the tank's diameter. */
+function drawPlanScale(svg, width, height, ring) {
+  const radius = toLong(datum.tank.radius), perUnit = ring / radius, length = d3.ticks(0, radius, 2)[1], right = width - 14, y = height - 14;
+  svg.append("line").attr("class", "zero").attr("x1", right - length * perUnit).attr("x2", right).attr("y1", y).attr("y2", y).style("stroke-width", 3);
+  svg.append("text").attr("x", right).attr("y", y - 7).attr("text-anchor", "end").text(say("identity.diameter", { length: figure(length, 0), unit: kLongUnit, radius: longLength(2 * datum.tank.radius) }));
+}
+
+/** The elevations that the user's own points have. */
+function addSurveyPoints(section) {
+  if (surveyPoints.length === 0) return;
+  const from = known(datum.north_azimuth_deg) ? say("identity.north") : say("identity.y_of_the_scans_frame");
+  section.append(make("h3", {}, say("identity.survey_points")), make("p", { class: "quiet" }, say("identity.numbered_clockwise_from_settlement_out", { from })),
+    make("div", { class: "survey-points" }, table([[say("identity.point"), "number"], [say("common.azimuth"), "number"], [say("common.elevation"), "number"], ["\u00b1", "number"], [say("common.out_of_plane"), "number"]],
+      surveyPoints.map((p) => [String(p.number), degrees(p.azimuth_deg, 1), known(p.z) ? longLength(p.z, 4) : say("common.not_seen"),
+        known(p.sigma_z) ? shortLength(2 * p.sigma_z) : "", known(p.u) ? shortLength(p.u) : ""]))));
+}

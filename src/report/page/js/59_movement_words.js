@@ -1,0 +1,75 @@
+// What moved, in the words that the terminal has: as a rigid body, and the rest.
+
+const significance = (part) => say(part.significant ? "movement.significant" : "movement.not_significant");
+const signed = (text, value) => (known(value) && value > 0 ? `+${text}` : text);
+const arcseconds = (value, digits = 1) => say("unit.arcseconds", { value: figure(value, digits) });
+
+/** [name, value, two sigma, where, part] of mean, tilt and the rest. */
+function movementParts(m) {
+  const mean = m.mean, tilt = m.tilt_change, rest = m.out_of_plane;
+  const slopeSigma = known(tilt.sigma) ? Math.atan(2 * tilt.sigma) * (180 / Math.PI) * 3600 : null;
+  const parts = [["movement.mean", signed(shortLength(mean.value, 2), mean.value), shortLength(twice(mean.sigma), 2), null, mean],
+    ["movement.tilt", arcseconds(tilt.angle_arcsec), arcseconds(slopeSigma), tilt.azimuth_deg, tilt]];
+  if (rest) parts.push(["movement.rest", signed(shortLength(rest.value, 2), rest.value), shortLength(twice(rest.sigma), 2), rest.azimuth_deg, rest]);
+  return parts;
+}
+
+const roundAzimuth = (azimuth) => (known(azimuth) ? degrees(Math.round(azimuth) % 360) : kUnknown);
+
+/** The whole verdict of a movement. */
+function movementText(m) {
+  const parts = movementParts(m).map(([key, value, twoSigma, azimuth, part]) => (
+    say(key, { value, two_sigma: twoSigma, azimuth: roundAzimuth(azimuth), significance: significance(part) })));
+  const moved = say("movement.stations", { count: m.significant, of: m.matched });
+  return [`${say(m.moved ? "movement.moved" : "movement.unmoved")}: ${[...parts, moved].join("; ")}.`,
+    ...(m.not_given || []).map((key) => say(key))].join(" ");
+}
+
+const hasMovement = (m) => Boolean(m && m.stations && m.stations.length > 0 && m.tilt_change && known(m.mean.value));
+
+/** What was taken out of the differences, and what the registration is known to. */
+function movementTerms(m) {
+  const given = m.registration_error > 0 || m.registration_tilt_arcsec > 0
+    ? say("movement.registration", { height: shortLength(m.registration_error, 2), tilt: arcseconds(m.registration_tilt_arcsec) }) : "";
+  const turned = m.azimuth_offset_deg ? say("movement.turned", { angle: degrees(m.azimuth_offset_deg, 2) }) : "";
+  return [say("movement.signs"), say(`movement.removed.${m.removed}`), given, turned].filter(Boolean).join(" ");
+}
+
+/** The rigid part and the rest, each in its box. */
+function movementBoxes(m) {
+  const boxesOf = movementParts(m).map(([key, value, twoSigma, azimuth, part]) => (
+    [say(`${key}.name`), value, [`\u00b1 ${twoSigma} (2\u03c3)`, known(azimuth) ? say(`${key}.where`, { azimuth: roundAzimuth(azimuth) }) : "", significance(part)].filter(Boolean).join(", ")]));
+  boxesOf.push([say("movement.largest.name"), signed(shortLength(m.max, 2), m.max), say("movement.largest.more", { azimuth: roundAzimuth(m.max_azimuth_deg), rms: shortLength(m.rms, 2) })]);
+  return boxes(boxesOf);
+}
+
+/** The movement from above: the rest outside of the ring where it rose, the rigid tilt as an arrow. */
+function addMovementPlan(section, m, id) {
+  const largest = d3.max(m.stations, (s) => (known(s.rest) ? Math.abs(s.rest) : 0)) || 1e-4;
+  const power = 0.25 / largest;
+  addChart(section, {
+    id, label: say("movement.plan"), ratio: (width) => (width < kNarrow ? 1.1 : 0.6), least: 300, most: 460,
+    legend: [{ name: "rest", label: say("movement.plan.rest", { most: shortLength(largest) }), colour: "datum" },
+      { name: "moved", label: say("movement.plan.moved"), colour: "mark" },
+      { name: "tilt", label: say("movement.plan.tilt"), colour: "fit" }],
+    draw: (svg, width, height) => drawMovementPlan(svg, width, height, m, power),
+  });
+}
+
+function drawMovementPlan(svg, width, height, m, power) {
+  const middle = [width / 2, height / 2], most = Math.min(width, height), ring = Math.min(0.33 * most, (0.5 * most - kAzimuthGap - 14) / 1.36);
+  const place = (azimuth, radius) => {
+    const turn = (directionOf(azimuth) * Math.PI) / 180;
+    return [middle[0] + radius * Math.cos(turn), middle[1] - radius * Math.sin(turn)];
+  };
+  drawPlanFrame(svg, middle, ring, place);
+  const seen = closed(m.stations), at = (s) => place(s.azimuth_deg, ring * (1 + power * s.rest));
+  svg.append("path").attr("class", "line datum").attr("d", d3.line().defined((s) => known(s.rest)).x((s) => at(s)[0]).y((s) => at(s)[1])(seen));
+  for (const s of m.stations.filter((one) => one.significant && known(one.rest))) {
+    svg.append("circle").attr("class", "moved-place").attr("r", 2).attr("cx", at(s)[0]).attr("cy", at(s)[1]);
+  }
+  if (known(m.tilt_change.azimuth_deg)) drawArrow(svg, place, ring, m.tilt_change.azimuth_deg, arcseconds(m.tilt_change.angle_arcsec, 0));
+  const middleText = signed(shortLength(m.mean.value), m.mean.value);
+  svg.append("text").attr("class", "plan-label").attr("x", middle[0]).attr("y", middle[1] + 0.8 * ring).attr("text-anchor", "middle").text(say("movement.plan.mean", { value: middleText }));
+  return null;
+}

@@ -1,0 +1,112 @@
+"""What the user says of the tank: the file of option about, marks, north and survey points."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from report_pages import SAMPLE, opened
+from results import Run, read_datum, read_stations
+
+Runner = Callable[..., Run]
+
+ABOUT = """tank = "T-12 <b>"
+client = "Example & Co"
+survey_date = 2026-11-03
+revision = 2
+logo = "logo.svg"
+"""
+GIVEN = ("--mark", "stairs=75,manhole=-10", "--north-deg", 60, "--survey-points", 8)
+
+
+@pytest.fixture(scope="module")
+def told(run: Runner, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("identity")
+    (folder / "about.toml").write_text(ABOUT)
+    (folder / "logo.svg").write_text("<svg xmlns='http://www.w3.org/2000/svg'></svg>")
+    done = run(SAMPLE, "-o", folder / "out", "--about", folder / "about.toml", *GIVEN)
+    assert done.returncode == 0, done.stderr
+    return folder / "out"
+
+
+def test_words_marks_and_north_are_in_the_result(told: Path) -> None:
+    datum = read_datum(told)
+    assert datum["about"] == {
+        "tank": "T-12 <b>",
+        "client": "Example & Co",
+        "survey_date": "2026-11-03",
+        "revision": "2",
+    }
+    assert [(m["name"], m["azimuth_deg"]) for m in datum["marks"]] == [
+        ("stairs", pytest.approx(75.0)),
+        ("manhole", pytest.approx(350.0)),
+    ]
+    assert datum["north_azimuth_deg"] == pytest.approx(60.0)
+
+
+def test_survey_points_run_clockwise_from_north(told: Path) -> None:
+    stations, points = read_stations(told), read_datum(told)["survey_points"]
+    assert [p["number"] for p in points] == list(range(1, 9))
+    azimuths = [p["azimuth_deg"] for p in points]
+    assert azimuths == pytest.approx([60, 15, 330, 285, 240, 195, 150, 105])
+    expected = np.interp(azimuths, stations["azimuth_deg"], stations["z"], period=360)
+    assert [p["z"] for p in points] == pytest.approx(expected.tolist(), abs=1e-9)
+
+
+def test_stations_that_run_clockwise_from_north_have_the_points_numbers(
+    run: Runner, tmp_path: Path
+) -> None:
+    options = ("--zero-azimuth-deg", 60, "--clockwise", "--north-deg", 60, "--survey-points", 36)
+    assert run(SAMPLE, "-o", tmp_path / "out", *options, "--stations", 36).returncode == 0
+    stations, points = (
+        read_stations(tmp_path / "out"),
+        read_datum(tmp_path / "out")["survey_points"],
+    )
+    assert [p["azimuth_deg"] for p in points] == pytest.approx(stations["azimuth_deg"].tolist())
+    assert [p["z"] for p in points] == pytest.approx(stations["z"].tolist(), abs=1e-12)
+
+
+def test_the_page_shows_them(browser: Any, told: Path) -> None:
+    with opened(browser, told / "report.html") as page:
+        assert page.text("#title") == "Datum of tank T-12 <b>"
+        assert "Example & Co" in page.text(".about")
+        assert page.page.locator(".identity img").get_attribute("src").startswith("data:image/svg")
+        assert "stairs" in page.page.locator("#plan-chart svg text").all_text_contents()
+        assert page.page.locator("#elevation-chart .reference-mark").count() == 2
+        assert page.page.locator("#elevation table tbody tr").count() == 8
+        assert page.errors == []
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        pytest.param('tnak = "x"', ["about.toml:1", "key tnak", "one of tank,"], id="other key"),
+        pytest.param("tank = \n", ["about.toml:1", "TOML"], id="no TOML"),
+        pytest.param("tank = [1]", ["about.toml:1", "tank", "a text"], id="a list"),
+        pytest.param('logo = "none.png"', ["none.png"], id="no such logo"),
+        pytest.param('logo = "about.toml"', ["about.toml", "no image", "PNG"], id="no image"),
+        pytest.param("x" * (1 << 20) + "x", ["1048577 bytes", "1 MB"], id="too large"),
+    ],
+)
+def test_a_bad_file_is_refused_in_a_line(
+    run: Runner, tmp_path: Path, content: str, words: list[str]
+) -> None:
+    (tmp_path / "about.toml").write_text(content)
+    done = run(SAMPLE, "-o", tmp_path / "out", "--about", tmp_path / "about.toml")
+    assert done.returncode == 3
+    assert len(done.stderr.strip().splitlines()) == 1
+    for word in words:
+        assert word in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("mark", ["stairs", "=75", "stairs=x", "stairs=75x", "stairs=400"])
+def test_a_bad_mark_is_refused(run: Runner, tmp_path: Path, mark: str) -> None:
+    done = run(SAMPLE, "-o", tmp_path / "out", "--mark", mark)
+    assert done.returncode == 2
+    assert "mark" in done.stderr
+    assert "stairs=75" in done.stderr

@@ -1,0 +1,126 @@
+"""The words of the report: one file a language, none missing or left over, none in scripts."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from programs import ROOT, run_program
+from report_pages import SAMPLE, opened
+from results import Run
+
+Runner = Callable[..., Run]
+
+PAGE = ROOT / "src/report/page"
+LANGUAGES = sorted(path.stem for path in (PAGE / "words").glob("*.json"))
+SCRIPTS = sorted((PAGE / "js").glob("*.js"))
+SOURCES = sorted((ROOT / "src/report").glob("*.cpp"))
+PLACE = re.compile(r"\{\w+\}")
+KEY = re.compile(r'"((?:[a-z_]+\.)+\w+)"')
+# keys that are put together while the page runs: say(`word.${name}`)
+BUILT = ("word.", "movement.removed.", "movement.mean.", "movement.tilt.", "movement.rest.")
+# a text of two plain words or a word with a capital, which a reader would see
+TEXT = re.compile(r'"(?:[A-Z][a-z]+[a-z ,.]*|[a-z]+ [a-z]+ [a-z ,.]+)"')
+
+
+def words(language: str) -> dict[str, str]:
+    text = (PAGE / f"words/{language}.json").read_text()
+    found: dict[str, str] = json.loads(text)
+    return found
+
+
+def without_comments(path: Path) -> str:
+    text = re.sub(r"/\*.*?\*/", "", path.read_text(), flags=re.S)
+    return re.sub(r"(?<!:)//.*", "", text)
+
+
+def asked() -> set[str]:
+    """Every key that script or library asks for."""
+    text = "".join(without_comments(path) for path in [*SCRIPTS, *SOURCES])
+    literal = {key for key in KEY.findall(text) if key in words("en") or "say(" in text}
+    said = set(re.findall(r'say\("([\w.]+)"', text))
+    assert said <= words("en").keys(), f"en.json lacks {sorted(said - words('en').keys())}"
+    return literal | said
+
+
+def test_english_has_every_key_and_no_other() -> None:
+    found = asked()
+    left = {
+        key
+        for key in words("en")
+        if key.removesuffix(".many") not in found and not key.startswith(BUILT)
+    }
+    assert left == set()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_language_has_what_english_has(language: str) -> None:
+    english, own = words("en"), words(language)
+    assert sorted(own) == sorted(english)
+    for key, text in english.items():
+        assert own[key].strip(), key
+        assert set(PLACE.findall(own[key])) == set(PLACE.findall(text)), key
+        assert "<" not in own[key], key
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_keys_stand_once_and_in_order(language: str) -> None:
+    pairs = json.loads(
+        (PAGE / f"words/{language}.json").read_text(), object_pairs_hook=lambda found: found
+    )
+    keys = [key for key, _ in pairs]
+    assert keys == sorted(set(keys))
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
+def test_no_script_holds_words(script: Path) -> None:
+    kept = {"ArrowRight", "ArrowUp", "ArrowLeft", "ArrowDown", "Home"}
+    found = [text for text in TEXT.findall(without_comments(script)) if text[1:-1] not in kept]
+    assert found == []
+
+
+def test_the_option_knows_every_language() -> None:
+    listed = json.loads(run_program("tank_datum", ["--print-options"]).stdout)
+    (option,) = [o for o in listed if o["name"] == "language"]
+    assert sorted(option["words"]) == LANGUAGES
+
+
+def test_a_german_page_and_summary(
+    run: Runner, browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    """Headings, charts and movement in German; files, names of checks and their notes as ever."""
+    options = ("--language", "de", "--baseline", sample_report)
+    done = run(SAMPLE, "-o", tmp_path / "out", *options)
+    assert done.returncode == 0
+    told = next(line for line in done.stdout.splitlines() if line.startswith("movement "))
+    assert "KEINE BEWEGUNG NACHGEWIESEN: Änderung des Mittels" in told
+    with opened(browser, tmp_path / "out" / "report.html") as page:
+        assert page.slips() == []
+        assert page.page.evaluate("document.documentElement.lang") == "de"
+        headings = page.texts("main h2")
+        assert headings[:4] == ["Urteil", "Höhe", "Aus der Ebene", "Grundriss"]
+        assert "360 Stationen gemessen" in page.text(".quality")
+        assert "Azimut [°]" in page.page.locator("#elevation-chart").text_content()
+        assert told.split(":", 1)[1].split(";")[0].split()[0] in page.text("#summary .quality")
+        english = set(words("en").values()) - set(words("de").values())
+        said = {t for t in page.texts("h2, h3, dt, th, caption, .legend label, button") if t}
+        assert said & english == set()
+
+
+def test_what_a_language_lacks_is_said_in_english(
+    browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    """A page of a language that has one word: that word, and English for the rest."""
+    html = (sample_report / "report.html").read_text()
+    html = html.replace('id="data-words">{', 'id="data-words">{"xx":{"plan.plan":"Aufsicht"},', 1)
+    html = html.replace('"schema": 1,', '"schema": 1, "language": "xx",', 1)
+    (tmp_path / "xx.html").write_text(html)
+    with opened(browser, tmp_path / "xx.html") as page:
+        assert page.slips() == []
+        assert page.text("#plan h2") == "Aufsicht" and page.text("#elevation h2") == "Elevation"
+        assert page.page.evaluate("document.documentElement.lang") == "xx"
