@@ -27,12 +27,13 @@ py::array pointsIn(const py::handle& given) {
                        ", expected an array of shape (n, 3) in float32 or float64, or the path of a scan");
 }
 
-Task::Wanted wantedFrom(const std::string& name) {
-  static const std::map<std::string, Task::Wanted> names = {{"datum", Task::Wanted::Datum},
-                                                            {"datums", Task::Wanted::Datums},
-                                                            {"tanks", Task::Wanted::Tanks},
-                                                            {"levelling", Task::Wanted::Levelling}};
-  return names.at(name);
+/// What a function of the package asks for.
+Task::Wanted wantedBy(const std::string& function) {
+  static const std::map<std::string, Task::Wanted> all = {{"extract_datum", Task::Wanted::Datum},
+                                                          {"extract_datums", Task::Wanted::Datums},
+                                                          {"find_tanks", Task::Wanted::Tanks},
+                                                          {"read_levelling", Task::Wanted::Levelling}};
+  return all.at(function);
 }
 
 /// A tank that the search found, in the scan's own frame.
@@ -49,19 +50,16 @@ py::dict tankDict(const Tank& tank, const Eigen::Vector3d& origin) {
   return made;
 }
 
-/// Runs a task; what it gives are Results, or dicts of tanks.
+/// Runs what a function of the package asks for; what it gives are Results, or dicts of tanks.
 /// @param given  what of the task is no option: `levelling`, `diameter`, `baseline_json`
-py::list run(const std::string& wanted, const std::vector<std::string>& paths, const py::list& arrays,
+py::list run(const std::string& function, const std::vector<std::string>& paths, const py::list& arrays,
              const py::dict& keywords, const py::dict& given, const py::object& progress) {
   Task task;
-  task.wanted = wantedFrom(wanted);
+  task.wanted = wantedBy(function);
   task.points.paths = paths;
   for (const py::handle& array : arrays) task.points.arrays.push_back(pointsIn(array));
-  static const std::map<std::string, std::string> functions = {{"datum", "extract_datum"},
-                                                               {"datums", "extract_datums"},
-                                                               {"tanks", "find_tanks"},
-                                                               {"levelling", "read_levelling"}};
-  task.options = optionsFrom(keywords, functions.at(wanted));
+  task.options = optionsFrom(keywords, function);
+  task.options.all = task.wanted == Task::Wanted::Datums;
   task.options.datum.refine.profile_points = kProfilePoints;
   if (given.contains("baseline_json")) task.baseline_json = given["baseline_json"].cast<std::string>();
   if (given.contains("levelling")) task.options.levelling = given["levelling"].cast<std::string>();

@@ -17,7 +17,6 @@
 #include "io/up_axis.h"
 #include "movement/baseline.h"
 #include "movement/epoch.h"
-#include "movement/movement.h"
 #include "report/provenance.h"
 
 namespace py = pybind11;
@@ -74,19 +73,6 @@ Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const Run
 Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
   const Scan scan = scanAsGiven(points, rows, options);
   return options.up == "z" ? scan : scan.turned(upRotation(options.up));
-}
-
-/// The movement of one of several tanks; of those that are not the baseline's it says so.
-Movement movementOf(const Datum& datum, const Baseline& baseline, const DatumOptions& options, bool several) {
-  try {
-    return movementSince(baseline, datum, options);
-  } catch (const Error& error) {
-    if (!several) throw;
-    Movement none;
-    none.baseline = baseline.epoch.name;
-    none.message = error.what();
-    return none;
-  }
 }
 
 /// What the two threads share. The thread that works touches Python's objects only through the gate.
@@ -149,20 +135,13 @@ struct Job {
     scan.setProgress([this, total = scan.size()](std::uint64_t read) { tell({stage, read, total, false}); });
     const Callbacks callbacks = callbacksFor(scan, baseline);
     const DatumOptions& options = task.options.datum;
-    if (task.wanted == Task::Wanted::Datum) {
-      Datum datum = extractDatum(scan, options, callbacks);
-      return keep({std::move(datum)}, records(scan), baseline);
-    }
-    std::vector<Tank> tanks = findTanks(scan, options, callbacks);
-    found.origin = scan.origin();
     if (task.wanted == Task::Wanted::Tanks) {
-      found.tanks = std::move(tanks);
+      found.tanks = findTanks(scan, options, callbacks);
+      found.origin = scan.origin();
       return;
     }
-    callbacks.tanks(tanks);
-    if (tanks.empty()) tanks.emplace_back();
-    std::vector<Datum> datums;
-    for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, options, callbacks));
+    std::vector<Datum> datums = task.options.all ? extractEveryDatum(scan, options, callbacks)
+                                                 : std::vector<Datum>{extractDatum(scan, options, callbacks)};
     keep(std::move(datums), records(scan), baseline);
   }
 
@@ -178,17 +157,8 @@ struct Job {
   }
 
   void keep(std::vector<Datum> datums, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline) {
-    const RunOptions& o = task.options;
     for (Datum& datum : datums) {
-      Provenance provenance = provenanceOf(files, o.units, o.datum, datum);
-      provenance.up = o.up;
-      provenance.reading = o.reading;
-      provenance.reading.foreign = nullptr;  // Python's objects do not leave with the result
-      provenance.baseline = o.baseline;
-      provenance.movement_options = o.movement;
-      if (baseline && datum.usable()) {
-        provenance.movement = movementOf(datum, *baseline, o.datum, task.wanted == Task::Wanted::Datums);
-      }
+      Provenance provenance = provenanceOf(files, task.options, baseline, datum);
       found.results.push_back({std::move(datum), std::move(provenance)});
     }
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "options/option_table.h"
+#include "report/identity.h"
 #include "tank_datum/core/unknown.h"
 
 namespace py = pybind11;
@@ -106,6 +107,7 @@ RunOptions optionsFrom(const py::dict& given, const std::string& function) {
   RunOptions run;
   put(keywordsOf(run), given, function);
   readFilesOf(run);
+  readIdentity(run);
   return run;
 }
 

@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "fit/curve_comparison.h"
 #include "movement/movement.h"
+#include "movement/trend.h"
 #include "result.h"
 #include "tank_datum/limits/limits.h"
 #include "values.h"
@@ -88,6 +89,7 @@ void addStudies(py::module_& module) {
   module.def("compare_curves", &compareTheCurves);
   module.def("limits", &limits);
   module.def("limits_text", [] { return standardLimitsText(); });
+  module.def("year_of", &yearOf);
 }
 
 }  // namespace tank_datum::python

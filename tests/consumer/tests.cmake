@@ -33,6 +33,8 @@ consumer_test(consumer_build consumer_configured COMMAND ${CMAKE_COMMAND} --buil
 set_tests_properties(consumer_build PROPERTIES FIXTURES_SETUP consumer_built)
 
 consumer_test(consumer_runs consumer_built COMMAND ${consumer_dir}/build/consumer ${consumer_scan} ${consumer_radius})
+consumer_test(consumer_runs_a_point_type_of_its_own consumer_built
+              COMMAND ${consumer_dir}/build/custom_point ${consumer_scan} ${consumer_radius})
 consumer_test(consumer_runs_the_documented_chain consumer_built
               COMMAND ${consumer_dir}/build/documented_chain ${consumer_scan} ${consumer_radius})
 consumer_script(consumer_links_neither_VTK_nor_Qt consumer_built links)

@@ -117,7 +117,7 @@ def test_defaults_are_the_commands(run: Runner) -> None:
     wanted = {k.replace("-", "_"): v for k, v in config.items()}
     got = tank_datum.defaults()
     assert got.pop("tank") is None and wanted.pop("tank") == ""
-    for name in ("heights", "las_classes", "setups"):  # lists
+    for name in ("heights", "las_classes", "setups", "mark"):  # lists
         assert got.pop(name) == [] and wanted.pop(name) == ""
     assert set(wanted) - set(got) == {"all", "quiet", "no_report"}
     assert set(got) <= set(wanted)

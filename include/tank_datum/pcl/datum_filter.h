@@ -4,6 +4,9 @@
 #include <pcl/point_types.h>
 #include <pcl/search/search.h>
 
+#include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "tank_datum/core/export.h"
@@ -51,6 +54,13 @@ class DatumFilter : public pcl::FilterIndices<PointT> {
   void setUseCloudNormals(bool use);
   bool getUseCloudNormals() const { return use_cloud_normals_; }
 
+  /// What is told of a run: the name of each stage as it begins, and in it how many of the scan's points are read.
+  using Progress = std::function<void(const char* stage, std::uint64_t points, std::uint64_t of)>;
+
+  /// An exception that it throws cancels the run and leaves filter(); the outputs are empty then and getDatum() says
+  /// NotRun. It is heard where stages begin and while points are read. Empty: nobody is told.
+  void setProgress(Progress progress) { progress_ = std::move(progress); }
+
   /// The whole result of the last run; relative to its `origin`.
   const Datum& getDatum() const { return datum_; }
 
@@ -75,6 +85,7 @@ class DatumFilter : public pcl::FilterIndices<PointT> {
   DatumOptions options_;
   SearcherPtr search_;
   bool use_cloud_normals_ = false;
+  Progress progress_;
   Datum datum_;
 };
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,22 +105,41 @@ Normals estimateNormals(const pcl::PointCloud<PointT>& cloud, const NormalOption
   return estimateNormals(pointsOf(cloud), options, threads);
 }
 
+/// @throws Error (Option) naming the first refused option
+void requireValid(const NormalOptions& options);
+
 /// The same with the neighbours that a search of PCL finds, which holds this cloud.
-/// @throws Error (Option) when it finds fewer than asked for
+/// @throws Error (Option) a refused option; when the search finds fewer than asked for
 template <typename PointT>
 Normals estimateNormals(const pcl::PointCloud<PointT>& cloud, const pcl::search::Search<PointT>& search,
                         const NormalOptions& options, int threads = 0) {
+  requireValid(options);
   const Points points = pointsOf(cloud);
   pcl::Indices all(points.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<pcl::index_t>(i);
   return fitNormals(points, findNeighbours(search, cloud, all, options.k, threads), options.k, threads);
 }
 
-/// Normals for PCL's own use.
+/// Normals for PCL's own use; their curvature is not known (NaN) without the cloud.
 inline pcl::PointCloud<pcl::Normal> toPcl(const Normals& normals) {
   pcl::PointCloud<pcl::Normal> cloud;
-  for (const Eigen::Vector3f& n : normals.normals) cloud.push_back(pcl::Normal(n.x(), n.y(), n.z()));
+  cloud.reserve(normals.size());
+  for (const Eigen::Vector3f& n : normals.normals) {
+    cloud.push_back(pcl::Normal(n.x(), n.y(), n.z(), std::numeric_limits<float>::quiet_NaN()));
+  }
   return cloud;
+}
+
+/// The same with their curvature as pcl::NormalEstimation has it: the smallest eigenvalue of the neighbours' covariance
+/// over the sum of all three, 0 for a plane and 1/3 at most.
+/// @param points  those the normals are of
+/// @throws Error (Option) for others
+pcl::PointCloud<pcl::Normal> toPcl(const Normals& normals, const Points& points);
+
+/// The same of a cloud.
+template <typename PointT>
+pcl::PointCloud<pcl::Normal> toPcl(const Normals& normals, const pcl::PointCloud<PointT>& cloud) {
+  return toPcl(normals, pointsOf(cloud));
 }
 
 /// Candidates near the circle of the datum; see filterByCentre(const Points&, ...).

@@ -151,5 +151,20 @@ def extract_datum(
     classic_points: int = 0,
     # file of limits to judge by, as option print_limits writes it
     limits: _Path | None = None,
+    # TOML file with tank, product, site, client, company, logo, survey_date,
+    # instrument, inspector, report_number, revision, notes
+    about: _Path | None = None,
+    # NAME=DEG,... places at the shell that readers know, by their azimuths
+    mark: Sequence[str] = ...,
+    # where north is, counter-clockwise from +x (-360 to 360 deg)
+    north_deg: float | None = None,
+    # points listed with their elevations, numbered clockwise from north (not given:
+    # from +y); 0: none (0 or 4 to 360)
+    survey_points: int = 0,
+    # lengths in report and summary: mm and m, inches and feet, feet; files hold
+    # metres
+    display_units: Literal["mm", "in", "ft"] = "mm",
+    # of the report
+    language: Literal["en", "de"] = "en",
     # end of options
 ) -> Datum: ...

@@ -9,17 +9,18 @@ from typing import Any
 _NUMBERS = {os.strerror(number): number for number in errno.errorcode}
 
 
-class _Said:
-    """The parts of a message "stage: name, value, expected ..."."""
+class _Said(Exception):
+    """With the parts of its message "stage: name, value, expected ..."."""
 
-    stage: str
-    name: str
-    value: str
-    expected: str
-
-    def _keep(
-        self, message: str, stage: str, name: str, value: str, expected: str
+    def __init__(
+        self,
+        message: str,
+        stage: str = "",
+        name: str = "",
+        value: str = "",
+        expected: str = "",
     ) -> None:
+        super().__init__(message)
         self._message = message
         self.stage, self.name, self.value, self.expected = stage, name, value, expected
 
@@ -43,17 +44,6 @@ class OptionError(_Said, ValueError):
     be.
     """
 
-    def __init__(
-        self,
-        message: str,
-        stage: str = "",
-        name: str = "",
-        value: str = "",
-        expected: str = "",
-    ) -> None:
-        ValueError.__init__(self, message)
-        self._keep(message, stage, name, value, expected)
-
 
 def _path_in(name: str) -> str:
     """The path in what was refused: "scan.pcd", "POINTS of scan.pcd", "z in stations.csv:7"."""
@@ -71,19 +61,11 @@ class FileError(_Said, OSError):
     the file; None where its content is at fault.
     """
 
-    def __init__(
-        self,
-        message: str,
-        stage: str = "",
-        name: str = "",
-        value: str = "",
-        expected: str = "",
-    ) -> None:
-        OSError.__init__(self, message)
-        self._keep(message, stage, name, value, expected)
-        self.errno = _NUMBERS.get(value)
-        self.strerror = value or None
-        self.filename = _path_in(name)
+    def __init__(self, *said: str) -> None:
+        super().__init__(*said)
+        self.errno = _NUMBERS.get(self.value)
+        self.strerror = self.value or None
+        self.filename = _path_in(self.name)
 
 
 def option_error(stage: str, name: str, value: object, expected: str) -> OptionError:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 from tank_datum._records import (
     Antipodal,
@@ -16,11 +17,17 @@ from tank_datum._records import (
     Verdict,
 )
 
+T = TypeVar("T")
+
 
 class Figures:
     """What datum.json says, as small typed results."""
 
     _record: dict[str, Any]
+
+    def _known(self, key: str, kind: Callable[[Any], T]) -> T | None:
+        found = self._record.get(key)
+        return None if found is None else kind(found)
 
     @property
     def status(self) -> str:
@@ -45,32 +52,27 @@ class Figures:
     @property
     def tank(self) -> Tank | None:
         """Center [m], radius [m], coverage_deg, side; None without a tank."""
-        found = self._record.get("tank")
-        return None if found is None else Tank(found)
+        return self._known("tank", Tank)
 
     @property
     def tilt(self) -> Tilt | None:
         """Slope [m/m], angle_arcsec, direction_deg (towards the highest point), sigma_slope, ..."""
-        found = self._record.get("tilt")
-        return None if found is None else Tilt(found)
+        return self._known("tilt", Tilt)
 
     @property
     def antipodal(self) -> Antipodal | None:
         """The paper's inclination: max_h [m] over a diameter [m], angle_deg, azimuth_deg."""
-        found = self._record.get("antipodal")
-        return None if found is None else Antipodal(found)
+        return self._known("antipodal", Antipodal)
 
     @property
     def movement(self) -> Movement | None:
         """Per station dz, lod95 [m] and significance since the baseline; None without one."""
-        found = self._record.get("movement")
-        return None if found is None else Movement(found)
+        return self._known("movement", Movement)
 
     @property
     def shell(self) -> Shell | None:
         """Roundness, plumbness, lean; None when no shell above the foot was seen."""
-        found = self._record.get("shell")
-        return None if found is None else Shell(found)
+        return self._known("shell", Shell)
 
     @property
     def harmonics(self) -> list[Harmonic]:
@@ -80,8 +82,7 @@ class Figures:
     @property
     def out_of_plane(self) -> OutOfPlane | None:
         """Order, adjusted_r2, max_abs_u [m], max_curvature [1/m], second_differences, ..."""
-        found = self._record.get("out_of_plane")
-        return None if found is None else OutOfPlane(found)
+        return self._known("out_of_plane", OutOfPlane)
 
     @property
     def checks(self) -> list[Check]:
@@ -91,5 +92,4 @@ class Figures:
     @property
     def verdict(self) -> Verdict | None:
         """What all checks come to; None when none were made."""
-        found = self._record.get("verdict")
-        return None if found is None else Verdict(found)
+        return self._known("verdict", Verdict)

@@ -41,6 +41,7 @@ class Blocks(Protocol):
         """A pass: points (n, 3) in the file's units, their setup or setups, rows without a point,
         rows that are not wanted. Rows of setups that are not wanted are among the last.
         """
+        ...
 
 
 # The reader of a format, the package that it is built on, and what that is to be given.

@@ -14,7 +14,22 @@ __all__ = ["MovementOptions", "Options", "Unpack"]
 _Path: TypeAlias = str | PathLike[str]
 
 
-class Options(TypedDict, total=False):
+class MovementOptions(TypedDict, total=False):
+    """Those of compare."""
+
+    # options of a comparison
+    remove: Literal["none", "mean", "tilt"]
+    registration_error: float
+    registration_tilt_arcsec: float
+    azimuth_offset_deg: float
+    estimate_azimuth_offset: bool
+    correlation_deg: float
+    radius_difference: float
+    centre_distance: float
+    # end of options
+
+
+class Options(MovementOptions, total=False):
     """Keywords of extract_datum, whose documentation says what they are."""
 
     # options of a run
@@ -46,14 +61,6 @@ class Options(TypedDict, total=False):
     las_classes: Sequence[int]
     setups: Sequence[str]
     baseline: Datum | _Path | None
-    remove: Literal["none", "mean", "tilt"]
-    registration_error: float
-    registration_tilt_arcsec: float
-    azimuth_offset_deg: float
-    estimate_azimuth_offset: bool
-    correlation_deg: float
-    radius_difference: float
-    centre_distance: float
     threads: int
     checksum: Literal["xxh3", "sha256", "none"]
     no_checksum: bool
@@ -65,19 +72,10 @@ class Options(TypedDict, total=False):
     service: Literal["new", "rebuilt", "in-service"]
     classic_points: int
     limits: _Path | None
-    # end of options
-
-
-class MovementOptions(TypedDict, total=False):
-    """Those of compare."""
-
-    # options of a comparison
-    remove: Literal["none", "mean", "tilt"]
-    registration_error: float
-    registration_tilt_arcsec: float
-    azimuth_offset_deg: float
-    estimate_azimuth_offset: bool
-    correlation_deg: float
-    radius_difference: float
-    centre_distance: float
+    about: _Path | None
+    mark: Sequence[str]
+    north_deg: float | None
+    survey_points: int
+    display_units: Literal["mm", "in", "ft"]
+    language: Literal["en", "de"]
     # end of options

@@ -47,7 +47,7 @@ def extract_datum(
     exception but the result's status. Ctrl-C is heard within a second, and the interpreter's lock
     is free while it works.
     """
-    return Datum._of(_run("datum", points, progress, options)[0])
+    return Datum._of(_run("extract_datum", points, progress, options)[0])
 
 
 def extract_datums(
@@ -57,7 +57,10 @@ def extract_datums(
 
     Without a tank one result, whose status says so. Arguments and errors are extract_datum's.
     """
-    return [Datum._of(made) for made in _run("datums", points, progress, dict(options))]
+    return [
+        Datum._of(made)
+        for made in _run("extract_datums", points, progress, dict(options))
+    ]
 
 
 def find_tanks(
@@ -67,7 +70,9 @@ def find_tanks(
 
     Arguments and errors are extract_datum's; `tank=found.circle` then extracts one of them.
     """
-    return [FoundTank(made) for made in _run("tanks", points, progress, dict(options))]
+    return [
+        FoundTank(made) for made in _run("find_tanks", points, progress, dict(options))
+    ]
 
 
 def read_levelling(
@@ -81,16 +86,16 @@ def read_levelling(
     given = {"levelling": os.fspath(path), "diameter": float(diameter)}
     keywords, more = _with_baseline(dict(options))
     return Datum._of(
-        _core.run("levelling", [], [], keywords, {**given, **more}, None)[0]
+        _core.run("read_levelling", [], [], keywords, {**given, **more}, None)[0]
     )
 
 
 def _run(
-    wanted: str, points: Any, progress: Progress | None, options: dict[str, Any]
+    function: str, points: Any, progress: Progress | None, options: dict[str, Any]
 ) -> list[Any]:
     paths, arrays = split(points)
     keywords, given = _with_baseline(options)
-    return _core.run(wanted, paths, arrays, keywords, given, _teller(progress))
+    return _core.run(function, paths, arrays, keywords, given, _teller(progress))
 
 
 def _with_baseline(options: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:

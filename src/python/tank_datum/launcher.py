@@ -59,6 +59,11 @@ def curves() -> None:
     become("tank_datum_curves")
 
 
+def report() -> None:
+    """tank_datum_report."""
+    become("tank_datum_report")
+
+
 def synth() -> None:
     """tank_datum_synth."""
     become("tank_datum_synth")

@@ -31,3 +31,12 @@ that tank_datum did not write is kept under another name.
 In pytest the same cases run with `pytest --tank-datum-cases CASES.toml`, and the fixture
 `tank_datum_qa` runs one by name.
 """
+
+from collections.abc import Callable
+from pathlib import Path
+
+from tank_datum_qa._run import Outcome
+
+__all__ = ["Outcome", "RunCase"]
+
+RunCase = Callable[[str | Path, str], Outcome]  # the fixture of pytest: file, name

@@ -5,9 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import shlex
-import signal
 import sys
-import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -17,6 +15,7 @@ from tank_datum_qa._junit import write_junit
 from tank_datum_qa._result_folder import OutputIsInputError, require_apart
 from tank_datum_qa._result_journal import ResultError
 from tank_datum_qa._run import Outcome, default_command, programs_of, run_case
+from tank_datum_qa._scratch import exit_on_signals, scratch, stop_programs
 
 PASSED, FAILED, WRONG_USE = 0, 1, 2
 
@@ -72,18 +71,20 @@ def chosen(options: argparse.Namespace) -> list[Case]:
 
 def run_all(cases: list[Case], options: argparse.Namespace) -> list[Outcome]:
     programs = programs_of(options.command)
-    with (
-        tempfile.TemporaryDirectory() as scratch,
-        ThreadPoolExecutor(options.jobs) as pool,
-    ):
+    with scratch() as place, ThreadPoolExecutor(options.jobs) as pool:
         jobs = []
-        for number, case in enumerate(cases):
-            folder = Path(scratch) / str(number)
-            folder.mkdir()
-            jobs.append(
-                pool.submit(run_case, case, programs, folder, update=options.update)
-            )
-        return [job.result() for job in jobs]
+        try:
+            for number, case in enumerate(cases):
+                folder = place / str(number)
+                folder.mkdir()
+                jobs.append(
+                    pool.submit(run_case, case, programs, folder, update=options.update)
+                )
+            return [job.result() for job in jobs]
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            stop_programs()
+            raise
 
 
 def refuse_unused(outcomes: list[Outcome]) -> None:
@@ -132,7 +133,7 @@ def junit_failure(options: argparse.Namespace, outcomes: list[Outcome]) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     options = parsed(sys.argv[1:] if arguments is None else arguments)
-    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
+    exit_on_signals()
     try:
         cases = chosen(options)
         if options.list:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import subprocess
 import sys
 import time
 from dataclasses import dataclass, field
@@ -15,6 +14,7 @@ from tank_datum_qa._cases import Case, unused_rules
 from tank_datum_qa._compare import Change, compare, values_of
 from tank_datum_qa._result_folder import ResultFolder
 from tank_datum_qa._result_journal import ResultError, settle_to_read
+from tank_datum_qa._scratch import run as run_program
 
 HEADER = ("file", "key", "what", "values", "largest", "allowed", "where", "verdict")
 
@@ -109,9 +109,7 @@ def _run_and_compare(
 ) -> None:
     case = outcome.case
     call = words_of(case, program, results)
-    run = subprocess.run(
-        call, cwd=case.root, capture_output=True, text=True, check=False
-    )
+    run = run_program(call, case.root)
     if run.returncode != case.status:
         said = run.stderr.strip() or "nothing on stderr"
         outcome.error = f"exit status {run.returncode}, expected {case.status}: {said}"

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tank_datum_qa import RunCase
 from tank_datum_qa._cases import Case, CasesError, read_cases
 from tank_datum_qa._run import Outcome, default_command, programs_of, run_case
 
@@ -34,7 +35,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def _files(config: pytest.Config) -> list[Path]:
-    return [Path(path).resolve() for path in config.getoption("--tank-datum-cases")]
+    given = config.getoption("--tank-datum-cases") or []
+    return [Path(path).resolve() for path in given]
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -91,9 +93,7 @@ class CaseItem(pytest.Item):
 
 
 @pytest.fixture
-def tank_datum_qa(
-    request: pytest.FixtureRequest, tmp_path: Path
-) -> Callable[[str | Path, str], Outcome]:
+def tank_datum_qa(request: pytest.FixtureRequest, tmp_path: Path) -> RunCase:
     """tank_datum_qa(file, name): runs a case of a file; `.passed` says whether it holds.
 
     `.changes` are what moved, `.lines()` their table. Raises KeyError without such a case.

@@ -76,7 +76,7 @@ pcl::IndicesPtr DatumFilter<PointT>::selected() const {
 
 template <typename PointT>
 void DatumFilter<PointT>::runOn(const pcl::IndicesPtr& selection, std::vector<bool>& is_edge) {
-  const Scan scan = scanOf<PointT>(input_, selection);
+  Scan scan = scanOf<PointT>(input_, selection);
   pcl::Indices finite;
   for (const pcl::index_t i : *selection) {
     if (pcl::isXYZFinite((*input_)[static_cast<std::size_t>(i)])) finite.push_back(i);
@@ -91,6 +91,11 @@ void DatumFilter<PointT>::runOn(const pcl::IndicesPtr& selection, std::vector<bo
     callbacks.normals = [&](const Points& points, const NormalOptions& options, int threads) {
       return normalsOf(points, sources(points), options, threads);
     };
+  }
+  const char* stage = "";
+  if (progress_) {
+    callbacks.stage = [&](const char* begun) { progress_(stage = begun, 0, scan.size()); };
+    scan.setProgress([&](std::uint64_t read) { progress_(stage, read, scan.size()); });
   }
   datum_ = extractDatum(scan, options_, callbacks);
   if (!datum_.usable()) return;
