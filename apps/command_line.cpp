@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "config_lines.h"
 #include "exit_status.h"
 #include "option_flags.h"
 #include "options/option_json.h"
+#include "report/identity.h"
 #include "report/section_json.h"
 #include "results/manifest.h"
 #include "results/output_guard.h"
@@ -36,11 +38,13 @@ void requireInputsUntouched(const Command& command) {
   inputs.push_back({"limits file", command.datum.analysis.limits_file});
   inputs.push_back({"file of setups' origins", command.setup_origins});
   inputs.push_back({"config file", command.config});
+  const std::string json = command.json == "-" ? "" : command.json;  // -: standard output
   std::vector<NamedPath> outputs = outputsOf(command.output, results::kDatumProgram);
-  if (!command.timings.empty()) {
-    for (const NamedPath& output : outputs) requireApart({{"result", output.path}}, {{"--timings", command.timings}});
+  for (const NamedPath& named : {NamedPath{"--timings", command.timings}, NamedPath{"--json", json}}) {
+    if (named.path.empty()) continue;
+    for (const NamedPath& output : outputs) requireApart({{"result", output.path}}, {named});
+    outputs.push_back(named);
   }
-  outputs.push_back({"--timings", command.timings});
   requireApart(inputs, outputs);
 }
 
@@ -59,7 +63,7 @@ void warnOfMetres(const CLI::App& app, const std::string& flag, const std::strin
 bool parse(CLI::App& app, int argc, char** argv, const Command& command, int& status) {
   try {
     app.parse(argc, argv);
-    const bool prints = command.print_limits || command.print_options;
+    const bool prints = command.print_limits || command.print_options || command.print_config;
     if (command.inputs().empty() && !prints) throw CLI::RequiredError("scan");
     return true;
   } catch (const CLI::Success& asked) {  // --help, --version
@@ -68,6 +72,7 @@ bool parse(CLI::App& app, int argc, char** argv, const Command& command, int& st
     std::cerr << "tank_datum: command line: --config, " << error.what() << ", expected a readable file\n";
     status = kFileFailed;
   } catch (const CLI::ParseError& error) {
+    requireConfigLines(app.get_config_ptr()->as<std::string>());
     std::cerr << "tank_datum: command line: " << error.what() << ", expected what tank_datum --help lists\n";
     status = kWrongUse;
   }
@@ -89,15 +94,17 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
     throw Error(Error::Kind::Option, "command line", "--level", "with --all", "one tank: they need not lean alike");
   }
   command.config = app.get_config_ptr()->as<std::string>();
+  requireConfigLines(command.config);
   flags.putTyped();
   if (!command.no_report) command.datum.refine.profile_points = kProfilePoints;
   status = kUsable;
   if (command.print_limits) std::cout << standardLimitsText();
   if (command.print_options) std::cout << optionsListed();
   if (command.print_limits || command.print_options) return false;
-  if (command.output.empty()) command.output = stemOf(command.inputs().front());
+  if (command.output.empty() && !command.inputs().empty()) command.output = stemOf(command.inputs().front());
   requireInputsUntouched(command);
   readFilesOf(command);
+  readIdentity(command);
   warnOfMetres(app, "--height", command.units);
   warnOfMetres(app, "--diameter", command.units);
   if (command.print_config) std::cout << app.config_to_str(true, true);

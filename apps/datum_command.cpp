@@ -12,7 +12,6 @@
 #include "flag_names.h"
 #include "io/up_axis.h"
 #include "movement/baseline.h"
-#include "movement/movement.h"
 #include "report/provenance.h"
 #include "results/manifest.h"
 #include "results/output_file.h"
@@ -33,6 +32,26 @@ std::optional<OutputFile> timingsFile(const Command& command) {
   if (command.timings.empty()) return std::nullopt;
   return std::make_optional<OutputFile>(command.timings, isJsonWith({"stages", "total", "peak_memory_bytes"}),
                                         kProgram);
+}
+
+/// The file of --json, unless it is standard output.
+std::optional<OutputFile> jsonFile(const Command& command) {
+  if (command.json.empty() || command.json == "-") return std::nullopt;
+  return std::make_optional<OutputFile>(
+      command.json, command.all ? isFileWith("[\n{", "\"schema\"") : isJsonWith({"schema", "status", "input"}),
+      kProgram);
+}
+
+/// datum.json; of all tanks a list of them.
+std::string jsonOf(const std::vector<Datum>& datums, const std::vector<Provenance>& provenances,
+                   const Command& command) {
+  if (!command.all) return datumJson(datums.front(), provenances.front());
+  std::string list;
+  for (std::size_t i = 0; i < datums.size(); ++i) {
+    list += (i == 0 ? "[\n" : ",\n") + datumJson(datums[i], provenances[i]);
+    while (list.back() == '\n') list.pop_back();
+  }
+  return list + "\n]\n";
 }
 
 /// Where all tanks are asked for each has a folder inside the output folder; else the one has the folder itself.
@@ -57,48 +76,22 @@ std::vector<Datum> extract(Scan scan, const Command& command, const std::optiona
   callbacks.tanks = [&](const std::vector<Tank>& tanks) {
     if (baseline) requireAmong(tanks, scan.origin(), *baseline);
   };
-  if (!command.all) return {extractDatum(scan, command.datum, callbacks)};
-  std::vector<Tank> tanks = findTanks(scan, command.datum, callbacks);
-  callbacks.tanks(tanks);
-  if (tanks.empty()) tanks.emplace_back();
-  std::vector<Datum> datums;
-  for (const Tank& tank : tanks) datums.push_back(extractDatum(tank, scan, command.datum, callbacks));
-  return datums;
-}
-
-/// The movement of one of several tanks; of those that are not the baseline's it says so.
-Movement movementOf(const Datum& datum, const Baseline& baseline, const Command& command) {
-  try {
-    return movementSince(baseline, datum, command.datum);
-  } catch (const Error& error) {
-    if (!command.all) throw;
-    Movement none;
-    none.baseline = baseline.epoch.name;
-    none.message = error.what();
-    return none;
-  }
+  if (command.all) return extractEveryDatum(scan, command.datum, callbacks);
+  return {extractDatum(scan, command.datum, callbacks)};
 }
 
 Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline,
                     const Command& command) {
-  Provenance provenance = provenanceOf(files, command.units, command.datum, datum);
-  provenance.up = command.up;
-  provenance.reading = command.reading;
-  provenance.baseline = command.baseline;
-  provenance.movement_options = command.movement;
-  if (!baseline || !datum.usable()) return provenance;
-  provenance.movement = movementOf(datum, *baseline, command);
-  if (!provenance.movement->message.empty()) {
+  Provenance provenance = provenanceOf(files, command, baseline, datum);
+  if (provenance.movement && !provenance.movement->message.empty()) {
     std::cerr << "tank_datum: no movement: " << withFlags(provenance.movement->message) << "\n";
   }
   return provenance;
 }
 
 /// Writes the files of every tank into the folder, where they wait for its commit.
-void stageResults(const ResultFolder& folder, const std::vector<Datum>& datums, const std::vector<InputRecord>& files,
-                  const std::optional<Baseline>& baseline, const Command& command) {
-  std::vector<Provenance> provenances;
-  for (const Datum& datum : datums) provenances.push_back(recordOf(datum, files, baseline, command));
+void stageResults(const ResultFolder& folder, const std::vector<Datum>& datums,
+                  const std::vector<Provenance>& provenances, const Command& command) {
   std::vector<IndexEntry> index;
   for (std::size_t i = 0; i < datums.size(); ++i) {
     const std::string stage = folder.stage(partOf(command, i));
@@ -110,12 +103,12 @@ void stageResults(const ResultFolder& folder, const std::vector<Datum>& datums, 
 }
 
 /// Says what was found, on stdout and, of what is not usable, on stderr.
-int announce(const std::vector<Datum>& datums, const Command& command) {
+int announce(const std::vector<Datum>& datums, const std::vector<Provenance>& provenances, const Command& command) {
   bool usable = false;
   for (std::size_t i = 0; i < datums.size(); ++i) {
-    if (!command.quiet)
-      std::cout << withFlags(summary(datums[i], showsBlocks())) << "results        " << command.output << "/"
-                << fileToOpen(command, partOf(command, i)) << "\n";
+    if (!command.quiet && command.json != "-")
+      std::cout << withFlags(summary(datums[i], provenances[i], showsBlocks())) << "results        " << command.output
+                << "/" << fileToOpen(command, partOf(command, i)) << "\n";
     for (const std::string& warning : warningsOf(datums[i]))
       std::cerr << "tank_datum: warning: " << withFlags(warning) << "\n";
     usable = usable || datums[i].usable();
@@ -123,7 +116,8 @@ int announce(const std::vector<Datum>& datums, const Command& command) {
       std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << withFlags(datums[i].message) << "\n";
     }
   }
-  if (command.all && !command.quiet) std::cout << "index          " << command.output << "/index.html\n";
+  if (command.all && !command.quiet && command.json != "-")
+    std::cout << "index          " << command.output << "/index.html\n";
   std::cout.flush();
   if (!std::cout) {
     throw Error(Error::Kind::File, "report", "standard output", "not written",
@@ -156,18 +150,23 @@ int run(const Command& command) {
   refuseFirst(firstError(command));
   if (!command.baseline.empty()) settleToRead(command.baseline, kProgram);
   ResultFolder folder(command.output, kProgram);
-  std::optional<OutputFile> timings = timingsFile(command);
+  std::optional<OutputFile> timings = timingsFile(command), json = jsonFile(command);
   std::optional<Baseline> baseline;
   if (!command.baseline.empty()) baseline = readBaseline(command.baseline, command.movement, command.datum);
   StageClock clock(!command.quiet);
   const auto [datums, files] = extractRecorded(command, baseline, clock);
   clock.begin("report");
-  stageResults(folder, datums, files, baseline, command);
+  std::vector<Provenance> provenances;
+  for (const Datum& datum : datums) provenances.push_back(recordOf(datum, files, baseline, command));
+  stageResults(folder, datums, provenances, command);
   clock.end();
   if (timings) timings->write(clock.json());
+  if (json) json->write(jsonOf(datums, provenances, command));
   folder.commit();
   if (timings) timings->commit();
-  return announce(datums, command);
+  if (json) json->commit();
+  if (command.json == "-") std::cout << jsonOf(datums, provenances, command);
+  return announce(datums, provenances, command);
 }
 
 }  // namespace

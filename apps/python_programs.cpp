@@ -61,7 +61,7 @@ class Compared {
     for (std::size_t i = 1; i < epochs.size(); ++i) {
       comparison_.movements.push_back(compareEpochs(epochs.front(), epochs[i], comparison_.options));
     }
-    if (valid()) comparison_.histories = historiesOf(comparison_.movements, times());
+    if (valid()) comparison_.histories = historiesOf(comparison_.movements, timesOf(comparison_.dates, surveys.size()));
   }
 
   bool valid() const {
@@ -83,15 +83,6 @@ class Compared {
   }
 
  private:
-  std::vector<double> times() const {
-    std::vector<double> all;
-    for (const std::string& date : comparison_.dates) all.push_back(yearOf(date));
-    while (comparison_.dates.empty() && all.size() < comparison_.names.size()) {
-      all.push_back(static_cast<double>(all.size()));
-    }
-    return all;
-  }
-
   Comparison comparison_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string>
 
+#include "core/plain_text.h"
 #include "io/input_file.h"
 #include "io/io_error.h"
 
@@ -105,10 +106,10 @@ StoredNumber numberOf(const InputFile& file, const LasBytes& bytes, std::size_t 
   const double scale = bytes.at<double>(131 + 8 * axis), shift = bytes.at<double>(155 + 8 * axis);
   const std::string name(1, "xyz"[axis]);
   if (!(scale > 0.0) || !std::isfinite(kLargest * scale)) {
-    throw fileError("LAS scale of " + name, file.path(), std::to_string(scale), "a number > 0, such as 0.001");
+    throw fileError("LAS scale of " + name, file.path(), fixedText(scale), "a number > 0, such as 0.001");
   }
   if (!std::isfinite(shift) || !std::isfinite(std::abs(shift) + kLargest * scale)) {
-    throw fileError("LAS offset of " + name, file.path(), std::to_string(shift), "a number");
+    throw fileError("LAS offset of " + name, file.path(), fixedText(shift), "a number");
   }
   return {'I', 4, false, true, scale, shift};
 }

@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/plain_text.h"
 #include "io/io_error.h"
 
 namespace tank_datum {
@@ -83,7 +84,7 @@ T convert(double value, const PcdField& field) {
     const double whole = std::nearbyint(value);
     const double lowest = std::is_signed_v<T> ? -above : 0.0;
     if (!(whole >= lowest && whole < above)) {
-      throw wrongUse("PcdWriter value of field " + field.name, std::to_string(value),
+      throw wrongUse("PcdWriter value of field " + field.name, fixedText(value),
                      "a number that fits " + std::string(1, field.type) + " " + std::to_string(field.size));
     }
     return static_cast<T>(whole);

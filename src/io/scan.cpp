@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/plain_text.h"
 #include "io/input_file.h"
 #include "io/point_extent.h"
 #include "io/scan_format.h"
@@ -67,7 +68,7 @@ const char* nameOf(Checksum checksum) {
 Scan Scan::open(const std::vector<std::string>& paths, double metres_per_unit, const ScanOptions& options) {
   if (paths.empty()) throw Error(Error::Kind::Option, "io", "scans", "none", "at least one file");
   if (!(metres_per_unit > 0.0 && std::isfinite(metres_per_unit))) {
-    throw Error(Error::Kind::Option, "io", "metres_per_unit", std::to_string(metres_per_unit), "a number > 0");
+    throw Error(Error::Kind::Option, "io", "metres_per_unit", fixedText(metres_per_unit), "a number > 0");
   }
   requireClasses(options.las_classes);
   Scan scan;

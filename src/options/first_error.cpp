@@ -1,6 +1,5 @@
 // firstError of every struct of options, from the one table.
-#include <sstream>
-
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "options/option_table.h"
 
@@ -41,9 +40,8 @@ std::optional<Refusal> firstError(const MovementOptions& given) {
   const std::vector<Option> options = movementOptionsOf(movement);
   if (auto refused = firstOf(options)) return refused;
   if (!movement.estimate_offset || movement.azimuth_offset == 0.0) return std::nullopt;
-  std::ostringstream degrees;
-  degrees << toDegrees(movement.azimuth_offset);
-  return Refusal{"azimuth_offset_deg", degrees.str(), "0 with option estimate_azimuth_offset, which finds it"};
+  return Refusal{"azimuth_offset_deg", generalText(toDegrees(movement.azimuth_offset)),
+                 "0 with option estimate_azimuth_offset, which finds it"};
 }
 
 std::optional<Refusal> firstError(const LocateOptions& options) { return firstOfPart(options, &DatumOptions::locate); }

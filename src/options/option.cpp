@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 
 namespace tank_datum {
 namespace {
 
-std::string shown(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
+std::string shown(double value) { return generalText(value); }
 
 std::string shown(const Circle& circle) {
   return shown(circle.center.x()) + "," + shown(circle.center.y()) + "," + shown(circle.radius);

@@ -119,37 +119,6 @@ void addInput(Table& t, RunOptions& run) {
         "A,B,... setups of the scanner that are read, by their names in the results; none: all");
 }
 
-void addMovement(Table& t, MovementOptions& o) {
-  t.add("remove", "movement.remove", choiceOf(o.removal, {Removal::Nothing, Removal::Mean, Removal::Tilt}),
-        "what is taken from the movement: nothing, the mean, mean and tilt; between levelling and scan the mean, "
-        "since the rod does not stand where the scan's datum is");
-  t.add("registration_error", "movement.registration_error", &o.registration_error,
-        "1 sigma of the height left between the surveys")
-      .in(Unit::Metres)
-      .within(atLeast(0));
-  t.add("registration_tilt_arcsec", "movement.registration_tilt_arcsec", &o.registration_tilt,
-        "1 sigma of the tilt left between them, about either level axis")
-      .in(Unit::ArcSeconds)
-      .within(atLeast(0));
-  t.add("azimuth_offset_deg", "movement.azimuth_offset_deg", &o.azimuth_offset,
-        "turn of the later survey's frame, counter-clockwise")
-      .in(Unit::Degrees);
-  t.add("estimate_azimuth_offset", "movement.estimate_azimuth_offset", &o.estimate_offset,
-        "find that turn by the datum's shape")
-      .withNo();
-  t.add("correlation_deg", "movement.correlation_deg", &o.correlation,
-        "arc within which stations share errors; 0: as the surveys say themselves")
-      .in(Unit::Degrees)
-      .within(atLeast(0));
-  t.add("radius_difference", "movement.radius_difference", &o.radius_difference,
-        "surveys whose radii differ by more are of different tanks")
-      .in(Unit::Metres)
-      .within(above(0));
-  t.add("centre_distance", "movement.centre_distance", &o.centre_distance, "the same of their centres")
-      .in(Unit::Metres)
-      .within(above(0));
-}
-
 void addRun(Table& t, RunOptions& run) {
   t.topic = "Results and the run";
   t.add("threads", "", &run.datum.threads, "threads; 0: all cores; the result does not depend on it")
@@ -162,6 +131,7 @@ void addRun(Table& t, RunOptions& run) {
   t.add("no_checksum", "", &run.no_checksum, "the same as option checksum none");
   t.add("quiet", "", &run.quiet, "no summary, no progress").ofCommand();
   t.add("timings", "", Path{&run.timings}, "file (JSON) for the seconds of each stage").ofCommand().notInFiles();
+  t.add("json", "", Path{&run.json}, "file for datum.json too; -: standard output").ofCommand().notInFiles();
   t.add("config", "", Path{&run.config}, "file with options, as option print_config writes it")
       .ofCommand()
       .notInFiles();
@@ -171,6 +141,23 @@ void addRun(Table& t, RunOptions& run) {
   t.add("print_options", "", &run.print_options, "print all there is to say of each option (JSON) and stop")
       .ofCommand()
       .notInFiles();
+}
+
+void addIdentity(Table& t, RunOptions& run) {
+  t.topic = "What the report says of the tank";
+  t.add("about", "", Path{&run.about},
+        "TOML file with tank, product, site, client, company, logo, survey_date, "
+        "instrument, inspector, report_number, revision, notes");
+  t.add("mark", "", &run.marks, "NAME=DEG,... places at the shell that readers know, by their azimuths");
+  t.add("north_deg", "", Fact{&run.north}, "where north is, counter-clockwise from +x")
+      .in(Unit::Degrees)
+      .within(within(-360, 360));
+  t.add("survey_points", "", &run.survey_points,
+        "points listed with their elevations, numbered clockwise from north (not given: from +y); 0: none")
+      .within({4, 360, false, false, true});
+  t.add("display_units", "", choiceOf(run.display_units, {"mm", "in", "ft"}),
+        "lengths in report and summary: mm and m, inches and feet, feet; files hold metres");
+  t.add("language", "", choiceOf(run.language, {"en", "de"}), "of the report");
 }
 
 void addChecks(Table& t, RunOptions& run) {
@@ -232,16 +219,11 @@ std::vector<Option> optionsOf(RunOptions& run) {
   addInput(t, run);
   t.topic = "Movement since an earlier survey";
   t.add("baseline", "movement.baseline", Path{&run.baseline}, "datum.json of an earlier survey: movement since then");
-  addMovement(t, run.movement);
+  for (const Option& option : movementOptionsOf(run.movement)) t.rows.push_back(option);
   addRun(t, run);
   addChecks(t, run);
+  addIdentity(t, run);
   addLevelling(t, run);
-  return t.rows;
-}
-
-std::vector<Option> movementOptionsOf(MovementOptions& movement) {
-  Table t;
-  addMovement(t, movement);
   return t.rows;
 }
 

@@ -1,0 +1,71 @@
+#include "config_lines.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+#include "flag_names.h"
+#include "io/csv.h"
+#include "option_flags.h"
+#include "options/option_table.h"
+#include "tank_datum/core/error.h"
+
+namespace tank_datum {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// What is expected of a line with this name: of an option that may stand in a file its values.
+std::string expectedOf(const std::string& name) {
+  RunOptions run;
+  for (const Option& option : optionsOf(run)) {
+    if (flagOf(option.name) != "--" + name || option.giver == Giver::Library) continue;
+    if (!option.configurable) return "another option: " + flagOf(option.name) + " goes on the command line";
+    if (std::holds_alternative<bool*>(option.value)) return "true or false";
+    const std::string values = option.expected();
+    return name + " = " + (values.empty() ? "a value as tank_datum --help says" : values);
+  }
+  return "NAME=VALUE of an option that tank_datum --help lists";
+}
+
+/// Why a line is refused; nothing when it is fine.
+std::optional<std::string> refusalOf(const std::string& line) {
+  const std::string name = trimmed(line.substr(0, line.find('=')));
+  if (line.find('=') == std::string::npos) return expectedOf("");
+  RunOptions run;
+  CLI::App app;
+  const OptionFlags flags(app, optionsOf(run));
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  std::istringstream alone(line + "\n");
+  try {
+    app.parse_from_stream(alone);
+    flags.putTyped();
+  } catch (const CLI::ParseError&) {
+    return expectedOf(name);
+  } catch (const Error& error) {
+    return error.refused().expected;
+  }
+  if (const std::optional<Refusal> refused = firstError(run)) return name + " " + refused->expected;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void requireConfigLines(const std::string& path) {
+  if (path.empty()) return;
+  std::istringstream text(textOf(path, "command line"));
+  std::string line;
+  for (std::size_t number = 1; std::getline(text, line); ++number) {
+    line = trimmed(line);
+    if (line.empty() || line.front() == '#' || line.front() == ';') continue;
+    if (const std::optional<std::string> expected = refusalOf(line)) {
+      throw Error(Error::Kind::Option, "command line", path + " line " + std::to_string(number), line, *expected);
+    }
+  }
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,41 @@
+#include "options/option_rows.h"
+#include "options/option_table.h"
+
+namespace tank_datum {
+
+std::vector<Option> movementOptionsOf(MovementOptions& movement) {
+  option_rows::Table t;
+  t.topic = "Movement since an earlier survey";
+  t.add("remove", "movement.remove",
+        option_rows::choiceOf(movement.removal, {Removal::Nothing, Removal::Mean, Removal::Tilt}),
+        "what is taken from the movement: nothing, the mean, mean and tilt; between levelling and scan the mean, "
+        "since the rod does not stand where the scan's datum is");
+  t.add("registration_error", "movement.registration_error", &movement.registration_error,
+        "1 sigma of the height left between the surveys")
+      .in(Unit::Metres)
+      .within(atLeast(0));
+  t.add("registration_tilt_arcsec", "movement.registration_tilt_arcsec", &movement.registration_tilt,
+        "1 sigma of the tilt left between them, about either level axis")
+      .in(Unit::ArcSeconds)
+      .within(atLeast(0));
+  t.add("azimuth_offset_deg", "movement.azimuth_offset_deg", &movement.azimuth_offset,
+        "turn of the later survey's frame, counter-clockwise")
+      .in(Unit::Degrees);
+  t.add("estimate_azimuth_offset", "movement.estimate_azimuth_offset", &movement.estimate_offset,
+        "find that turn by the datum's shape")
+      .withNo();
+  t.add("correlation_deg", "movement.correlation_deg", &movement.correlation,
+        "arc within which stations share errors; 0: as the surveys say themselves")
+      .in(Unit::Degrees)
+      .within(atLeast(0));
+  t.add("radius_difference", "movement.radius_difference", &movement.radius_difference,
+        "surveys whose radii differ by more are of different tanks")
+      .in(Unit::Metres)
+      .within(above(0));
+  t.add("centre_distance", "movement.centre_distance", &movement.centre_distance, "the same of their centres")
+      .in(Unit::Metres)
+      .within(above(0));
+  return t.rows;
+}
+
+}  // namespace tank_datum
