@@ -70,6 +70,12 @@ def copied(name: str) -> Path:
     return target
 
 
+def copy_pictures(page: Path) -> None:
+    """Those that a page shows, at the places it names."""
+    for picture in re.findall(r"!\[[^]]*\]\(([^)]+)\)", page.read_text()):
+        copied(str((page.parent / picture).resolve().relative_to(PAGES.resolve())))
+
+
 def lay_out() -> None:
     """The pages, as they stand in the repository, and those that are made."""
     shutil.rmtree(OUT, ignore_errors=True)
@@ -79,11 +85,10 @@ def lay_out() -> None:
         ROOT / "src/README.md",
         ROOT / ".github/CONTRIBUTING.md",
     ]:
-        copied(str(page.relative_to(ROOT)))
+        copy_pictures(copied(str(page.relative_to(ROOT))))
     for notebook in (ROOT / "scripts/notebooks").glob("*.ipynb"):  # taken along as they are
         copied(str(notebook.relative_to(ROOT)))
-    for picture in re.findall(r"!\[[^]]*\]\(([^)]+)\)", readme.read_text()):
-        copied(picture)
+    copy_pictures(readme)
     made = PAGES / "reference"
     made.mkdir()
     (made / "python.rst").write_text(PYTHON)

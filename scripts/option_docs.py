@@ -140,14 +140,16 @@ def stub_of(text: str, options: list[Option]) -> str:
 
 
 def typed_dicts_of(text: str, options: list[Option]) -> str:
-    """The dicts of keywords, of a run and of a comparison, as they should be."""
-    of_a_run = [option for option in options if not option["command_only"]]
-    of_a_comparison = [
-        option
-        for option in of_a_run
-        if option["topic"] == "Movement since an earlier survey" and option["name"] != "baseline"
-    ]
-    for mark, listed in (("a run", of_a_run), ("a comparison", of_a_comparison)):
+    """The dicts of keywords, of a comparison and of what a run has beside, as they should be."""
+    parts: dict[str, list[Option]] = {"a run": [], "a comparison": []}
+    for option in options:
+        if option["command_only"]:
+            continue
+        moved = (
+            option["topic"] == "Movement since an earlier survey" and option["name"] != "baseline"
+        )
+        parts["a comparison" if moved else "a run"].append(option)
+    for mark, listed in parts.items():
         lines = "".join(f"    {option['name']}: {type_of(option)}\n" for option in listed)
         marks = rf"(    # options of {mark}\n).*?(    # end of options\n)"
         text = re.sub(marks, lambda m, body=lines: m[1] + body + m[2], text, flags=re.DOTALL)

@@ -15,7 +15,7 @@ def test_packages_are_those_that_the_scripts_install() -> None:
     configure = re.search(r"apt_install (g\+\+ .*)", setup)
     image = re.search(r"install -y --no-install-recommends (g\+\+ .*)", TEXT)
     assert configure is not None and image is not None
-    not_needed = {"libgtest-dev", "python3", "libvtk9-dev", "libx11-dev"}
+    not_needed = {"libgtest-dev", "locales", "python3", "libvtk9-dev", "libx11-dev"}
     of_cpack = {"dpkg-dev", "file"}
     assert set(image[1].split()) - of_cpack == set(configure[1].split()) - not_needed
 
