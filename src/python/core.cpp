@@ -51,7 +51,7 @@ py::dict tankDict(const Tank& tank, const Eigen::Vector3d& origin) {
 }
 
 /// Runs what a function of the package asks for; what it gives are Results, or dicts of tanks.
-/// @param given  what of the task is no option: `levelling`, `diameter`, `baseline_json`
+/// @param given  what of the task is no option: `blocks`, `levelling`, `diameter`, `baseline_json`
 py::list run(const std::string& function, const std::vector<std::string>& paths, const py::list& arrays,
              const py::dict& keywords, const py::dict& given, const py::object& progress) {
   Task task;
@@ -61,6 +61,7 @@ py::list run(const std::string& function, const std::vector<std::string>& paths,
   task.options = optionsFrom(keywords, function);
   task.options.all = task.wanted == Task::Wanted::Datums;
   task.options.datum.refine.profile_points = kProfilePoints;
+  if (given.contains("blocks")) task.points.blocks = given["blocks"];
   if (given.contains("baseline_json")) task.baseline_json = given["baseline_json"].cast<std::string>();
   if (given.contains("levelling")) task.options.levelling = given["levelling"].cast<std::string>();
   if (given.contains("diameter")) task.options.diameter = given["diameter"].cast<double>();

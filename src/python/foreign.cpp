@@ -127,6 +127,14 @@ void PythonGate::drop(PyObject* object) {
   Py_DECREF(object);
 }
 
+ScanBlocks blocksFrom(const std::shared_ptr<PythonGate>& gate, const py::handle& reader, double metres_per_unit) {
+  ScanBlocks blocks;
+  gate->enter([&] {
+    blocks = blocksOf(gate, shared(py::reinterpret_borrow<py::object>(reader), gate), metres_per_unit);
+  });
+  return blocks;
+}
+
 std::function<ScanBlocks(const ForeignScan&)> foreignReader(const std::shared_ptr<PythonGate>& gate) {
   const Shared open = shared(py::module_::import("tank_datum._foreign").attr("open_blocks"), gate);
   return [gate, open](const ForeignScan& scan) {

@@ -55,11 +55,7 @@ std::vector<Rows> rowsOf(const std::vector<py::array>& arrays) {
   return all;
 }
 
-Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
-  if (!points.paths.empty()) return Scan::open(points.paths, options.metresPerUnit(), options.reading);
-  if (!options.reading.setups.empty()) {
-    throw Error(Error::Kind::Option, "options", "setups", options.reading.setups.front(), "none: arrays have no names");
-  }
+Scan scanOfRows(const std::vector<Rows>& rows, const RunOptions& options) {
   const double scale = options.metresPerUnit();
   const bool single = std::any_of(rows.begin(), rows.end(), [](const Rows& array) { return !array.is_double; });
   const auto row = [rows, scale](std::uint64_t i) {
@@ -68,11 +64,6 @@ Scan scanAsGiven(const Points3& points, const std::vector<Rows>& rows, const Run
     return Eigen::Vector3d(in->at(i, 0) * scale, in->at(i, 1) * scale, in->at(i, 2) * scale);
   };
   return Scan::fromRows(rows.empty() ? 0 : rows.back().end, row, {single, scale});
-}
-
-Scan scanOf(const Points3& points, const std::vector<Rows>& rows, const RunOptions& options) {
-  const Scan scan = scanAsGiven(points, rows, options);
-  return options.up == "z" ? scan : scan.turned(upRotation(options.up));
 }
 
 /// What the two threads share. The thread that works touches Python's objects only through the gate.
@@ -130,8 +121,19 @@ struct Job {
     return callbacks;
   }
 
+  Scan scanAsGiven() const {
+    const RunOptions& o = task.options;
+    if (!task.points.paths.empty()) return Scan::open(task.points.paths, o.metresPerUnit(), o.reading);
+    if (!o.reading.setups.empty()) {
+      throw Error(Error::Kind::Option, "options", "setups", o.reading.setups.front(), "none: arrays have no names");
+    }
+    if (!task.points.blocks) return scanOfRows(rows, o);
+    return Scan::fromBlocks(blocksFrom(gate, task.points.blocks, o.metresPerUnit()));
+  }
+
   void search(const std::optional<Baseline>& baseline) {
-    Scan scan = scanOf(task.points, rows, task.options);
+    const Scan given = scanAsGiven();
+    Scan scan = task.options.up == "z" ? given : given.turned(upRotation(task.options.up));
     scan.setProgress([this, total = scan.size()](std::uint64_t read) { tell({stage, read, total, false}); });
     const Callbacks callbacks = callbacksFor(scan, baseline);
     const DatumOptions& options = task.options.datum;

@@ -12,10 +12,12 @@
 
 namespace tank_datum::python {
 
-/// Where the points come from: files, or arrays of shape (n, 3) in float32 or float64 with any strides, in metres.
+/// Where the points come from: files, arrays of shape (n, 3) in float32 or float64 with any strides, or what an object
+/// of Python's yields.
 struct Points3 {
   std::vector<std::string> paths;
   std::vector<pybind11::array> arrays;
+  pybind11::object blocks;  ///< none: not given
 };
 
 /// What a run is asked for.

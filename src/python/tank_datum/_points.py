@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float32] | NDArray[np.float64]
-EXPECTED = "an array of shape (n, 3) of numbers, or the path of a scan"
+EXPECTED = "an array of shape (n, 3) of numbers, the path of a scan, or a function that returns blocks"
 
 
 def as_points(given: Any) -> Array:
@@ -32,12 +32,17 @@ def as_points(given: Any) -> Array:
         raise TypeError(
             f"points = an array of shape {array.shape} in {array.dtype}, expected {EXPECTED}"
         )
-    if isinstance(array, np.ma.MaskedArray):
-        array = array.data[~np.ma.getmaskarray(array).any(axis=1)]
-    array = np.asarray(array)
+    array = np.asarray(unmasked(array, array))
     if array.dtype in (np.dtype(np.float32), np.dtype(np.float64)):
         return array
     return array.astype(np.float64)
+
+
+def unmasked(values: Any, points: Any) -> Any:
+    """Of values of each point, or of all of them at once, those of the points that are not masked."""
+    if not isinstance(points, np.ma.MaskedArray) or np.ndim(values) == 0:
+        return values
+    return np.ma.getdata(values)[~np.ma.getmaskarray(points).any(axis=1)]
 
 
 def split(points: Any) -> tuple[list[str], list[Array]]:

@@ -9,9 +9,11 @@ from typing import Any
 
 from tank_datum import _core
 from tank_datum._datum import Datum
+from tank_datum._errors import FileError
 from tank_datum._options import Options, Unpack
 from tank_datum._points import split
 from tank_datum._records import FoundTank
+from tank_datum._stream import Stream
 
 Progress = Callable[[str], object] | Callable[[str, int, int], object]
 
@@ -31,9 +33,12 @@ def extract_datum(
 
     points:
         an array of shape (n, 3) of numbers of any type and stride, vertical z, in `units`; the
-        path of a scan of any format, of which E57, LAZ and COPC need the extra `formats`; a list of arrays or of paths, which are stations of one tank; or an
-        iterator of blocks of points, which are kept in memory. Points that are not finite, and
-        masked rows, are dropped. float32 and float64 are not copied.
+        path of a scan of any format, of which E57, LAZ and COPC need the extra `formats`; a list of
+        arrays or of paths, which are stations of one tank; an iterator of blocks of points, which
+        are kept in memory; or a function that returns a fresh iterator of blocks for each of the
+        few passes over a scan, of which one block at a time is held. Such a block is an array, or
+        a tuple of an array and its setup: a number, or one for each point. Points that are not
+        finite, and masked rows, are dropped. float32 and float64 are not copied.
     progress:
         called with the name of each stage as it begins; when it takes three arguments with stage,
         rows read in this pass over the scan, and rows of the scan (0: not known), at most ten
@@ -93,9 +98,17 @@ def read_levelling(
 def _run(
     function: str, points: Any, progress: Progress | None, options: dict[str, Any]
 ) -> list[Any]:
-    paths, arrays = split(points)
+    stream = Stream(points) if callable(points) else None
+    paths, arrays = ([], []) if stream else split(points)
     keywords, given = _with_baseline(options)
-    return _core.run(function, paths, arrays, keywords, given, _teller(progress))
+    if stream:
+        given["blocks"] = stream
+    try:
+        return _core.run(function, paths, arrays, keywords, given, _teller(progress))
+    except FileError:
+        if stream and stream.raised:
+            raise stream.raised from None
+        raise
 
 
 def _with_baseline(options: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:

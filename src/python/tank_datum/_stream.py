@@ -1,0 +1,82 @@
+"""Points that a function of the caller's gives block by block, anew in every pass."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tank_datum._foreign import Block, Place, Unreadable
+from tank_datum._points import Array, as_points, unmasked
+
+SETUP = "a number from 0 to 4294967294, or one for each point"
+FRESH = "a function that returns a fresh iterator over the same points each time"
+
+
+class Stream:
+    """Blocks of `source` as the library asks for them; see tank_datum._foreign.Blocks.
+
+    An item of an iterator is an array of shape (n, 3), or such an array and its setup: a number,
+    or one for each point. The first item tells for all whether there are setups.
+    """
+
+    size = 0  # not known: the library counts
+    setups: dict[int, tuple[str, Place | None]] = {}
+    lists_setups = False
+
+    def __init__(self, source: Callable[[], Iterable[Any]]) -> None:
+        self._source = source
+        self._rows: int | None = None
+        self.raised: BaseException | None = None  # by the caller's function
+        first = next(iter(source()), np.empty((0, 3)))
+        self.tells_setups = isinstance(first, tuple) and len(first) == 2
+        self.step = _step(as_points(self._parts(first)[0]))
+
+    def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
+        """A pass. What the caller's function raises is kept in `raised`."""
+        rows = 0
+        try:
+            for item in self._source():
+                points, setups = self._parts(item)
+                block = as_points(points).astype(np.float64, copy=False)
+                rows += len(block)
+                yield block, _numbers(unmasked(setups, points), len(block)), 0, 0
+        except GeneratorExit:
+            raise
+        except BaseException as error:
+            self.raised = error
+            raise Unreadable("points", error, "blocks of points") from error
+        if self._rows not in (None, rows):
+            met = f"{rows} rows in a later pass, {self._rows} in the first"
+            raise Unreadable("points", met, FRESH)
+        self._rows = rows
+
+    def _parts(self, item: Any) -> tuple[Any, Any]:
+        """The points of an item, and what it says of their setups."""
+        if not self.tells_setups:
+            return item, 0
+        if not isinstance(item, tuple) or len(item) != 2:
+            raise TypeError("points = a block without its setup, expected one, as in the first")
+        return item
+
+
+def _step(points: Array) -> float:
+    """Between neighbouring coordinates as they are stored, in units of the input; 0: too small to matter."""
+    stored = points[np.isfinite(points).all(axis=1)]
+    if stored.dtype != np.float32 or len(stored) == 0:
+        return 0.0
+    return float(np.spacing(np.abs(stored).max()))
+
+
+def _numbers(setups: Any, rows: int) -> NDArray[np.uint32]:
+    """One number for all points of a block, or one for each."""
+    given = np.asarray(setups)
+    if given.dtype.kind not in "iu" or given.shape not in ((), (rows,)):
+        raise TypeError(
+            f"points = a setup of shape {given.shape} in {given.dtype} for {rows} points, expected {SETUP}"
+        )
+    if given.size > 0 and not (0 <= given.min() and given.max() < 0xFFFFFFFF):
+        raise ValueError(f"points = setup {given.min()} to {given.max()}, expected {SETUP}")
+    return given.astype(np.uint32)
