@@ -7,7 +7,7 @@
 #include "core/statistics.h"
 #include "foot/foot_profile.h"
 #include "foot/lowest_layer.h"
-#include "foot/section_jumps.h"
+#include "foot/section_stretches.h"
 
 namespace tank_datum {
 namespace {
@@ -130,18 +130,15 @@ FootCandidate stretchOf(const std::vector<Bin>& run) {
   return stretch;
 }
 
-/// The parts of a run between its jumps, in order: steps too small to be seen between neighbouring bins.
+/// The parts of a run between its steps, in order, also of steps too small to be seen between neighbouring bins.
 void addParts(const std::vector<Bin>& run, const FootScales& scales, std::vector<std::vector<Bin>>& parts) {
   constexpr double kStep = 0.005, kLength = 0.2;  // of the reach
   std::vector<SectionBin> bins;
   for (const Bin& bin : run) bins.push_back({bin.d, bin.z, bin.error});
-  const Jump jump = clearestJump(bins, {kStep * scales.reach, 2.0 * scales.blur(), kLength * scales.reach});
-  if (!jump.found()) {
-    parts.push_back(run);
-    return;
-  }
-  addParts({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(jump.end)}, scales, parts);
-  addParts({run.begin() + static_cast<std::ptrdiff_t>(jump.begin), run.end()}, scales, parts);
+  const std::size_t end = binsBeforeStep(bins, {kStep * scales.reach, 2.0 * scales.blur(), kLength * scales.reach});
+  const auto middle = run.begin() + static_cast<std::ptrdiff_t>(end);
+  parts.emplace_back(run.begin(), middle);
+  if (middle != run.end()) addParts({middle, run.end()}, scales, parts);
 }
 
 /// The elevation that the shell is seen down to, but for a stray point or two.

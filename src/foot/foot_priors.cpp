@@ -5,6 +5,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
+#include "fit/circular_series.h"
 #include "fit/harmonics.h"
 #include "foot/foot_check.h"
 #include "foot/foot_state.h"
@@ -113,10 +114,12 @@ MeanSlope ringSlope(double seen, double error, const Expected& expected) {
   constexpr double kDoubt = 0.35;   // of what may feign a slope or hide one, where it seems to be as expected
   constexpr double kOddDoubt = 0.6;
   const double off = seen - expected.parallel, tolerance = kFeigned * expected.noise + error;
+  constexpr double kSteepest = 0.1;  // of a lip [m/m]: what seems steeper is drawn so by what lies beside it
   const double beams = kOddDoubt * expected.lean;
   const double usual = withPrior(std::hypot(kDoubt * std::hypot(expected.noise, error), beams));
   if (off < tolerance && off > -tolerance - expected.lean) return {seen, expected.parallel, usual};
   if (expected.lean <= 0.0 && std::abs(seen - expected.section) < tolerance) return {seen, expected.section, usual};
+  if (std::abs(off) > kSteepest + expected.lean) return {seen, expected.parallel, kLipSlope};
   const double odd = std::hypot(kOddDoubt * expected.noise, error, beams);
   const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd);
   const double own = off + 0.5 * std::clamp(-off, 0.0, expected.lean);
@@ -127,7 +130,8 @@ MeanSlope ringSlope(double seen, double error, const Expected& expected) {
 /// more than their errors explain (empirical Bayes).
 MeanSlope drawTogether(const std::vector<SeriesValue>& series, const Expected& expected,
                        std::vector<SeriesValue>& smooth) {
-  constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
+  constexpr double kBest = 0.1;     // of the windows: those seen best tell the ring's own slope
+  constexpr double kDoubted = 0.5;  // of the standard error of their variance: so much they may differ unseen
   std::vector<double> values, variances, sigmas;
   for (const SeriesValue& v : series) {
     if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
@@ -141,7 +145,8 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& series, const Expected& e
   if (values.size() < 6) return {0.0, 0.0, withPrior(kLipSlope)};
   const double seen = median(values), scatter = robustSigma(values, seen);
   const auto count = static_cast<double>(values.size());
-  const double own = std::max(1e-12, scatter * scatter - median(variances));
+  const double square = scatter * scatter, doubt = kDoubted * square * std::sqrt(2.0 / count);
+  const double own = std::max({1e-12, doubt, square - median(variances)});
   const double mean = 1.2533 * std::sqrt((own + median(variances)) / count);
   const MeanSlope ring = ringSlope(seen, mean, expected);
   for (SeriesValue& v : smooth) {
@@ -151,6 +156,24 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& series, const Expected& e
     v.sigma *= std::sqrt(weight);
   }
   return ring;
+}
+
+/// Windows far off those beside them, at the end of what is seen or where another thing reaches in, are known no better
+/// than that.
+void doubtStray(std::vector<SeriesValue>& series) {
+  constexpr std::size_t kBeside = 3;
+  constexpr double kFar = 3.0;
+  std::vector<double> values, off;
+  for (const SeriesValue& v : series) values.push_back(v.value);
+  const std::vector<double> usual = runningMedian(values, kBeside);
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    if (std::isfinite(values[k])) off.push_back(values[k] - usual[k]);
+  }
+  const double far = kFar * robustSigma(off, 0.0);
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const double away = std::abs(values[k] - usual[k]);
+    if (away > far) series[k].sigma = std::max(series[k].sigma, away);
+  }
 }
 
 /// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
@@ -184,6 +207,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
   }
   if (feigned.empty()) return {};
+  doubtStray(lips.series);
   addCommonSigma(lips.series);
   for (std::size_t k = 0; k < lips.series.size(); ++k) {
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));

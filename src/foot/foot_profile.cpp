@@ -6,7 +6,7 @@
 
 #include "core/statistics.h"
 #include "foot/section_bins.h"
-#include "foot/section_jumps.h"
+#include "foot/section_stretches.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -47,9 +47,9 @@ std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first) {
     bins.push_back({middle(profile, i), profile.height[i], profile.error[i]});
   }
   if (seen.empty()) return first;
-  const JumpScales scales{kStep, 2.0 * profile.blur, kLength};
-  for (Jump jump = clearestJump(bins, scales); jump.found(); jump = clearestJump(bins, scales)) bins.resize(jump.end);
-  return bins.size() == seen.size() ? seen.back() : seen[bins.size()] - 1;  // the surface may go on where none is seen
+  const StepScales scales{kStep, 2.0 * profile.blur, kLength};
+  const std::size_t before = binsBeforeStep(bins, scales);
+  return before == seen.size() ? seen.back() : seen[before] - 1;  // the surface may go on where none is seen
 }
 
 Surface surfaceEndingAt(const FootProfile& profile, std::size_t last, const Line& line, double noise) {
@@ -122,6 +122,7 @@ std::size_t firstBeyondWeld(const FootProfile& profile, const FootScales& scales
 /// Reads the surface between two bins: noise, edge, kind, slope, and the band that is plainly it, with what is not seen
 /// next to it.
 void readSurface(FootProfile& profile, std::size_t first, std::size_t last, const FootScales& scales) {
+  constexpr double kSteepest = 0.1;  // of a lip [m/m]
   const double reach = scales.reach;
   const std::size_t nearest = firstBeyondWeld(profile, scales);
   std::vector<double> spreads;
@@ -138,7 +139,7 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   profile.slope = plate ? profile.slope_beyond : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
   Plateau plateau = findPlateau(profile, first, last);
-  if (plate) {  // one that leans is plain along its own slope only
+  if (plate && std::abs(own.slope) < kSteepest) {  // one that leans is plain along its own slope only
     FootProfile leaning = profile;
     leaning.slope = own.slope;
     const Plateau wider = findPlateau(leaning, first, last);
@@ -185,13 +186,16 @@ const char* nameOf(Surface surface) {
 
 FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, const std::vector<double>& datum,
                          const FootScales& scales) {
+  constexpr double kUnseen = 0.15;  // of the reach
   FootProfile profile;
   profile.blur = scales.blur();
   stackBins(profile, stations, datum, scales);
   const std::size_t bins = profile.height.size();
   std::size_t first = firstBeyondWeld(profile, scales);
   while (first < bins && !std::isfinite(profile.height[first])) ++first;
-  if (first >= bins) return profile;
+  // a lip would be hidden in what is not seen, or a gutter: the surface beyond is not known to reach the shell
+  if (first >= bins || static_cast<double>(first) * profile.bin > scales.nearest() + kUnseen * scales.reach)
+    return profile;
   // what is stacked right beside the shell may be stray points only: a surface is at least four bins wide
   std::size_t last = lastBeforeStep(profile, first);
   while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first);

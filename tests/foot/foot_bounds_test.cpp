@@ -68,9 +68,30 @@ TEST(StackProfile, ABinIsSeenFromTenPointsOn) {
   EXPECT_TRUE(std::isnan(sectionOf(flat, 40, 9).height[40]));
 }
 
-TEST(StackProfile, AStepIsFourMillimetres) {
-  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0035; }).edge, 0.3, 0.001);
-  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0047; }).edge, 0.15, 0.004);
+TEST(StackProfile, AStepIsAMillimetreBesideAWideSurface) {
+  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0008; }).edge, 0.3, 0.001);
+  EXPECT_NEAR(sectionOf([](double d) { return d < 0.15 ? 0.0 : -0.0016; }).edge, 0.15, 0.004);
+}
+
+TEST(StackProfile, WhereNothingIsSeenOfMoreThanALipNothingIsKnownToReachTheShell) {
+  const auto seen_from = [](double nearest) {
+    std::vector<FootPoint> points;
+    for (int i = 0; i < 15000; ++i) {
+      const double d = 0.3 * (i + 0.5) / 15000;
+      if (d > nearest) points.push_back({0.0, d, 1e-4 * std::sin(i)});
+    }
+    return stackProfile({points}, {0.0}, kScales).valid();
+  };
+  EXPECT_TRUE(seen_from(0.050));  // 13 mm of the weld and 45 mm, 0.15 of the reach
+  EXPECT_FALSE(seen_from(0.065));
+}
+
+TEST(StackProfile, ALipSteeperThanOneInTenIsDrawnSoByWhatLiesBesideIt) {
+  const auto lip = [](double slope) {
+    return sectionOf([slope](double d) { return d < 0.075 ? slope * d : slope * 0.075 - 0.012; }).slope;
+  };
+  EXPECT_NEAR(lip(-0.085), -0.085, 0.005);
+  EXPECT_NEAR(lip(-0.12), 0.0, 0.005);
 }
 
 TEST(StackProfile, WhatComesDownOverManyBinsIsAPlateToo) {

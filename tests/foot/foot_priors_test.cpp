@@ -179,5 +179,37 @@ TEST(LearnPriors, NeighboursUpToThreeWindowsAwayTellALipsSlope) {
   EXPECT_NEAR(learntOfLips(window, noise).sigma_slope[100], std::hypot(0.001, own / std::sqrt(3.0)), 0.0005);
 }
 
+TEST(LearnPriors, LipsThatLeanInWavesAreFollowedThoughAFewWindowsAreStray) {
+  const double noise = 0.0005, amplitude = 0.018;
+  const auto wave = [&](int k) { return amplitude * std::cos(2.0 * k * kTwoPi / 72.0); };
+  const auto window = [&](int k) { return Window{300, wave(k) + (k % 9 == 4 ? 0.2 : 0.0), noise}; };
+  const FootPriors priors = learntOfLips(window, noise);
+  double squares = 0;
+  for (int s = 0; s < 360; s += 5) squares += std::pow(priors.slope[static_cast<std::size_t>(s)] - wave(s / 5), 2.0);
+  EXPECT_LT(std::sqrt(squares / 72.0), 0.25 * amplitude);
+  EXPECT_LT(priors.sigma_slope[100], 0.5 * amplitude);
+}
+
+TEST(LearnPriors, LipsAlikeAsFarAsWindowsTellMayDifferByASeventhOfTheirScatter) {
+  // half of the standard error of their variance: of 72 windows sqrt(0.5 sqrt(2 / 72)) of 0.02, but for the smoothing
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<double> slopes;
+  for (int k = 0; k < 72; ++k) slopes.push_back(0.02 * normal(random));
+  const FootPriors priors = learntOfLips(
+      [&](int k) {
+        return Window{300, slopes[static_cast<std::size_t>(k)], 1e-4};
+      },
+      1e-4);
+  EXPECT_GT(priors.sigma_slope[100], 0.002);
+}
+
+TEST(LearnPriors, WhatSeemsSteeperThanOneInTenIsNoLipsSlope) {
+  const auto lip = [](double slope) { return learntOfLips([slope](int) { return Window{300, slope, 1e-3}; }, 1e-3); };
+  EXPECT_NEAR(lip(-0.09).slope[100], -0.09, 0.01);
+  EXPECT_NEAR(lip(-0.115).slope[100], 0.0, 0.01);
+  EXPECT_NEAR(lip(-0.115).sigma_slope[100], 0.05, 0.005);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -29,24 +29,9 @@ struct BinRange {
 /// @param steepest  standard error of that [m/m]
 SectionLine lineThrough(const std::vector<SectionBin>& bins, BinRange range, double steepest);
 
-/// Where a section parts: bins before `end`, and those from `begin` on, lie on two lines. What is between holds points
-/// of both.
-struct Jump {
-  std::size_t end = 0, begin = 0;
-  double over = 0;  ///< by how much the lines' distance there exceeds what errors and `least` allow [m]
-
-  bool found() const { return over > 0.0; }
-};
-
-/// What is looked for.
-struct JumpScales {
-  double least;   ///< a smaller jump is none [m]
-  double mixed;   ///< an edge that does not follow the shell, or seen along slanting rays, is as wide as this [m]
-  double length;  ///< of the lines on either side [m]
-};
-
-/// The clearest jump of a section that one line through both sides does not explain, in which neighbouring bins may
-/// differ by less than bins tell.
-Jump clearestJump(const std::vector<SectionBin>& bins, const JumpScales& scales);
+/// The bins with standard errors as large as they are seen to be: points of a bin lie in rows and on one patch of a
+/// rough surface, so that it errs more than its points' scatter says. By the second differences nearby, of which a
+/// jump moves few; elsewhere another surface may be rougher, or a gutter hold points of both its banks.
+std::vector<SectionBin> withErrorsSeen(std::vector<SectionBin> bins);
 
 }  // namespace tank_datum
