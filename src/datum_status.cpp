@@ -31,6 +31,15 @@ Datum withoutCrease(Datum datum, std::string message) {
   return endDatum(std::move(datum), Status::NoCrease, message);
 }
 
+std::string whyNoSurface(const FootProfile& profile) {
+  if (!(profile.unseen > 0.0)) return "no foundation surface meets the shell along enough of its foot";
+  char text[120];
+  snprintfPlain(text, sizeof text,
+                "the foundation is first seen %.0f mm from the shell: a lip or a gutter may be hidden",
+                1e3 * profile.unseen);
+  return text;
+}
+
 /// A missing station keeps its place on the fitted circle, and nothing else.
 void blankMissing(Datum& datum) {
   for (Station& s : datum.stations) {
@@ -99,8 +108,8 @@ Datum describeStations(Datum datum, const DatumOptions& options) {
     return withoutCrease(std::move(datum), candidate + "the edge points do not lie along the foot of the shell");
   }
   if (refined && !datum.refined.valid()) {
-    return withoutCrease(std::move(datum),
-                         candidate + "no foundation surface meets the shell along enough of its foot");
+    const std::string why = whyNoSurface(datum.refined.profile);
+    return withoutCrease(std::move(datum), candidate + why);
   }
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {

@@ -26,7 +26,7 @@ Points sampleNear(const Circle& circle, const Scan& scan, int threads) {
   return points.empty() ? points : VoxelSample(points, kShown, 0.001, threads).points();
 }
 
-std::string lengthText(double metres) { return generalText(std::round(1e3 * metres) / 1e3); }
+std::string lengthText(double metres) { return fixedText(metres, 3); }
 
 /// How wide the scan is, so that wrong units can be seen.
 std::string unitsAdvice(const Points& points) {

@@ -119,6 +119,12 @@ std::size_t firstBeyondWeld(const FootProfile& profile, const FootScales& scales
   return static_cast<std::size_t>(scales.nearest() / profile.bin) + 1;
 }
 
+/// The first bin from one on that is seen.
+std::size_t firstSeen(const FootProfile& profile, std::size_t from) {
+  while (from < profile.height.size() && !std::isfinite(profile.height[from])) ++from;
+  return from;
+}
+
 /// Reads the surface between two bins: noise, edge, kind, slope, and the band that is plainly it, with what is not seen
 /// next to it.
 void readSurface(FootProfile& profile, std::size_t first, std::size_t last, const FootScales& scales) {
@@ -191,15 +197,15 @@ FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, co
   profile.blur = scales.blur();
   stackBins(profile, stations, datum, scales);
   const std::size_t bins = profile.height.size();
-  std::size_t first = firstBeyondWeld(profile, scales);
-  while (first < bins && !std::isfinite(profile.height[first])) ++first;
-  // a lip would be hidden in what is not seen, or a gutter: the surface beyond is not known to reach the shell
-  if (first >= bins || static_cast<double>(first) * profile.bin > scales.nearest() + kUnseen * scales.reach)
-    return profile;
+  std::size_t first = firstSeen(profile, firstBeyondWeld(profile, scales));
+  if (first >= bins) return profile;
   // what is stacked right beside the shell may be stray points only: a surface is at least four bins wide
   std::size_t last = lastBeforeStep(profile, first);
   while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first);
-  if (last < first + 3) return profile;
+  // a lip would be hidden in what is not seen, or a gutter: the surface beyond is not known to reach the shell
+  const double nearest = static_cast<double>(firstSeen(profile, first)) * profile.bin;
+  if (nearest > scales.nearest() + kUnseen * scales.reach) profile.unseen = nearest;
+  if (profile.unseen > 0.0 || last < first + 3) return profile;
   readSurface(profile, first, last, scales);
   const std::size_t end = lastOfRaised(profile, first, scales.reach);
   if (end >= first + 3) readSurface(profile, first, end, scales);

@@ -47,6 +47,8 @@ struct FootProfile {
   double misfit = 0;  ///< root mean square, over the whole surface, of what departs from the band's level;
                       ///< what blends do outside the band, they do to a lesser degree inside [m]
   double noise = 0;   ///< standard deviation of its points about it, typical [m]
+  double unseen =
+      0;  ///< the foundation is first seen so far out that no surface is known to reach the shell; else 0 [m]
   Surface surface = Surface::Unknown;
 
   bool valid() const { return band_to > band_from; }
