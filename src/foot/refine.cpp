@@ -100,6 +100,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   FootPass pass;
   for (int i = 0; i < kPasses; ++i) {
     pass = runPass(foot, elevations, pass.sections);
+    if (pass.sections.whole.unseen > 0.0) return pass;
     pass.outliers = findOutliers(foot, pass);
     elevations = elevationsAfter(pass, elevations.seen);
   }
@@ -196,8 +197,9 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const Foot foot = lookAtFoot(polar, shell, tank, options, station_options);
   FootElevations elevations = whereShellIsSeen(firstElevations(foot, tank), foot);
   const FootPass pass = runPasses(foot, elevations);
-  const FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   found.refined.profile = pass.sections.whole;
+  if (found.refined.profile.unseen > 0.0) return found;
+  const FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;

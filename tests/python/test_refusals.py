@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import clouds
@@ -37,3 +39,13 @@ def test_a_refused_value_is_named_as_it_was_typed(run: Runner, tmp_path: Path) -
         result = run(scan, "-o", tmp_path / "out", f"{option}={value}")
         line = refused(result, WRONG_USE, tmp_path / "out")
         assert line == f"tank_datum: options: {option}, {value}, expected {expected}"
+
+
+def test_the_circle_that_is_advised_can_be_given(run: Runner, tmp_path: Path) -> None:
+    """To the millimetre, also in coordinates of a country."""
+    points = clouds.tank(spacing=0.02)
+    near = np.hypot(points[:, 0], points[:, 1]) < 3.01
+    scan = write_xyz(tmp_path / "scan.pcd", points[near] + [512034.25, 4012877.5, 35.0])
+    advised = run(scan, "-o", tmp_path / "out").stdout
+    x, y, radius = map(float, re.search(r"\(--tank\) as ([\d.,]+);", advised)[1].split(","))
+    assert (x, y, radius) == pytest.approx((512034.25, 4012877.5, 3.0), abs=0.005)
