@@ -13,10 +13,11 @@
 namespace tank_datum {
 
 std::string candidateText(const Circle& circle, double coverage, const Eigen::Vector3d& origin) {
+  const auto rounded = [](double metres) { return std::round(1e3 * metres) / 1e3 + 0.0; };  // no "-0"
+  const Eigen::Vector2d centre = circle.center + origin.head<2>();
   char text[160];
   snprintfPlain(text, sizeof text, "circle found, R %.4g m at %.10g, %.10g, seen over %.0f deg", circle.radius,
-                std::round(1e3 * (circle.center.x() + origin.x())) / 1e3,
-                std::round(1e3 * (circle.center.y() + origin.y())) / 1e3, toDegrees(coverage));
+                rounded(centre.x()), rounded(centre.y()), toDegrees(coverage));
   return text;
 }
 

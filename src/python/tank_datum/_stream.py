@@ -23,11 +23,11 @@ class Stream:
     """
 
     size = 0  # not known: the library counts
-    setups: dict[int, tuple[str, Place | None]] = {}
     lists_setups = False
 
     def __init__(self, source: Callable[[], Iterable[Any]]) -> None:
         self._source = source
+        self.setups: dict[int, tuple[str, Place | None]] = {}
         self._rows: int | None = None
         self.raised: BaseException | None = None  # by the caller's function
         first = next(iter(source()), np.empty((0, 3)))
@@ -58,7 +58,9 @@ class Stream:
         if not self.tells_setups:
             return item, 0
         if not isinstance(item, tuple) or len(item) != 2:
-            raise TypeError("points = a block without its setup, expected one, as in the first")
+            raise TypeError(
+                "points = a block without its setup, expected one, as in the first"
+            )
         return item
 
 
@@ -78,5 +80,7 @@ def _numbers(setups: Any, rows: int) -> NDArray[np.uint32]:
             f"points = a setup of shape {given.shape} in {given.dtype} for {rows} points, expected {SETUP}"
         )
     if given.size > 0 and not (0 <= given.min() and given.max() < 0xFFFFFFFF):
-        raise ValueError(f"points = setup {given.min()} to {given.max()}, expected {SETUP}")
+        raise ValueError(
+            f"points = setup {given.min()} to {given.max()}, expected {SETUP}"
+        )
     return given.astype(np.uint32)
