@@ -1,8 +1,10 @@
 #include "view/window.h"
 
 #include <vtkCamera.h>
+#include <vtkEDLShading.h>
 #include <vtkMapper.h>
 #include <vtkPNGWriter.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
@@ -60,6 +62,7 @@ Window::Window(const ViewedResult& result, const Points& cloud, const SceneOptio
   above_->SetActiveCamera(renderer_->GetActiveCamera());
   window_->AddRenderer(above_);
   renderer_->SetBackground(0.07, 0.08, 0.10);
+  shadeDepths();
   help_->SetInput(kKeys);
   help_->VisibilityOff();
   for (const auto& text : {values_, help_, heading_, key_title_}) above_->AddViewProp(text);
@@ -68,6 +71,14 @@ Window::Window(const ViewedResult& result, const Points& cloud, const SceneOptio
   drawDatum();
   drawFrame();
   look();
+}
+
+/// Eye-dome lighting: points before others are set off from them, since a cloud has no surfaces to shade.
+void Window::shadeDepths() {
+  auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+  auto shading = vtkSmartPointer<vtkEDLShading>::New();
+  shading->SetDelegatePass(steps);
+  renderer_->SetPass(shading);
 }
 
 void Window::replace(std::vector<vtkSmartPointer<vtkProp>>& props, std::vector<vtkSmartPointer<vtkProp>> by) {

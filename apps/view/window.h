@@ -39,6 +39,7 @@ class Window {
   int stationAt(int x, int y);
 
  private:
+  void shadeDepths();
   void drawCloud();
   void drawDatum();
   void drawLabels();

@@ -49,8 +49,14 @@ std::string sentenceOf(const Headline& headline, const Check* check) {
   if (!check) return "No rule could be judged. " + std::string(screening);
   const std::string rule = check->code + ' ' + check->name;
   if (headline.word == "INCOMPLETE") return rule + " is not evaluated: " + check->note + ". " + screening;
-  char share[64];
-  snprintfPlain(share, sizeof share, " is at %.0f %% of its limit", 100.0 * headline.utilisation);
+  char share[96];
+  const Interval95& interval = headline.utilisation_interval;
+  if (interval.known()) {
+    snprintfPlain(share, sizeof share, " is at %.0f %% of its limit (95 %%: %.0f to %.0f %%)", 100.0 * headline.utilisation,
+                  100.0 * interval.low, 100.0 * interval.high);
+  } else {
+    snprintfPlain(share, sizeof share, " is at %.0f %% of its limit", 100.0 * headline.utilisation);
+  }
   const char* meaning = headline.word == "FAIL"        ? ", beyond it with 95 % confidence. "
                         : headline.word == "UNDECIDED" ? ", too near or too little seen to decide. "
                                                        : ", the nearest of all. ";
@@ -72,7 +78,10 @@ Headline headlineOf(std::vector<Check>& checks, bool dense) {
     if (!check) continue;
     headline.word = word;
     headline.governing = check->code + ' ' + check->name;
-    if (std::isfinite(check->limit)) headline.utilisation = utilisationOf(*check);
+    if (std::isfinite(check->limit)) {
+      headline.utilisation = utilisationOf(*check);
+      headline.utilisation_interval = {check->interval.low / check->limit, check->interval.high / check->limit};
+    }
     break;
   }
   headline.sentence = sentenceOf(headline, check);

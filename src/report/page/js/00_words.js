@@ -9,3 +9,9 @@ function say(key, values = {}) {
   const found = keys.map((k) => kSpoken[k] ?? kLanguages.en[k]).find((text) => text !== undefined);
   return found.replace(/\{(\w+)\}/g, (_, name) => values[name] ?? `{${name}}`);
 }
+
+/** The name of a check in the page's language; a name that is not of the standard limits stays as it is. */
+function checkName(name) {
+  const key = `check_name.${name.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_|_$/g, "")}`;
+  return kSpoken[key] ?? kLanguages.en[key] ?? name;
+}

@@ -29,7 +29,7 @@ function countsSentence() {
   const count = (verdict) => checksWith(verdict).length;
   const judged = count("pass") + count("fail") + count("undecided");
   if (judged === 0) return say("summary.no_check_of_a_code");
-  const failing = checksWith("fail").map((check) => `${check.code} ${check.name}`);
+  const failing = checksWith("fail").map(checkTitle);
   const of = say("count.judged_check", { count: judged });
   const parts = [say("summary.of_pass", { count: judged, pass: count("pass"), judged: of })];
   if (failing.length > 0) parts.push(say("summary.fail", { failing: failing.length, failing_2: failing.join(", ") }));
@@ -47,10 +47,22 @@ function statusSentence() {
   return `${levelled ? say("summary.levelling_survey") : name}: ${found}.`;
 }
 
+/** What the verdict rests on; of a result that does not name its check as datum.json has it. */
+function verdictSentence() {
+  const { word, governing, utilisation, utilisation_95: interval, sentence: given } = datum.verdict || {};
+  const check = (datum.checks || []).find((c) => `${c.code} ${c.name}` === governing);
+  if (!given || (governing && !check)) return given;
+  if (!check) return `${say("verdict.no_rule")} ${say("common.screening")}`;
+  if (word === "INCOMPLETE") return `${say("verdict.not_evaluated", { rule: checkTitle(check), note: check.note })} ${say("common.screening")}`;
+  const percent = (value) => figure(100 * value, 0), [low, high] = interval || [null, null];
+  const between = known(low) && known(high) ? say("verdict.interval", { low: percent(low), high: percent(high) }) : "";
+  return `${say("verdict.share", { rule: checkTitle(check), share: percent(utilisation), interval: between, meaning: say(`verdict.${word}`) })} ${say("common.screening")}`;
+}
+
 /** The word of the verdict, what it rests on, and the counts; of a refusal its reason. */
 function verdictBox() {
-  const { word, sentence: why } = datum.verdict || {};
-  const lines = usable ? [why, countsSentence()] : [statusSentence(), sentence(datum.message || words(datum.status))];
+  const { word } = datum.verdict || {};
+  const lines = usable ? [verdictSentence(), countsSentence()] : [statusSentence(), sentence(datum.message || words(datum.status))];
   const heading = usable ? (word && words(word)) || say("summary.no_verdict") : say("summary.no_datum");
   return make("div", { class: `verdict ${worstVerdict()}`, role: "status" },
     make("p", { class: "word" }, make("span", { "aria-hidden": "true" }, `${(usable && kVerdictIcons[word]) || "\u2013"} `), heading),
@@ -108,6 +120,7 @@ function addSummary() {
   const quality = qualityLine();
   if (quality !== null) section.append(quality);
   if (hasMovement(datum.movement)) section.append(make("p", { class: "quality" }, make("strong", {}, say("movement.line")), typeset(movementText(datum.movement))));
+  if (hasMovement(datum.movement) && datum.movement.limits) section.append(make("p", { class: "quality" }, make("strong", {}, say("limit_rate.line")), typeset(limitRatesText(datum.movement.limits))));
   if (facts.length > 0) section.append(boxes(facts));
   section.append(make("h3", {}, say("summary.checks_of_the_codes")));
   if (hasSection("checks") && datum.checks.length > 0) section.append(...checkTables());
@@ -117,5 +130,6 @@ function addSummary() {
     : make("p", {}, say("summary.nothing_every_station_is_measured")));
   const notes = datum.notes || [];
   if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(note)))));
+  if (kSpoken !== kLanguages.en) section.append(make("p", { class: "quiet" }, say("missing.in_english")));
   section.append(make("div", { class: "paper-only" }, [say("common.inspector"), say("common.date"), say("summary.signature")].map((name) => make("span", {}, name))));
 }

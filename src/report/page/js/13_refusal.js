@@ -15,6 +15,7 @@ function addRefusal() {
   const advice = datum.advice || [];
   section.append(make("h3", {}, say("refusal.try")), advice.length === 0 ? make("p", {}, say("refusal.no_advice"))
     : make("ol", { class: "advice" }, advice.map((line) => make("li", {}, typeset(line)))));
+  if (kSpoken !== kLanguages.en) section.append(make("p", { class: "quiet" }, say("missing.in_english")));
 }
 
 /** What fails of the tests of whether it is a tank. */

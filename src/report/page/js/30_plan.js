@@ -40,7 +40,7 @@ function drawPlan(svg, width, height, shown) {
     return [middle[0] + radius * Math.cos(turn), middle[1] - radius * Math.sin(turn)];
   };
   const offset = (s) => ring * (1 + (plan.exaggeration * (s.z - datum.datum.mean)) / datum.tank.radius);
-  drawPlanFrame(svg, middle, ring, place);
+  drawPlanFrame(svg, middle, ring, place, height);
   const colour = heightColours();
   const close = closed(stations);
   const band = d3.line().defined((s) => known(s.z)).x((s) => place(s.azimuth_deg, offset(s))[0]).y((s) => place(s.azimuth_deg, offset(s))[1]);
@@ -66,7 +66,9 @@ function drawPlan(svg, width, height, shown) {
 }
 
 /** The ring at the mean elevation, azimuths every 30 degrees, the zero mark and the frame's axes. */
-function drawPlanFrame(svg, middle, ring, place) {
+function drawPlanFrame(svg, middle, ring, place, height) {
+  const convention = azimuthConvention();
+  svg.append("text").attr("class", "axis-title").attr("x", 14).attr("y", height - 6).text(convention === null ? say("azimuth.as_surveyed") : say("azimuth.plan", convention));
   svg.append("circle").attr("class", "ring").attr("cx", middle[0]).attr("cy", middle[1]).attr("r", ring);
   for (let azimuth = 0; azimuth < 360; azimuth += 30) {
     const [x1, y1] = place(azimuth, 1.36 * ring), [x2, y2] = place(azimuth, azimuth === 0 ? 1.26 * ring : 1.33 * ring);

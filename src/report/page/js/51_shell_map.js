@@ -27,7 +27,7 @@ function drawShellMap(svg, width, height, rows, bands, colour, most) {
   const x = d3.scaleLinear([0, 360], [margin.left, width - margin.right]);
   const y = d3.scaleLinear([bands[0][0], bands[bands.length - 1][1]], [height - margin.bottom, margin.top]);
   const axes = { x, y, margin };
-  drawAxes(svg, x, y, d3.range(0, 361, width < 480 ? 90 : 45), say("shell_map.height_above_the_datum", { unit: kLongUnit }), say("common.azimuth_2"));
+  drawAxes(svg, x, y, d3.range(0, 361, width < 480 ? 90 : 45), say("shell_map.height_above_the_datum", { unit: kLongUnit }), azimuthTitle());
   svg.append("rect").attr("class", "gap").attr("x", x(0)).attr("y", margin.top).attr("width", x(360) - x(0)).attr("height", y.range()[0] - margin.top);
   rows.forEach((row, i) => svg.append("image").attr("href", rowPicture(row, colour)).attr("preserveAspectRatio", "none")
     .style("image-rendering", "pixelated").attr("x", x(0)).attr("width", x(360) - x(0))
