@@ -114,7 +114,8 @@ void Window::drawCloud() {
   scale->SetPosition(0.56, 0.02);
   scale->SetWidth(0.40);
   scale->SetHeight(0.12);
-  replace(points_, {cloud, scale});
+  replace(points_, {cloud});
+  replace(key_, {scale});
 }
 
 void Window::drawDatum() {
@@ -142,7 +143,8 @@ void Window::drawLabels() {
   for (const auto& [station, name] : namedStations(result_)) {
     Eigen::Vector3d at = markOf(result_, station, options_.exaggeration);
     if (!at.allFinite()) continue;
-    at.head<2>() += 0.16 * (at.head<2>() - result_.circle.center);
+    at.head<2>() += 0.26 * (at.head<2>() - result_.circle.center);
+    at.z() += 0.2 * result_.circle.radius;  // above the stations' numbers
     labels.push_back(labelActor(at, name));
   }
   replace(labels_, labels);
@@ -215,6 +217,7 @@ bool Window::press(char key) {
     drawCloud();
   } else if (const auto k = layers.find(key); k != std::string::npos) {
     toggle(*props[k]);
+    if (key == 'c') toggle(key_);
   } else if ((key == '+' && options_.exaggeration < kMostExaggeration) || (key == '-' && options_.exaggeration > 1.0)) {
     options_.exaggeration = key == '+' ? 2.0 * options_.exaggeration : std::max(1.0, 0.5 * options_.exaggeration);
     drawDatum();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/plain_text.h"
+#include "core/units.h"
 #include "limits/checks.h"
 
 namespace tank_datum {
@@ -49,13 +50,13 @@ std::string sentenceOf(const Headline& headline, const Check* check) {
   if (!check) return "No rule could be judged. " + std::string(screening);
   const std::string rule = check->code + ' ' + check->name;
   if (headline.word == "INCOMPLETE") return rule + " is not evaluated: " + check->note + ". " + screening;
-  char share[96];
-  const Interval95& interval = headline.utilisation_interval;
-  if (interval.known()) {
-    snprintfPlain(share, sizeof share, " is at %.0f %% of its limit (95 %%: %.0f to %.0f %%)", 100.0 * headline.utilisation,
-                  100.0 * interval.low, 100.0 * interval.high);
-  } else {
-    snprintfPlain(share, sizeof share, " is at %.0f %% of its limit", 100.0 * headline.utilisation);
+  const auto percent = [](double share) { return fixedText(100.0 * share, 0); };
+  std::string share = " is at " + percent(headline.utilisation) + " % of its limit";
+  if (const Interval95& interval = headline.utilisation_interval; interval.known()) {
+    share += " (95 %: " + percent(interval.low) + " to " + percent(interval.high) + " %)";
+  }
+  if (std::isfinite(check->azimuth)) {
+    share += " at " + fixedText(std::fmod(std::round(toDegrees(check->azimuth)), 360.0), 0) + " deg";
   }
   const char* meaning = headline.word == "FAIL"        ? ", beyond it with 95 % confidence. "
                         : headline.word == "UNDECIDED" ? ", too near or too little seen to decide. "

@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 
 from report_fixtures import JUDGED
-from report_pages import SAMPLE, opened
+from report_pages import SAMPLE, opened, plain
 from results import Run, read_datum, read_points, write_xyz
 from test_compare import compare, epoch
-from test_report_movement import plain
 
 Runner = Callable[..., Run]
 

@@ -56,7 +56,7 @@ function verdictSentence() {
   if (word === "INCOMPLETE") return `${say("verdict.not_evaluated", { rule: checkTitle(check), note: check.note })} ${say("common.screening")}`;
   const percent = (value) => figure(100 * value, 0), [low, high] = interval || [null, null];
   const between = known(low) && known(high) ? say("verdict.interval", { low: percent(low), high: percent(high) }) : "";
-  return `${say("verdict.share", { rule: checkTitle(check), share: percent(utilisation), interval: between, meaning: say(`verdict.${word}`) })} ${say("common.screening")}`;
+  return `${say("verdict.share", { rule: checkTitle(check), share: percent(utilisation), interval: between, place: known(check.azimuth_deg) ? ` ${say("common.at", { azimuth: roundAzimuth(check.azimuth_deg) })}` : "", meaning: say(`verdict.${word}`) })} ${say("common.screening")}`;
 }
 
 /** The word of the verdict, what it rests on, and the counts; of a refusal its reason. */

@@ -1,5 +1,6 @@
 // The shell unrolled: radial deviation as colour, height against azimuth.
 
+const kMapOnPaper = 160;  // px: 42 mm
 const kDeviationColours = ["#2166ac", "#92c5de", "#f2f2f2", "#f4a582", "#b2182b"];
 
 function addShellMap(section, rows) {
@@ -10,7 +11,7 @@ function addShellMap(section, rows) {
   section.append(make("h3", {}, say("shell_map.the_shell_unrolled")), make("p", { class: "quiet" },
     say("shell_map.radial_deviation_from_the_circle")));
   addChart(section, {
-    id: "shell-map", label: say("shell_map.map_of_the_shells_radial"), ratio: rows.length < 4 ? 0.22 : 0.4, least: rows.length < 4 ? 200 : 300, most: 460,
+    id: "shell-map", label: say("shell_map.map_of_the_shells_radial"), ratio: rows.length < 4 ? 0.22 : 0.4, least: rows.length < 4 ? 200 : 300, most: 460, onPaper: kMapOnPaper,
     draw: (svg, width, height) => drawShellMap(svg, width, height, rows, bands, colour, most),
   });
 }

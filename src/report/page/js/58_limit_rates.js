@@ -30,5 +30,5 @@ function addLimitRates(section, { rates, none }) {
   section.append(make("p", { class: "quiet" }, say("limit_rate.how")), table(
     [[say("checks.check")], [say("limit_rate.columns.now"), "number"], [say("limit_rate.columns.limit"), "number"], [say("limit_rate.columns.rate"), "number"], [say("limit_rate.columns.reached")]],
     rates.map((rate) => [checkTitle(rate), checked(rate.value, rate), checked(rate.limit, rate),
-      `${signed(rateText(rate.rate, rate), rate.rate)} \u00b1 ${rateText(2 * rate.sigma, rate)} (2\u03c3)`, capital(approachText(rate))])));
+      cellWith(say("limit_rate.columns.rate"), "number", signed(rateText(rate.rate, rate), rate.rate), `\u00b1 ${rateText(2 * rate.sigma, rate)} (2\u03c3)`), capital(approachText(rate))])));
 }
