@@ -96,7 +96,7 @@ int run(const CompareCommand& command) {
   Comparison comparison{command.epochs, {}, command.dates, {}, {}, {}, command.options, command.readers};
   for (const std::string& path : command.epochs) {
     epochs.push_back(readEpoch(path));
-    if (!command.dates.empty()) epochs.back().date = command.dates[epochs.size() - 1];
+    if (epochs.size() <= command.dates.size()) epochs.back().date = command.dates[epochs.size() - 1];
     comparison.hashes.push_back(sha256OfFile(epochFile(path)));
   }
   for (std::size_t i = 1; i < epochs.size(); ++i) {

@@ -60,7 +60,8 @@ Line lineThrough(const std::vector<Observation>& seen) {
   return line;
 }
 
-/// The times within which the band of the line holds the limit, none before the last survey; latest NaN: without an end.
+/// The times within which the band of the line holds the limit, none before the last survey; latest NaN: without an
+/// end.
 void meetLimit(const Line& line, double last, LimitRate& rate) {
   const double gap = rate.check.limit - line.level;
   const double a = line.rate * line.rate - line.quantile2 * line.rate_variance;
@@ -132,7 +133,9 @@ std::optional<std::vector<double>> datesInYears(const std::vector<Epoch>& survey
 
 /// What is beyond its limit first, then by the dates from which limits may be reached.
 bool isSooner(const LimitRate& a, const LimitRate& b) {
-  const auto rank = [](const LimitRate& r) { return r.approach == Approach::NotBefore ? Approach::Reached : r.approach; };
+  const auto rank = [](const LimitRate& r) {
+    return r.approach == Approach::NotBefore ? Approach::Reached : r.approach;
+  };
   if (rank(a) != rank(b)) return rank(a) < rank(b);
   if (a.earliest != b.earliest && std::isfinite(a.earliest)) return a.earliest < b.earliest;
   return a.check.value / a.check.limit > b.check.value / b.check.limit;

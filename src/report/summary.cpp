@@ -124,13 +124,13 @@ std::string antipodalLine(const Antipodal& across, const Display& display) {
 }
 
 /// A value with its limit as people say it.
-std::string figures(const Check& check, const Display& display, const std::string& language) {
-  return checkFigureWithInterval(check, display, language) + ", limit " + checkFigure(check.limit, check, display);
+std::string figures(const Check& check, const Display& display) {
+  return checkFigureWithInterval(check, display, "en") + ", limit " + checkFigure(check.limit, check, display);
 }
 
 /// How many checks ended how, then those that failed, the furthest beyond its limit first; without any, the undecided
 /// one nearest to it.
-std::string checkLines(const std::vector<Check>& checks, const Display& display, const std::string& language) {
+std::string checkLines(const std::vector<Check>& checks, const Display& display) {
   if (checks.empty()) return {};
   int counts[5] = {};
   std::vector<const Check*> failed, undecided;
@@ -147,8 +147,7 @@ std::string checkLines(const std::vector<Check>& checks, const Display& display,
       "checks", "%d pass, %d fail, %d undecided, %d not evaluated, %d not applicable (screening, no code evaluation)",
       counts[0], counts[1], counts[2], counts[4], counts[3]);
   for (const Check* c : failed.empty() ? undecided : failed) {
-    lines += line(nameOf(c->verdict), "%s %s: %s", c->code.c_str(), c->name.c_str(),
-                  figures(*c, display, language).c_str());
+    lines += line(nameOf(c->verdict), "%s %s: %s", c->code.c_str(), c->name.c_str(), figures(*c, display).c_str());
   }
   return lines;
 }
@@ -204,7 +203,7 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   if (!lean.empty()) text += line("lean", "%s", lean.c_str());
   return text + methodLines(datum, display) + tiltLine(datum, display) +
          localLine(datum.analysis.local_settlements, display) + antipodalLine(datum.antipodal, display) +
-         shellSummary(datum.shell, datum.analysis.roundness, display) + checkLines(datum.analysis.checks, display, provenance.identity.language) +
+         shellSummary(datum.shell, datum.analysis.roundness, display) + checkLines(datum.analysis.checks, display) +
          movementLine(provenance, display) + verdictLine(datum.analysis);
 }
 

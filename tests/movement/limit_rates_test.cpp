@@ -66,7 +66,9 @@ TEST(LimitRatesOf, WithoutARateThereIsNoDateButTheEarliest) {
   EXPECT_TRUE(std::isnan(rate.latest));
 }
 
-TEST(LimitRatesOf, AFallingFigureMovesAway) { EXPECT_EQ(only({{2020, 0.006}, {2022, 0.004}}).approach, Approach::Away); }
+TEST(LimitRatesOf, AFallingFigureMovesAway) {
+  EXPECT_EQ(only({{2020, 0.006}, {2022, 0.004}}).approach, Approach::Away);
+}
 
 TEST(LimitRatesOf, WhatIsBeyondItsLimitIsSaidToBe) {
   EXPECT_EQ(only({{2020, 0.009}, {2022, 0.011}}).approach, Approach::Beyond);
@@ -81,7 +83,9 @@ TEST(LimitRatesOf, AnIntervalDoesNotBeginBeforeTheLastSurvey) {
 TEST(LimitRatesOf, TwoCenturiesAreInSight) {
   const auto reachedAfter = [](double years) { return only({{1822, 0.0}, {2022, 0.01 - 0.00005 * years}}).approach; };
   EXPECT_EQ(reachedAfter(100.0), Approach::Reached);
-  const auto slow = [](double years) { return only({{1822, 0.01 - 0.00003 * (200.0 + years)}, {2022, 0.01 - 0.00003 * years}}); };
+  const auto slow = [](double years) {
+    return only({{1822, 0.01 - 0.00003 * (200.0 + years)}, {2022, 0.01 - 0.00003 * years}});
+  };
   EXPECT_EQ(slow(150.0).approach, Approach::Reached);
   EXPECT_EQ(slow(300.0).approach, Approach::NotInSight);
   EXPECT_TRUE(std::isnan(slow(300.0).earliest));
@@ -140,7 +144,8 @@ TEST(LimitRatesOf, SaysWhyThereAreNone) {
 TEST(LimitRatesOf, TheOneReachedFirstStandsFirst) {
   std::vector<Epoch> all = surveys({{2020, 0.002}, {2022, 0.004}});
   for (std::size_t i = 0; i < 2; ++i) {
-    Check sooner = figureOf(i == 0 ? 0.002 : 0.004, 0.006), beyond = figureOf(0.02), away = figureOf(i == 0 ? 0.005 : 0.003);
+    Check sooner = figureOf(i == 0 ? 0.002 : 0.004, 0.006), beyond = figureOf(0.02),
+          away = figureOf(i == 0 ? 0.005 : 0.003);
     sooner.name = "sooner", beyond.name = "beyond", away.name = "away";
     for (const Check& check : {away, sooner, beyond}) all[i].checks.push_back(check);
   }

@@ -38,8 +38,11 @@ def survey(path: Path, date: str | None, value: float, **changes: Any) -> Path:
 def year(date: str) -> float:
     day = np.datetime64(date)
     first = day.astype("datetime64[Y]")
-    return 1970 + first.astype(int) + (day - first.astype("datetime64[D]")) / (
-        (first + 1).astype("datetime64[D]") - first.astype("datetime64[D]")
+    return (
+        1970
+        + first.astype(int)
+        + (day - first.astype("datetime64[D]"))
+        / ((first + 1).astype("datetime64[D]") - first.astype("datetime64[D]"))
     )
 
 
@@ -54,7 +57,11 @@ def months_by_search(dates: list[str], values: list[float]) -> list[str]:
     rows = np.column_stack([np.ones_like(at), at - times.mean()])
     line = rows @ found
     reach = Z95 * np.sqrt(np.einsum("ij,jk,ik->i", rows, covariance, rows))
-    ends = [np.argmax(line + reach >= 0.02), np.argmax(line >= 0.02), np.argmax(line - reach >= 0.02)]
+    ends = [
+        np.argmax(line + reach >= 0.02),
+        np.argmax(line >= 0.02),
+        np.argmax(line - reach >= 0.02),
+    ]
     return [str(days[7 * i].astype("datetime64[M]")) for i in ends]
 
 
@@ -69,7 +76,9 @@ def test_dates_are_those_of_a_search(tmp_path: Path) -> None:
     result = json.loads((tmp_path / "m/movement.json").read_text())
     (rate,) = result["limits"]["rates"]
     assert rate["approach"] == "reached" and result["limits"]["none"] is None
-    for key, month in zip(("earliest", "expected", "latest"), months_by_search(dates, values), strict=True):
+    for key, month in zip(
+        ("earliest", "expected", "latest"), months_by_search(dates, values), strict=True
+    ):
         apart = np.datetime64(rate[key]).astype(int) - np.datetime64(month).astype(int)
         assert abs(apart) <= 1, (key, rate[key], month)  # a week's steps
     slope = np.polyfit([year(d) for d in dates], values, 1)[0]

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from conftest import ROOT
-from report_pages import Opened, opened, with_data
+from report_pages import Opened, opened, plain, with_data
 from results import Run, read_datum
 
 Runner = Callable[..., Run]
@@ -26,7 +26,8 @@ def in_its_unit(value: float | None, unit: str) -> str:
     if value is None:
         return "\u2013"
     factor, name, digits = UNITS[unit]
-    return f"{factor * value:.{digits}f}\u00a0{name}"
+    shown = f"{factor * value:.{digits}f}"
+    return f"{shown.removeprefix('-') if float(shown) == 0 else shown}\u00a0{name}"
 
 
 def rows(page: Opened) -> list[list[str]]:
@@ -45,8 +46,9 @@ def test_each_says_value_limit_verdict_and_trust(still: Opened, sample_report: P
         assert cells[0].endswith(check["clause"])
         assert cells[1].startswith(in_its_unit(check["value"], check["unit"]))
         if check["value"] is not None and check["sigma"] is not None:
-            spread = in_its_unit(2 * check["sigma"], check["unit"])
-            assert f"\u00b1 {spread} (2\u03c3), at {check['azimuth_deg']:.0f}\u00b0" in cells[1]
+            low, high = (in_its_unit(check[key], check["unit"]) for key in ("low95", "high95"))
+            interval = f"95 %: {low.split(chr(0xA0))[0]} to {high}"
+            assert f"{interval}, at {check['azimuth_deg']:.0f}\u00b0" in cells[1]
         assert cells[2] == in_its_unit(check["limit"], check["unit"])
         assert cells[3] == check["verdict"].replace("_", " ")
         assert cells[4].split("\n")[0] == check["source"]
@@ -64,7 +66,7 @@ def test_failures_come_first_and_the_verdict_names_them(still: Opened, sample_re
     assert f"{count('not applicable')} not applicable" in said
     datum = read_datum(sample_report)
     headline = datum["verdict"]
-    assert headline["word"] in still.text(".verdict .word") and headline["sentence"] in said
+    assert headline["word"] in still.text(".verdict .word") and headline["sentence"] in plain(said)
     for check in datum["checks"]:
         if check["verdict"] == "fail":
             assert f"{check['code']} {check['name']}" in said
@@ -111,8 +113,15 @@ def test_bars_are_shares_of_the_limits_the_fullest_first(
         for c in read_datum(sample_report)["checks"]
         if c["verdict"] in ("pass", "fail", "undecided") and c["limit"]
     ]
-    shares = sorted((100 * c["value"] / c["limit"] for c in judged), reverse=True)
-    assert still.texts(".bars .number") == [f"{round(s)} %" for s in shares]
+    judged.sort(key=lambda c: c["value"] / c["limit"], reverse=True)
+    shares = [100 * c["value"] / c["limit"] for c in judged]
+    said = [
+        "{:.0f} % ({:.0f} to {:.0f} %)".format(
+            *(100 * c[key] / c["limit"] for key in ("value", "low95", "high95"))
+        )
+        for c in judged
+    ]
+    assert still.texts(".bars .number") == said
     track = still.page.locator(".bars .track").first.bounding_box()["width"]
     for bar, share in zip(still.page.locator(".bars i").all(), shares, strict=True):
         width = bar.bounding_box()["width"]

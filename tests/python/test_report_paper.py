@@ -155,7 +155,9 @@ def test_a_picture_of_the_viewer_goes_into_the_report(
     assert b"/Width 128" in (tmp_path / "report.pdf").read_bytes()
 
 
-def test_a_picture_in_a_page_is_replaced(sample_report: Path, picture: Path, tmp_path: Path) -> None:
+def test_a_picture_in_a_page_is_replaced(
+    sample_report: Path, picture: Path, tmp_path: Path
+) -> None:
     (tmp_path / "once").mkdir()
     once = tmp_path / "once" / "report.html"
     written(sample_report, once, "--picture", picture)

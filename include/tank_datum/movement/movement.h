@@ -169,11 +169,11 @@ const char* nameOf(Approach approach);
 
 /// How a judged figure goes towards its limit.
 struct LimitRate {
-  Check check;                                ///< of the last survey
-  double rate = kUnknown, sigma = kUnknown;   ///< slope against time and its standard error [unit of the check per year]
+  Check check;                               ///< of the last survey
+  double rate = kUnknown, sigma = kUnknown;  ///< slope against time and its standard error [unit of the check per year]
   Approach approach = Approach::NotInSight;
-  double expected = kUnknown;                      ///< where the line meets the limit [decimal year]
-  double earliest = kUnknown, latest = kUnknown;   ///< 95 % interval of it [decimal years]; latest NaN: perhaps never
+  double expected = kUnknown;                     ///< where the line meets the limit [decimal year]
+  double earliest = kUnknown, latest = kUnknown;  ///< 95 % interval of it [decimal years]; latest NaN: perhaps never
 };
 
 /// The rates of all judged figures against their limits, the one whose limit may be reached first before the others.

@@ -47,22 +47,33 @@ function statusSentence() {
   return `${levelled ? say("summary.levelling_survey") : name}: ${found}.`;
 }
 
-/** What the verdict rests on; of a result that does not name its check as datum.json has it. */
-function verdictSentence() {
-  const { word, governing, utilisation, utilisation_95: interval, sentence: given } = datum.verdict || {};
-  const check = (datum.checks || []).find((c) => `${c.code} ${c.name}` === governing);
-  if (!given || (governing && !check)) return given;
-  if (!check) return `${say("verdict.no_rule")} ${say("common.screening")}`;
-  if (word === "INCOMPLETE") return `${say("verdict.not_evaluated", { rule: checkTitle(check), note: check.note })} ${say("common.screening")}`;
-  const percent = (value) => figure(100 * value, 0), [low, high] = interval || [null, null];
-  const between = known(low) && known(high) ? say("verdict.interval", { low: percent(low), high: percent(high) }) : "";
-  return `${say("verdict.share", { rule: checkTitle(check), share: percent(utilisation), interval: between, place: known(check.azimuth_deg) ? ` ${say("common.at", { azimuth: roundAzimuth(check.azimuth_deg) })}` : "", meaning: say(`verdict.${word}`) })} ${say("common.screening")}`;
+/** "API 653 out-of-plane settlement S_i" with its name in the page's language. */
+function governingTitle(governing) {
+  const name = Object.keys(kLanguages.en).filter((key) => key.startsWith("check_name.")).map((key) => kLanguages.en[key])
+    .filter((known_name) => governing.endsWith(` ${known_name}`)).sort((one, other) => other.length - one.length)[0];
+  return name === undefined ? governing : `${governing.slice(0, -name.length)}${checkName(name)}`;
 }
+
+/** What a verdict rests on, from its figures; where they are not all there as datum.json has it. */
+function verdictSentence(verdict, check) {
+  const { word, governing, utilisation: used, utilisation_95: interval, sentence: given } = verdict || {};
+  if (!given) return "";
+  if (!governing) return `${say("verdict.no_rule")} ${say("common.screening")}`;
+  const rule = governingTitle(governing), percent = (value) => figure(100 * value, 0), [low, high] = interval || [null, null];
+  if (word === "INCOMPLETE" && check) return `${say("verdict.not_evaluated", { rule, note: translated(check.note) })} ${say("common.screening")}`;
+  if (word === "INCOMPLETE" || !known(used)) return given;
+  const between = known(low) && known(high) ? say("verdict.interval", { low: percent(low), high: percent(high) }) : "";
+  const [, azimuth] = / at (\d+) deg/.exec(given) || [], place = azimuth ? ` ${say("common.at", { azimuth: degrees(Number(azimuth)) })}` : "";
+  return `${say("verdict.share", { rule, share: percent(used), interval: between, place, meaning: say(`verdict.${word}`) })} ${say("common.screening")}`;
+}
+
+/** The check that a verdict rests on. */
+const governingCheck = () => (datum.checks || []).find((c) => `${c.code} ${c.name}` === (datum.verdict || {}).governing);
 
 /** The word of the verdict, what it rests on, and the counts; of a refusal its reason. */
 function verdictBox() {
   const { word } = datum.verdict || {};
-  const lines = usable ? [verdictSentence(), countsSentence()] : [statusSentence(), sentence(datum.message || words(datum.status))];
+  const lines = usable ? [verdictSentence(datum.verdict, governingCheck()), countsSentence()] : [statusSentence(), sentence(translated(datum.message) || words(datum.status))];
   const heading = usable ? (word && words(word)) || say("summary.no_verdict") : say("summary.no_datum");
   return make("div", { class: `verdict ${worstVerdict()}`, role: "status" },
     make("p", { class: "word" }, make("span", { "aria-hidden": "true" }, `${(usable && kVerdictIcons[word]) || "\u2013"} `), heading),
@@ -77,7 +88,7 @@ function qualityLine() {
   if (!usable) return null;
   const sigma = medianSigma();
   const error = known(sigma) ? say("summary.standard_error_of_an_elevation", { sigma: shortLength(sigma, 2) }) : "";
-  const mind = datum.message ? ` ${sentence(datum.message)}` : "";
+  const mind = datum.message ? ` ${sentence(translated(datum.message))}` : "";
   return make("p", { class: "quality" }, make("strong", {}, say("summary.data")), `${statusSentence()}${error}${mind}`);
 }
 
@@ -129,7 +140,7 @@ function addSummary() {
   section.append(make("h3", {}, say("summary.what_is_missing")), missing.length > 0 ? make("ul", {}, missing.map((item) => make("li", {}, typeset(item))))
     : make("p", {}, say("summary.nothing_every_station_is_measured")));
   const notes = datum.notes || [];
-  if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(note)))));
+  if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(translated(note))))));
   if (kSpoken !== kLanguages.en) section.append(make("p", { class: "quiet" }, say("missing.in_english")));
   section.append(make("div", { class: "paper-only" }, [say("common.inspector"), say("common.date"), say("summary.signature")].map((name) => make("span", {}, name))));
 }

@@ -43,7 +43,7 @@ function checkRow(check) {
     checked(check.limit, check),
     make("td", { class: `verdict-word ${check.verdict}`, "data-head": say("common.verdict") }, make("span", {}, words(check.verdict))),
     cellWith(say("checks.rules_source"), "", check.source, typeset(check.citation || "")),
-    typeset(check.note || "")];
+    typeset(translated(check.note) || "")];
 }
 
 /** The share of its limit that a check's figure takes; null where it has none. */
