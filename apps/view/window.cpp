@@ -1,12 +1,9 @@
 #include "view/window.h"
 
 #include <vtkCamera.h>
-#include <vtkEDLShading.h>
 #include <vtkMapper.h>
 #include <vtkPNGWriter.h>
-#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -62,7 +59,7 @@ Window::Window(const ViewedResult& result, const Points& cloud, const SceneOptio
   above_->SetActiveCamera(renderer_->GetActiveCamera());
   window_->AddRenderer(above_);
   renderer_->SetBackground(0.07, 0.08, 0.10);
-  shadeDepths();
+  shadeDepths(*renderer_);
   help_->SetInput(kKeys);
   help_->VisibilityOff();
   for (const auto& text : {values_, help_, heading_, key_title_}) above_->AddViewProp(text);
@@ -71,14 +68,6 @@ Window::Window(const ViewedResult& result, const Points& cloud, const SceneOptio
   drawDatum();
   drawFrame();
   look();
-}
-
-/// Eye-dome lighting: points before others are set off from them, since a cloud has no surfaces to shade.
-void Window::shadeDepths() {
-  auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
-  auto shading = vtkSmartPointer<vtkEDLShading>::New();
-  shading->SetDelegatePass(steps);
-  renderer_->SetPass(shading);
 }
 
 void Window::replace(std::vector<vtkSmartPointer<vtkProp>>& props, std::vector<vtkSmartPointer<vtkProp>> by) {
@@ -100,22 +89,9 @@ void Window::toggle(std::vector<vtkSmartPointer<vtkProp>>& props) {
 void Window::drawCloud() {
   const Colouring colouring = colouringOf(cloud_, result_, options_.colour, options_.range);
   const auto cloud = cloudActor(cloud_, colouring);
-  auto scale = vtkSmartPointer<vtkScalarBarActor>::New();
-  scale->SetLookupTable(cloud->GetMapper()->GetLookupTable());
   key_title_->SetInput((colouring.title + ", grey beyond").c_str());
-  scale->SetLabelFormat("%-#.3g");
-  scale->UnconstrainedFontSizeOn();
-  vtkTextProperty* text = scale->GetLabelTextProperty();
-  text->SetFontSize(14);
-  text->BoldOff();
-  text->ItalicOff();
-  text->ShadowOff();
-  scale->SetOrientationToHorizontal();
-  scale->SetPosition(0.56, 0.02);
-  scale->SetWidth(0.40);
-  scale->SetHeight(0.12);
   replace(points_, {cloud});
-  replace(key_, {scale});
+  replace(key_, {colourKey(cloud->GetMapper()->GetLookupTable())});
 }
 
 void Window::drawDatum() {

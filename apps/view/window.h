@@ -39,7 +39,6 @@ class Window {
   int stationAt(int x, int y);
 
  private:
-  void shadeDepths();
   void drawCloud();
   void drawDatum();
   void drawLabels();

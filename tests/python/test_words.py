@@ -90,7 +90,8 @@ def test_no_script_holds_words(script: Path) -> None:
 
 def test_what_is_said_in_other_languages_is_what_the_library_says() -> None:
     """Each template's fixed words stand in a source; some are put together of pieces."""
-    pieced = ("said.roof_type", "said.foundation_kind", "said.points_apart")
+    pieced = {f"said.{key}" for key in ("roof_type", "foundation_kind")}
+    pieced |= {"said.points_apart", "said.which_units"}
     text = "".join(p.read_text() for p in sorted((ROOT / "src").rglob("*.cpp")))
     text = re.sub(r'"\s*"', "", text).replace("%%", "%").replace("\\n", " ")
     for key, template in words("en").items():

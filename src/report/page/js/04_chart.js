@@ -53,6 +53,7 @@ function drawChart(chart, width = Math.floor(chart.canvas.clientWidth)) {
     .attr("role", "img").attr("aria-label", chart.label).attr("tabindex", 0);
   svg.append("rect").attr("class", "background").attr("width", width).attr("height", height);
   chart.mark = chart.draw(svg, width, height, chart.shown) || null;
+  if (svg.select("a").size() > 0) svg.attr("role", "group").attr("tabindex", null);  // its links are reached, not itself
   svg.node().addEventListener("keydown", stepByKeys);
   if (chart.mark === null) return;
   link.marks.push(chart.mark);

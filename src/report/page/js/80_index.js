@@ -1,6 +1,6 @@
 // The page of a scan with several tanks: where they stand, and what was found of each.
 
-const tankName = (tank) => words(tank.page.split("/")[0]);
+const tankName = (tank) => say("export.tank", { tank: tank.page.split("/")[0].replace("tank_", "") });
 
 /** The word of a tank's verdict; of one without a datum its status. */
 function outcomeOf(tank) {
