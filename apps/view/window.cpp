@@ -119,8 +119,8 @@ void Window::drawLabels() {
   for (const auto& [station, name] : namedStations(result_)) {
     Eigen::Vector3d at = markOf(result_, station, options_.exaggeration);
     if (!at.allFinite()) continue;
-    at.head<2>() += 0.26 * (at.head<2>() - result_.circle.center);
-    at.z() += 0.2 * result_.circle.radius;  // above the stations' numbers
+    at.head<2>() += 0.36 * (at.head<2>() - result_.circle.center);
+    at.z() += 0.12 * result_.circle.radius;  // above the stations' numbers
     labels.push_back(labelActor(at, name));
   }
   replace(labels_, labels);

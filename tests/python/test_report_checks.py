@@ -105,6 +105,25 @@ def test_words_of_a_result_are_never_markup(
         assert "no <i>evaluation</i>" in page.text("#summary li")
 
 
+def test_a_maximum_is_shown_with_its_interval(
+    browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    """Which reaches further up than down: verdict, bar and table say both ends."""
+    check = {"code": "GB", "clause": "", "name": "planar tilt", "verdict": "fail", "note": ""}
+    check |= {"value": 0.0088, "low95": 0.0081, "high95": 0.032, "sigma": 0.0118, "limit": 0.008}
+    check |= {"unit": "m", "source": "verified", "azimuth_deg": 118.0, "citation": ""}
+    verdict = {"word": "FAIL", "governing": "GB planar tilt", "utilisation": 1.1}
+    verdict |= {"utilisation_95": [1.0125, 4.0], "sentence": "GB planar tilt is at 118 deg of it"}
+    changes = {"checks": [check], "verdict": verdict}
+    path = with_data(sample_report / "report.html", tmp_path / "page.html", changes)
+    with opened(browser, path) as page:
+        assert page.slips() == []
+        assert "at 110 % of its limit (95 %: 101 to 400 %) at 118\u00b0," in page.text(".verdict")
+        assert page.texts(".bars .number") == ["110 % (101 to 400 %)"]
+        assert "8.8\u00a0mm\n95 %: 8.1 to 32.0\u00a0mm, at 118\u00b0" in page.text("#summary tbody")
+        assert "23.6" not in page.text("#summary")  # two of its sigma
+
+
 def test_bars_are_shares_of_the_limits_the_fullest_first(
     still: Opened, sample_report: Path
 ) -> None:
