@@ -6,6 +6,7 @@
 #include "parsed.h"
 #include "print/browser.h"
 #include "print/pictured_page.h"
+#include "print/sheets.h"
 #include "report/logo.h"
 #include "results/file_calls.h"
 #include "results/manifest.h"
@@ -46,10 +47,16 @@ std::string pageOf(const ReportCommand& command) {
   return command.picture.empty() ? page : withPicture(page, pictureOf(command.picture));
 }
 
+/// On five sheets, smaller where it takes more; what takes more even so is printed as it is then.
 void print(const ReportCommand& command, const std::string& page) {
+  constexpr int kMostSheets = 5;
   const std::string browser = findBrowser(command.browser);
   OutputFile pdf(command.pdf, isFileWith("%PDF", kPrintMark), kProgram);
-  printPage(browser, page, pdf.place());
+  for (const char* share : {"1", "0.93", "0.86", "0.8"}) {
+    std::filesystem::remove(pdf.place());
+    printPage(browser, shrunk(page, share), pdf.place());
+    if (sheetsOf(pdf.place()) <= kMostSheets) break;
+  }
   pdf.commit();
 }
 

@@ -15,7 +15,7 @@ import pytest
 
 from programs import executable
 from report_fixtures import JUDGED
-from report_pages import SAMPLE, opened
+from report_pages import SAMPLE, opened, with_data
 from results import Run, read_datum, read_points, write_xyz
 
 Runner = Callable[..., Run]
@@ -81,6 +81,20 @@ def test_a_good_tank_takes_five_sheets_or_fewer(sample_report: Path, tmp_path: P
 def test_a_failing_tank_with_all_there_is_takes_five(failing: Path, tmp_path: Path) -> None:
     assert to_pdf(failing, tmp_path / "report.pdf").returncode == 0
     assert sheets(tmp_path / "report.pdf") <= 5
+
+
+@pytest.mark.parametrize(("notes", "most"), [(60, 5), (2000, 99)], ids=["shrunk", "long"])
+def test_a_long_report_is_printed_smaller(
+    sample_report: Path, tmp_path: Path, notes: int, most: int
+) -> None:
+    """What would take six sheets fits on five; what is longer by far is printed all the same."""
+    result = tmp_path / "result"
+    result.mkdir()
+    told = {"notes": [f"Note {i} of this tank, a line of its own." for i in range(notes)]}
+    with_data(sample_report / "report.html", result / "report.html", told)
+    assert to_pdf(result, tmp_path / "report.pdf").returncode == 0
+    assert 4 < sheets(tmp_path / "report.pdf") <= most
+    assert most == 5 or sheets(tmp_path / "report.pdf") > 5
 
 
 def test_a_refusal_takes_one(no_tank_report: Path, tmp_path: Path) -> None:

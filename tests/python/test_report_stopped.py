@@ -66,7 +66,9 @@ def printing(result: Path, folder: Path) -> Iterator[tuple[subprocess.Popen[str]
             program.kill()
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGINT], ids=["terminated", "interrupted"]
+)
 def test_a_signal_leaves_neither_folder_nor_browser(
     no_tank_report: Path, tmp_path: Path, number: signal.Signals
 ) -> None:

@@ -87,7 +87,7 @@ function sectionScales(width, height, section, points, close) {
 
 function drawSection(svg, width, height, section, close) {
   const points = sectionPoints(section), { x, y } = sectionScales(width, height, section, points, close);
-  const inside = sections.side === "inside" ? say("section.into_the_tank") : "outwards";
+  const inside = sections.side === "inside" ? say("section.into_the_tank") : say("section.outwards");
   const [left, right] = x.range(), [low, high] = y.range(), clip = `clip-${close ? "corner" : "section"}`;
   svg.append("clipPath").attr("id", clip).append("rect").attr("x", left).attr("y", high).attr("width", right - left).attr("height", low - high);
   if (close && known(section.foundation)) {
