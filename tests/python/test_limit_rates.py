@@ -38,7 +38,7 @@ def survey(path: Path, date: str | None, value: float, **changes: Any) -> Path:
 def year(date: str) -> float:
     day = np.datetime64(date)
     first = day.astype("datetime64[Y]")
-    return (
+    return float(
         1970
         + first.astype(int)
         + (day - first.astype("datetime64[D]"))

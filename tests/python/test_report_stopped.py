@@ -58,7 +58,10 @@ def printing(result: Path, folder: Path) -> Iterator[tuple[subprocess.Popen[str]
         stderr=subprocess.PIPE,
         text=True,
     ) as program:
-        started = lambda: {p.parent for p in folder.glob("*/pid")} - before  # noqa: E731
+
+        def started() -> set[Path]:
+            return {p.parent for p in folder.glob("*/pid")} - before
+
         until(lambda: bool(started()))
         (profile,) = started()
         yield program, int((profile / "pid").read_text())
