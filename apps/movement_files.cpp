@@ -11,6 +11,7 @@
 #include "core/units.h"
 #include "io/json_file.h"
 #include "movement/movement.h"
+#include "report/movement_json.h"
 #include "report/report_page.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
@@ -103,7 +104,8 @@ std::string movementsJson(const Comparison& comparison) {
                {"baseline", comparison.names.front()},
                {"baseline_date", comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates.front())},
                {"movements", surveys},
-               {"trend", {{"unit", trendUnit(comparison)}, {"stations", stations}}}};
+               {"trend", {{"unit", trendUnit(comparison)}, {"stations", stations}}},
+               {"limits", limitRatesSection(comparison.limit_rates)}};
   if (comparison.readers.display_units != "mm") json["display_units"] = comparison.readers.display_units;
   if (comparison.readers.language != "en") json["language"] = comparison.readers.language;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

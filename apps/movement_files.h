@@ -16,6 +16,7 @@ struct Comparison {
   std::vector<std::string> dates;   ///< as typed, one per survey; or none
   std::vector<Movement> movements;  ///< one fewer
   std::vector<StationHistory> histories;
+  LimitRates limit_rates;
   MovementOptions options;
   Identity readers = {};  ///< units and language of what people read
 };

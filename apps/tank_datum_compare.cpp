@@ -13,6 +13,7 @@
 #include "movement_files.h"
 #include "option_flags.h"
 #include "parsed.h"
+#include "report/check_text.h"
 #include "report/movement_text.h"
 #include "report/words.h"
 #include "results/manifest.h"
@@ -73,6 +74,8 @@ void print(const Comparison& comparison) {
   for (const StationHistory& place : comparison.histories) {
     if (std::isfinite(place.rate) && (!fastest || std::abs(place.rate) > std::abs(fastest->rate))) fastest = &place;
   }
+  const std::string limits = limitRatesText(comparison.limit_rates, display, comparison.readers.language);
+  std::printf("limits: %s\n", withFlags(limits).c_str());
   if (!fastest) return;
   std::printf("largest trend %.*f +- %.*f %s%s (2 sigma) at %.1f deg\n", digits, factor * fastest->rate, digits,
               2.0 * factor * fastest->sigma_rate, display.shortUnit(), trendUnit(comparison) + 1,
@@ -90,9 +93,10 @@ int run(const CompareCommand& command) {
   requireValid(command.options);
   const std::vector<double> times = timesOf(command.dates, command.epochs.size());
   std::vector<Epoch> epochs;
-  Comparison comparison{command.epochs, {}, command.dates, {}, {}, command.options, command.readers};
+  Comparison comparison{command.epochs, {}, command.dates, {}, {}, {}, command.options, command.readers};
   for (const std::string& path : command.epochs) {
     epochs.push_back(readEpoch(path));
+    if (epochs.size() <= command.dates.size()) epochs.back().date = command.dates[epochs.size() - 1];
     comparison.hashes.push_back(sha256OfFile(epochFile(path)));
   }
   for (std::size_t i = 1; i < epochs.size(); ++i) {
@@ -104,6 +108,7 @@ int run(const CompareCommand& command) {
     return kNoDatum;
   }
   comparison.histories = historiesOf(comparison.movements, times);
+  comparison.limit_rates = limitRatesOf(epochs);
   writeMovement(folder, comparison);
   folder.commit();
   print(comparison);

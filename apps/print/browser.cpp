@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,10 +10,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <thread>
 #include <vector>
 
+#include "print/profile.h"
+#include "results/stop_signals.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -36,26 +40,6 @@ std::string inPath(const std::string& name) {
   return {};
 }
 
-/// A folder for the browser's own files, gone with this.
-class Profile {
- public:
-  Profile() : path_((fs::temp_directory_path() / "tank_datum_print_XXXXXX").string()) {
-    if (mkdtemp(path_.data()) == nullptr) {
-      throw Error(Error::Kind::File, "pdf", path_, "not made", "room in the folder for temporary files");
-    }
-  }
-  ~Profile() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Profile(const Profile&) = delete;
-  Profile& operator=(const Profile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 /// A path as an address, so that no character of it means anything else.
 std::string addressOf(const std::string& path) {
   constexpr const char* kHex = "0123456789ABCDEF";
@@ -71,14 +55,20 @@ std::string addressOf(const std::string& path) {
   return address;
 }
 
-/// Runs a program in a group of its own, without its words.
-pid_t start(std::vector<std::string> words) {
+/// Runs a program in a group of its own, without its words, its temporary files in a folder. It ends with this process.
+pid_t start(std::vector<std::string> words, const std::string& temporary) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const pid_t child = fork();
+  if (child > 0) setpgid(child, child);  // the child does so too: whoever comes first
   if (child != 0) return child;
   setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  setenv("TMPDIR", temporary.c_str(), 1);
   const int nothing = open("/dev/null", O_RDWR);
   for (const int stream : {0, 1, 2}) dup2(nothing, stream);
   execv(arguments.front(), arguments.data());
@@ -112,9 +102,11 @@ std::string findBrowser(const std::string& named) {
   throw Error(Error::Kind::File, "pdf", named.empty() ? "browser" : named, "not found", kExpected);
 }
 
-void printPage(const std::string& browser, const std::string& page, const std::string& pdf) {
+void printPage(const std::string& browser, const std::string& content, const std::string& pdf) {
   constexpr std::chrono::seconds kLongest(120);
   const Profile profile;
+  const std::string page = profile.path() + "/report.html";
+  std::ofstream(page, std::ios::binary) << content;
   std::vector<std::string> words = {browser,
                                     "--headless",
                                     "--disable-gpu",
@@ -125,7 +117,11 @@ void printPage(const std::string& browser, const std::string& page, const std::s
                                     "--print-to-pdf=" + fs::absolute(pdf).string()};
   if (geteuid() == 0) words.emplace_back("--no-sandbox");  // which Chromium refuses to root
   words.push_back(addressOf(page));
-  const pid_t child = start(words);
+  const pid_t child = start(words, profile.path());
+  const results::OnStop on_stop([&profile, child] {
+    if (child > 0) kill(-child, SIGKILL);
+    profile.remove();
+  });
   std::error_code failed;
   if (child < 0 || !endsWell(child, kLongest) || fs::file_size(pdf, failed) == 0 || failed) {
     throw Error(Error::Kind::File, "pdf", pdf, browser + " did not write it", kExpected);

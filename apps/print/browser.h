@@ -12,8 +12,10 @@ std::string findBrowser(const std::string& named);
 /// By which a PDF is known again: what its field Creator says.
 constexpr const char* kPrintMark = "tank_datum_report";
 
-/// Prints a page from disk to a PDF, without a screen.
+/// Prints a page to a PDF, without a screen. What the browser leaves in the folder for temporary files goes, when a
+/// signal ends this process too; of one that was killed with the next run.
+/// @param content  the page's text
 /// @throws Error (File) when the browser does not write it, or takes longer than two minutes
-void printPage(const std::string& browser, const std::string& page, const std::string& pdf);
+void printPage(const std::string& browser, const std::string& content, const std::string& pdf);
 
 }  // namespace tank_datum

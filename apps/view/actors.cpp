@@ -1,12 +1,14 @@
 #include "view/actors.h"
 
 #include <vtkCellArray.h>
+#include <vtkEDLShading.h>
 #include <vtkFloatArray.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkTextProperty.h>
 
 #include <cmath>
@@ -143,6 +145,30 @@ vtkSmartPointer<vtkTextActor> textAt(double x, double y, bool hangs) {
   text->GetTextProperty()->SetBackgroundOpacity(0.6);
   if (hangs) text->GetTextProperty()->SetVerticalJustificationToTop();
   return text;
+}
+
+vtkSmartPointer<vtkScalarBarActor> colourKey(vtkScalarsToColors* colours) {
+  auto scale = vtkSmartPointer<vtkScalarBarActor>::New();
+  scale->SetLookupTable(colours);
+  scale->SetLabelFormat("%-#.3g");
+  scale->UnconstrainedFontSizeOn();
+  vtkTextProperty* text = scale->GetLabelTextProperty();
+  text->SetFontSize(14);
+  text->BoldOff();
+  text->ItalicOff();
+  text->ShadowOff();
+  scale->SetOrientationToHorizontal();
+  scale->SetPosition(0.56, 0.02);
+  scale->SetWidth(0.40);
+  scale->SetHeight(0.12);
+  return scale;
+}
+
+void shadeDepths(vtkRenderer& renderer) {
+  auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+  auto shading = vtkSmartPointer<vtkEDLShading>::New();
+  shading->SetDelegatePass(steps);
+  renderer.SetPass(shading);
 }
 
 }  // namespace tank_datum::view

@@ -2,6 +2,8 @@
 
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
@@ -32,5 +34,11 @@ vtkSmartPointer<vtkBillboardTextActor3D> labelActor(const Eigen::Vector3d& at, c
 
 /// A text at a place of the window, from 0 to 1 across and up; it hangs from there or stands on it.
 vtkSmartPointer<vtkTextActor> textAt(double x, double y, bool hangs);
+
+/// The key of a cloud's colours, at the window's foot.
+vtkSmartPointer<vtkScalarBarActor> colourKey(vtkScalarsToColors* colours);
+
+/// Eye-dome lighting: points before others are set off from them, since a cloud has no surfaces to shade.
+void shadeDepths(vtkRenderer& renderer);
 
 }  // namespace tank_datum::view

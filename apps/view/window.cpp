@@ -4,7 +4,6 @@
 #include <vtkMapper.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -60,6 +59,7 @@ Window::Window(const ViewedResult& result, const Points& cloud, const SceneOptio
   above_->SetActiveCamera(renderer_->GetActiveCamera());
   window_->AddRenderer(above_);
   renderer_->SetBackground(0.07, 0.08, 0.10);
+  shadeDepths(*renderer_);
   help_->SetInput(kKeys);
   help_->VisibilityOff();
   for (const auto& text : {values_, help_, heading_, key_title_}) above_->AddViewProp(text);
@@ -89,21 +89,9 @@ void Window::toggle(std::vector<vtkSmartPointer<vtkProp>>& props) {
 void Window::drawCloud() {
   const Colouring colouring = colouringOf(cloud_, result_, options_.colour, options_.range);
   const auto cloud = cloudActor(cloud_, colouring);
-  auto scale = vtkSmartPointer<vtkScalarBarActor>::New();
-  scale->SetLookupTable(cloud->GetMapper()->GetLookupTable());
   key_title_->SetInput((colouring.title + ", grey beyond").c_str());
-  scale->SetLabelFormat("%-#.3g");
-  scale->UnconstrainedFontSizeOn();
-  vtkTextProperty* text = scale->GetLabelTextProperty();
-  text->SetFontSize(14);
-  text->BoldOff();
-  text->ItalicOff();
-  text->ShadowOff();
-  scale->SetOrientationToHorizontal();
-  scale->SetPosition(0.56, 0.02);
-  scale->SetWidth(0.40);
-  scale->SetHeight(0.12);
-  replace(points_, {cloud, scale});
+  replace(points_, {cloud});
+  replace(key_, {colourKey(cloud->GetMapper()->GetLookupTable())});
 }
 
 void Window::drawDatum() {
@@ -131,7 +119,8 @@ void Window::drawLabels() {
   for (const auto& [station, name] : namedStations(result_)) {
     Eigen::Vector3d at = markOf(result_, station, options_.exaggeration);
     if (!at.allFinite()) continue;
-    at.head<2>() += 0.16 * (at.head<2>() - result_.circle.center);
+    at.head<2>() += 0.36 * (at.head<2>() - result_.circle.center);
+    at.z() += 0.12 * result_.circle.radius;  // above the stations' numbers
     labels.push_back(labelActor(at, name));
   }
   replace(labels_, labels);
@@ -204,6 +193,7 @@ bool Window::press(char key) {
     drawCloud();
   } else if (const auto k = layers.find(key); k != std::string::npos) {
     toggle(*props[k]);
+    if (key == 'c') toggle(key_);
   } else if ((key == '+' && options_.exaggeration < kMostExaggeration) || (key == '-' && options_.exaggeration > 1.0)) {
     options_.exaggeration = key == '+' ? 2.0 * options_.exaggeration : std::max(1.0, 0.5 * options_.exaggeration);
     drawDatum();

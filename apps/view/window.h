@@ -51,7 +51,7 @@ class Window {
   const Points& cloud_;
   SceneOptions options_;
   int picked_ = -1;
-  std::vector<vtkSmartPointer<vtkProp>> points_, edge_, curve_, plane_, labels_, mark_, frame_;
+  std::vector<vtkSmartPointer<vtkProp>> points_, key_, edge_, curve_, plane_, labels_, mark_, frame_;
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkRenderer> above_;  ///< what no point of the cloud hides: the datum and words
   vtkSmartPointer<vtkRenderWindow> window_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/plain_text.h"
+#include "core/units.h"
 #include "limits/checks.h"
 
 namespace tank_datum {
@@ -49,8 +50,14 @@ std::string sentenceOf(const Headline& headline, const Check* check) {
   if (!check) return "No rule could be judged. " + std::string(screening);
   const std::string rule = check->code + ' ' + check->name;
   if (headline.word == "INCOMPLETE") return rule + " is not evaluated: " + check->note + ". " + screening;
-  char share[64];
-  snprintfPlain(share, sizeof share, " is at %.0f %% of its limit", 100.0 * headline.utilisation);
+  const auto percent = [](double share) { return fixedText(100.0 * share, 0); };
+  std::string share = " is at " + percent(headline.utilisation) + " % of its limit";
+  if (const Interval95& interval = headline.utilisation_interval; interval.known()) {
+    share += " (95 %: " + percent(interval.low) + " to " + percent(interval.high) + " %)";
+  }
+  if (std::isfinite(check->azimuth)) {
+    share += " at " + fixedText(std::fmod(std::round(toDegrees(check->azimuth)), 360.0), 0) + " deg";
+  }
   const char* meaning = headline.word == "FAIL"        ? ", beyond it with 95 % confidence. "
                         : headline.word == "UNDECIDED" ? ", too near or too little seen to decide. "
                                                        : ", the nearest of all. ";
@@ -72,7 +79,10 @@ Headline headlineOf(std::vector<Check>& checks, bool dense) {
     if (!check) continue;
     headline.word = word;
     headline.governing = check->code + ' ' + check->name;
-    if (std::isfinite(check->limit)) headline.utilisation = utilisationOf(*check);
+    if (std::isfinite(check->limit)) {
+      headline.utilisation = utilisationOf(*check);
+      headline.utilisation_interval = {check->interval.low / check->limit, check->interval.high / check->limit};
+    }
     break;
   }
   headline.sentence = sentenceOf(headline, check);

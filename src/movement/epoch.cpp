@@ -29,6 +29,30 @@ std::vector<std::vector<double>> sharedErrors(const Json& json, std::size_t stat
   return columns;
 }
 
+double numberAt(const Json& object, const char* key) { return numberOr(object.value(key, Json(nullptr)), kUnknown); }
+
+/// What was judged, as far as surveys are compared by it.
+std::vector<Check> checksFrom(const Json& json) {
+  std::vector<Check> checks;
+  for (const Json& entry : json.value("checks", Json::array())) {
+    Check check;
+    check.code = entry.value("code", "");
+    check.clause = entry.value("clause", "");
+    check.name = entry.value("name", "");
+    check.role = entry.value("role", "");
+    check.unit = entry.value("unit", "");
+    check.value = numberAt(entry, "value"), check.sigma = numberAt(entry, "sigma");
+    check.limit = numberAt(entry, "limit");
+    checks.push_back(check);
+  }
+  return checks;
+}
+
+std::string surveyDate(const Json& json) {
+  const Json about = json.value("about", Json::object());
+  return about.is_object() ? about.value("survey_date", "") : "";
+}
+
 Epoch epochFrom(const Json& json, const std::string& path) {
   Epoch epoch;
   epoch.name = path;
@@ -41,6 +65,8 @@ Epoch epochFrom(const Json& json, const std::string& path) {
   const Json& tank = json.at("tank");
   epoch.circle.center = {tank.at("center").at(0).get<double>(), tank.at("center").at(1).get<double>()};
   epoch.circle.radius = tank.at("radius").get<double>();
+  epoch.date = surveyDate(json);
+  epoch.checks = checksFrom(json);
   const auto& stations = json.at("stations").get_ref<const Json::array_t&>();
   const auto shared = sharedErrors(json, stations.size());
   for (const Json& station : stations) {
@@ -72,6 +98,7 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name) {
   epoch.method = nameOf(method);
   if (datum.refined.valid()) epoch.surface = nameOf(datum.refined.profile.surface);
   epoch.levelled = datum.levelled;
+  epoch.checks = datum.analysis.checks;
   epoch.circle = {datum.circle.center + datum.origin.head<2>(), datum.circle.radius};
   const Eigen::MatrixXd& factors = datum.covariance.factors;
   for (const Station& s : datum.stations) {

@@ -157,7 +157,7 @@ void addIdentity(Table& t, RunOptions& run) {
       .within({4, 360, false, false, true});
   t.add("display_units", "", choiceOf(run.display_units, {"mm", "in", "ft"}),
         "lengths in report and summary: mm and m, inches and feet, feet; files hold metres");
-  t.add("language", "", choiceOf(run.language, {"en", "de"}), "of the report");
+  t.add("language", "", choiceOf(run.language, {"en", "de", "es", "zh", "ru"}), "of the report");
 }
 
 void addChecks(Table& t, RunOptions& run) {

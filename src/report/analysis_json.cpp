@@ -133,6 +133,7 @@ void addAnalysis(Json& json, const Analysis& analysis, const std::vector<Station
   json["verdict"] = {{"word", analysis.headline.word},
                      {"governing", textOrNull(analysis.headline.governing)},
                      {"utilisation", number(analysis.headline.utilisation)},
+                     {"utilisation_95", interval(analysis.headline.utilisation_interval)},
                      {"sentence", analysis.headline.sentence}};
   json["notes"] = analysis.notes;
 }

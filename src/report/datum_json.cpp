@@ -189,7 +189,10 @@ Json datumRecord(const Datum& datum, const Provenance& provenance) {
     json["agreement"] = agreementSection(datum);
     json["covariance"] = covarianceSection(datum);
     json["stations"] = stationsSection(datum);
-    if (provenance.movement) json["movement"] = movementSection(*provenance.movement);
+    if (provenance.movement) {
+      json["movement"] = movementSection(*provenance.movement);
+      json["movement"]["limits"] = limitRatesSection(provenance.limit_rates);
+    }
     if (datum.shell.valid()) json["shell"] = shellJson(datum.shell, datum.analysis.roundness);
   }
   return json;

@@ -29,8 +29,4 @@ std::string Display::longFigure(double metres, int digits) const { return fixedT
 
 std::string Display::longText(double metres, int digits) const { return longFigure(metres, digits) + " " + long_unit_; }
 
-std::string Display::slopeText(double slope) const {
-  return fixedText(slope_factor_ * slope, 2 + further_slope_) + " " + slope_unit_;
-}
-
 }  // namespace tank_datum

@@ -19,12 +19,22 @@ class Display {
   /// "5.000", for lists with one unit behind them.
   std::string longFigure(double metres, int digits = 3) const;
 
+  /// What a figure in metres is multiplied by, its unit then, and its digits.
+  struct Scale {
+    double factor;
+    std::string unit;
+    int digits;
+  };
+  Scale shortLengths() const { return {short_factor_, short_unit_, 1 + further_}; }
+  Scale lengths() const { return {long_factor_, long_unit_, 3}; }
+  Scale slopes() const { return {slope_factor_, slope_unit_, 2 + further_slope_}; }
+  /// Of curvatures, in millionths.
+  Scale bends() const { return {1e6 / long_factor_, std::string("x 10^-6 1/") + long_unit_, 1}; }
+
   int digits(int of_millimetres) const { return of_millimetres + further_; }
   double shortFactor() const { return short_factor_; }
   const char* shortUnit() const { return short_unit_; }
   const char* longUnit() const { return long_unit_; }
-  /// A slope as "8.83 mm/m".
-  std::string slopeText(double slope) const;
 
  private:
   double short_factor_ = 1e3, long_factor_ = 1.0, slope_factor_ = 1e3;

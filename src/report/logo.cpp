@@ -12,7 +12,8 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kLargest = 1U << 20;  // bytes; the page carries it in itself
+constexpr std::size_t kMegabyte = 1U << 20;
+constexpr std::size_t kLargestPicture = 8;  // megabytes; the page carries it in itself
 
 /// The media type by how the file begins; empty: none that browsers show.
 std::string typeOf(const std::string& bytes) {
@@ -34,25 +35,37 @@ std::string base64(const std::string& bytes) {
   return {text.begin(), text.begin() + length};
 }
 
-}  // namespace
-
-std::string smallFile(const std::string& path) {
+/// A file of at most so many megabytes, whole.
+std::string fileUpTo(std::size_t megabytes, const std::string& path, const char* stage) {
   const InputFile file(path);
-  if (file.size() > kLargest) {
-    throw Error(Error::Kind::File, "about", echoPath(path), std::to_string(file.size()) + " bytes",
-                "a file of at most 1 MB");
+  if (file.size() > megabytes * kMegabyte) {
+    throw Error(Error::Kind::File, stage, echoPath(path), std::to_string(file.size()) + " bytes",
+                "a file of at most " + std::to_string(megabytes) + " MB");
   }
   return file.head(static_cast<std::size_t>(file.size()));
 }
 
-std::string logoOf(const std::string& about, const std::string& name) {
-  const std::string path = (std::filesystem::path(about).parent_path() / name).string();
-  const std::string bytes = smallFile(path), type = typeOf(bytes);
+/// An image's bytes as a data URI.
+/// @param named  for messages
+std::string imageUri(const std::string& bytes, const char* stage, const std::string& named) {
+  const std::string type = typeOf(bytes);
   if (type.empty()) {
-    throw Error(Error::Kind::File, "about", "logo " + echoPath(path), "no image",
-                "a PNG, JPEG, GIF, WebP or SVG image");
+    throw Error(Error::Kind::File, stage, named, "no image", "a PNG, JPEG, GIF, WebP or SVG image");
   }
   return "data:" + type + ";base64," + base64(bytes);
+}
+
+}  // namespace
+
+std::string smallFile(const std::string& path) { return fileUpTo(1, path, "about"); }
+
+std::string logoOf(const std::string& about, const std::string& name) {
+  const std::string path = (std::filesystem::path(about).parent_path() / name).string();
+  return imageUri(smallFile(path), "about", "logo " + echoPath(path));
+}
+
+std::string pictureOf(const std::string& path) {
+  return imageUri(fileUpTo(kLargestPicture, path, "report"), "report", echoPath(path));
 }
 
 }  // namespace tank_datum

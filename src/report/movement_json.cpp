@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "movement/limit_rates.h"
 #include "movement/movement.h"
 #include "options/option_json.h"
 #include "report/json_number.h"
@@ -70,6 +71,26 @@ Json movementSection(const Movement& movement) {
           {"max_azimuth_deg", number(toDegrees(movement.max_azimuth))},
           {"rms", number(movement.rms)},
           {"stations", stations}};
+}
+
+Json limitRatesSection(const LimitRates& rates) {
+  const auto month = [](double year) { return std::isfinite(year) ? Json(monthOf(year)) : Json(nullptr); };
+  Json all = Json::array();
+  for (const LimitRate& r : rates.rates) {
+    all.push_back({{"code", r.check.code},
+                   {"clause", r.check.clause},
+                   {"name", r.check.name},
+                   {"unit", r.check.unit},
+                   {"value", number(r.check.value)},
+                   {"limit", number(r.check.limit)},
+                   {"rate", number(r.rate)},
+                   {"sigma", number(r.sigma)},
+                   {"approach", nameOf(r.approach)},
+                   {"expected", month(r.expected)},
+                   {"earliest", month(r.earliest)},
+                   {"latest", month(r.latest)}});
+  }
+  return {{"rates", all}, {"none", rates.none.empty() ? Json(nullptr) : Json(rates.none)}};
 }
 
 std::string movementOptionsJson(const MovementOptions& options) { return movementValues(options).dump(2) + "\n"; }

@@ -21,6 +21,15 @@ Movement movementOf(const Datum& datum, const Baseline& baseline, const RunOptio
   }
 }
 
+/// The rates of the judged figures since the baseline's survey.
+LimitRates limitRatesSince(const Baseline& baseline, const Datum& datum, const RunOptions& run) {
+  Epoch current = epochOf(datum, run.datum.method, "this survey");
+  for (const auto& [key, words] : run.identity ? run.identity->about : Identity().about) {
+    if (key == "survey_date") current.date = words;
+  }
+  return limitRatesOf({baseline.epoch, current});
+}
+
 }  // namespace
 
 std::vector<InputRecord> recordInputs(const Scan& scan, Checksum checksum, const std::function<bool()>& wanted) {
@@ -61,7 +70,9 @@ Provenance provenanceOf(std::vector<InputRecord> files, const RunOptions& run, c
   provenance.baseline = run.baseline;
   provenance.movement_options = run.movement;
   if (run.identity) provenance.identity = *run.identity;
-  if (baseline && datum.usable()) provenance.movement = movementOf(datum, *baseline, run);
+  if (!baseline || !datum.usable()) return provenance;
+  provenance.movement = movementOf(datum, *baseline, run);
+  if (provenance.movement->valid()) provenance.limit_rates = limitRatesSince(*baseline, datum, run);
   return provenance;
 }
 

@@ -6,6 +6,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "refusals.h"
+#include "report/check_text.h"
 #include "report/display.h"
 #include "report/movement_text.h"
 #include "report/shell_report.h"
@@ -71,18 +72,27 @@ std::string methodLines(const Datum& datum, const Display& display) {
          curve;
 }
 
+/// The largest departure from the plane, down negative.
+std::string outOfPlaneText(const Datum& datum, const Display& display) {
+  const OutOfPlane& rest = datum.analysis.out_of_plane;
+  if (!std::isfinite(rest.max_u)) return {};
+  const auto apart = [&](const Station& s) {
+    return std::isfinite(s.u) ? std::abs(std::remainder(s.azimuth - rest.max_u_azimuth, kTwoPi)) : kTwoPi;
+  };
+  const auto place = std::min_element(datum.stations.begin(), datum.stations.end(),
+                                      [&](const Station& a, const Station& b) { return apart(a) < apart(b); });
+  const bool is_down = place != datum.stations.end() && place->u < 0.0;
+  return "; out of plane at most " + std::string(is_down ? "-" : "+") + display.shortText(rest.max_u) + " at " +
+         fixedText(toDegrees(rest.max_u_azimuth), 0) + " deg";
+}
+
 /// The plane and what departs from it.
 std::string tiltLine(const Datum& datum, const Display& display) {
   if (!datum.tilt.valid()) return {};
-  char bending[80] = "";
-  const OutOfPlane& rest = datum.analysis.out_of_plane;
-  if (std::isfinite(rest.max_u)) {
-    snprintfPlain(bending, sizeof bending, "; out of plane at most %s at %.0f deg",
-                  display.shortText(rest.max_u).c_str(), toDegrees(rest.max_u_azimuth));
-  }
   const double high = std::fmod(std::round(toDegrees(datum.tilt.direction)), 360.0);
   return line("tilt", "%.1f arc-seconds, high side at %.0f deg, low side at %.0f deg%s",
-              toArcSeconds(std::atan(datum.tilt.slope())), high, std::fmod(high + 180.0, 360.0), bending);
+              toArcSeconds(std::atan(datum.tilt.slope())), high, std::fmod(high + 180.0, 360.0),
+              outOfPlaneText(datum, display).c_str());
 }
 
 /// Settlements and rises of single places, the largest first.
@@ -115,11 +125,7 @@ std::string antipodalLine(const Antipodal& across, const Display& display) {
 
 /// A value with its limit as people say it.
 std::string figures(const Check& check, const Display& display) {
-  if (check.unit == "m") return display.shortText(check.value) + ", limit " + display.shortText(check.limit);
-  if (check.unit == "m/m") return display.slopeText(check.value) + ", limit " + display.slopeText(check.limit);
-  char text[80];
-  snprintfPlain(text, sizeof text, "%.2g, limit %.2g %s", check.value, check.limit, check.unit.c_str());
-  return text;
+  return checkFigureWithInterval(check, display, "en") + ", limit " + checkFigure(check.limit, check, display);
 }
 
 /// How many checks ended how, then those that failed, the furthest beyond its limit first; without any, the undecided
@@ -150,14 +156,21 @@ std::string movementLine(const Provenance& provenance, const Display& display) {
   if (!provenance.movement || !provenance.movement->valid()) return {};
   std::string title = line("movement", "");
   title.pop_back();
-  return title + movementText(*provenance.movement, display, provenance.identity.language) + "\n";
+  const std::string& language = provenance.identity.language;
+  const std::string moved = title + movementText(*provenance.movement, display, language) + "\n";
+  return moved + line("limits", "%s", limitRatesText(provenance.limit_rates, display, language).c_str());
 }
 
 std::string verdictLine(const Analysis& analysis) {
   if (!analysis.valid()) return {};
   const Headline& h = analysis.headline;
   if (!std::isfinite(h.utilisation)) return line("verdict", "%s: %s", h.word.c_str(), h.governing.c_str());
-  return line("verdict", "%s: %s, %.0f %% of its limit", h.word.c_str(), h.governing.c_str(), 100.0 * h.utilisation);
+  std::string share = fixedText(100.0 * h.utilisation, 0) + " % of its limit";
+  if (h.utilisation_interval.known()) {
+    share += " (95 %: " + fixedText(100.0 * h.utilisation_interval.low, 0) + " to " +
+             fixedText(100.0 * h.utilisation_interval.high, 0) + " %)";
+  }
+  return line("verdict", "%s: %s, %s", h.word.c_str(), h.governing.c_str(), share.c_str());
 }
 
 }  // namespace

@@ -30,6 +30,10 @@ std::string say(const std::string& language, const std::string& key, const Value
   return text;
 }
 
+std::string sayOr(const std::string& language, const std::string& key, const std::string& otherwise) {
+  return allWords()["en"].contains(key) ? say(language, key) : otherwise;
+}
+
 std::vector<std::string> languages() {
   std::vector<std::string> names;
   for (const auto& [name, words] : allWords().items()) names.push_back(name);

@@ -14,6 +14,9 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 /// @throws Error (Option) for a key that English lacks
 std::string say(const std::string& language, const std::string& key, const Values& values = {});
 
+/// The same of a key that English may lack: then the words given.
+std::string sayOr(const std::string& language, const std::string& key, const std::string& otherwise);
+
 /// The languages there are words of: "de", "en", ...
 std::vector<std::string> languages();
 

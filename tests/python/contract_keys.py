@@ -67,7 +67,13 @@ KEYS: dict[str, Any] = {
     "local_settlements": list,
     "foundation": dict.fromkeys(["level_9m", "level_3m", "level_total"], dict),
     "checks": LIST,
-    "verdict": {"word": TEXT, "governing": TEXT, "utilisation": OPTIONAL, "sentence": TEXT},
+    "verdict": {
+        "word": TEXT,
+        "governing": TEXT,
+        "utilisation": OPTIONAL,
+        "utilisation_95": LIST,
+        "sentence": TEXT,
+    },
     "notes": LIST,
     "setups": LIST,
     "agreement": dict.fromkeys(

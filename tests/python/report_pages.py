@@ -82,6 +82,15 @@ class Opened:
         return Path(waiting.value.path()).read_bytes()
 
 
+def plain(text: str) -> str:
+    """The page's words as a terminal has them."""
+    signs = {"\u00a0": " ", "\u2212": "-", "\u00b1": "+-", "\u03c3": " sigma", "\u00b0": " deg"}
+    signs |= {"\u00d7": "x", "\u207b": "^-", "\u2076": "6"}
+    for sign, word in signs.items():
+        text = text.replace(sign, word)
+    return text
+
+
 def pixels(png: bytes) -> NDArray[np.uint8]:
     from matplotlib.image import imread
 

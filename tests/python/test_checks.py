@@ -159,7 +159,8 @@ def test_height_takes_units(run: Runner, synth: Synth, tmp_path: Path) -> None:
 
 def test_headline(datum: dict[str, Any]) -> None:
     assert datum["service"] == "in-service"
-    assert set(datum["verdict"]) == {"word", "governing", "utilisation", "sentence"}
+    keys = {"word", "governing", "utilisation", "utilisation_95", "sentence"}
+    assert set(datum["verdict"]) == keys
     assert datum["verdict"]["word"] in {"FAIL", "UNDECIDED", "INCOMPLETE", "PASS"}
     roles = {c["name"]: c["role"] for c in datum["checks"] if c["verdict"] != "not_applicable"}
     assert roles["curvature by trigonometric regression"] == "governing"

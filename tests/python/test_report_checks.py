@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from conftest import ROOT
-from report_pages import Opened, opened, with_data
+from report_pages import Opened, opened, plain, with_data
 from results import Run, read_datum
 
 Runner = Callable[..., Run]
@@ -26,7 +26,8 @@ def in_its_unit(value: float | None, unit: str) -> str:
     if value is None:
         return "\u2013"
     factor, name, digits = UNITS[unit]
-    return f"{factor * value:.{digits}f}\u00a0{name}"
+    shown = f"{factor * value:.{digits}f}"
+    return f"{shown.removeprefix('-') if float(shown) == 0 else shown}\u00a0{name}"
 
 
 def rows(page: Opened) -> list[list[str]]:
@@ -45,8 +46,9 @@ def test_each_says_value_limit_verdict_and_trust(still: Opened, sample_report: P
         assert cells[0].endswith(check["clause"])
         assert cells[1].startswith(in_its_unit(check["value"], check["unit"]))
         if check["value"] is not None and check["sigma"] is not None:
-            spread = in_its_unit(2 * check["sigma"], check["unit"])
-            assert f"\u00b1 {spread} (2\u03c3), at {check['azimuth_deg']:.0f}\u00b0" in cells[1]
+            low, high = (in_its_unit(check[key], check["unit"]) for key in ("low95", "high95"))
+            interval = f"95 %: {low.split(chr(0xA0))[0]} to {high}"
+            assert f"{interval}, at {check['azimuth_deg']:.0f}\u00b0" in cells[1]
         assert cells[2] == in_its_unit(check["limit"], check["unit"])
         assert cells[3] == check["verdict"].replace("_", " ")
         assert cells[4].split("\n")[0] == check["source"]
@@ -64,7 +66,7 @@ def test_failures_come_first_and_the_verdict_names_them(still: Opened, sample_re
     assert f"{count('not applicable')} not applicable" in said
     datum = read_datum(sample_report)
     headline = datum["verdict"]
-    assert headline["word"] in still.text(".verdict .word") and headline["sentence"] in said
+    assert headline["word"] in still.text(".verdict .word") and headline["sentence"] in plain(said)
     for check in datum["checks"]:
         if check["verdict"] == "fail":
             assert f"{check['code']} {check['name']}" in said
@@ -103,6 +105,25 @@ def test_words_of_a_result_are_never_markup(
         assert "no <i>evaluation</i>" in page.text("#summary li")
 
 
+def test_a_maximum_is_shown_with_its_interval(
+    browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    """Which reaches further up than down: verdict, bar and table say both ends."""
+    check = {"code": "GB", "clause": "", "name": "planar tilt", "verdict": "fail", "note": ""}
+    check |= {"value": 0.0088, "low95": 0.0081, "high95": 0.032, "sigma": 0.0118, "limit": 0.008}
+    check |= {"unit": "m", "source": "verified", "azimuth_deg": 118.0, "citation": ""}
+    verdict = {"word": "FAIL", "governing": "GB planar tilt", "utilisation": 1.1}
+    verdict |= {"utilisation_95": [1.0125, 4.0], "sentence": "GB planar tilt is at 118 deg of it"}
+    changes = {"checks": [check], "verdict": verdict}
+    path = with_data(sample_report / "report.html", tmp_path / "page.html", changes)
+    with opened(browser, path) as page:
+        assert page.slips() == []
+        assert "at 110 % of its limit (95 %: 101 to 400 %) at 118\u00b0," in page.text(".verdict")
+        assert page.texts(".bars .number") == ["110 % (101 to 400 %)"]
+        assert "8.8\u00a0mm\n95 %: 8.1 to 32.0\u00a0mm, at 118\u00b0" in page.text("#summary tbody")
+        assert "23.6" not in page.text("#summary")  # two of its sigma
+
+
 def test_bars_are_shares_of_the_limits_the_fullest_first(
     still: Opened, sample_report: Path
 ) -> None:
@@ -111,8 +132,15 @@ def test_bars_are_shares_of_the_limits_the_fullest_first(
         for c in read_datum(sample_report)["checks"]
         if c["verdict"] in ("pass", "fail", "undecided") and c["limit"]
     ]
-    shares = sorted((100 * c["value"] / c["limit"] for c in judged), reverse=True)
-    assert still.texts(".bars .number") == [f"{round(s)} %" for s in shares]
+    judged.sort(key=lambda c: c["value"] / c["limit"], reverse=True)
+    shares = [100 * c["value"] / c["limit"] for c in judged]
+    said = [
+        "{:.0f} % ({:.0f} to {:.0f} %)".format(
+            *(100 * c[key] / c["limit"] for key in ("value", "low95", "high95"))
+        )
+        for c in judged
+    ]
+    assert still.texts(".bars .number") == said
     track = still.page.locator(".bars .track").first.bounding_box()["width"]
     for bar, share in zip(still.page.locator(".bars i").all(), shares, strict=True):
         width = bar.bounding_box()["width"]

@@ -81,7 +81,8 @@ def test_curvature_is_drawn_against_its_limit(browser: Any, waves: Path) -> None
             assert curvature == pytest.approx(1e6 * stations["curvature"][i], abs=1.0)
         facts = page.text("#out-of-plane .facts").replace("\u2212", "-")
         assert f"{1e6 * found['max_curvature']:.1f}" in facts
-        assert f"\u00b1 {2e6 * found['sigma_curvature']:.1f} (2\u03c3)" in facts
+        low, high = (1e6 * end for end in found["max_curvature_95"])
+        assert f"95 %: {low:.1f} to {high:.1f}" in facts
         assert f"limit {limit:.1f}" in facts
         assert inked(page.picture("#curvature-chart svg")) > 0.01
         page.page.get_by_role("checkbox", name="limit").uncheck()

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from report_pages import SAMPLE, inked, opened, scale_of
+from report_pages import SAMPLE, inked, opened, plain, scale_of
 from results import Run, read_datum, read_points, write_xyz
 from test_compare import compare, epoch
 
@@ -50,14 +50,6 @@ def test_movement_since_a_baseline(
         assert "significant" in page.text("#tip")
         significant = sum(s["significant"] for s in movement["stations"])
         assert page.page.locator("#movement-chart circle.significant").count() == significant > 40
-
-
-def plain(text: str) -> str:
-    """The page's words as a terminal has them."""
-    signs = {"\u00a0": " ", "\u2212": "-", "\u00b1": "+-", "\u03c3": " sigma", "\u00b0": " deg"}
-    for sign, word in signs.items():
-        text = text.replace(sign, word)
-    return text
 
 
 def test_a_tank_that_sank_as_a_whole(browser: Any, tmp_path: Path) -> None:

@@ -8,13 +8,14 @@ import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from programs import executable
 from report_fixtures import JUDGED
-from report_pages import SAMPLE
+from report_pages import SAMPLE, opened, with_data
 from results import Run, read_datum, read_points, write_xyz
 
 Runner = Callable[..., Run]
@@ -29,9 +30,16 @@ survey_date = 2026-11-03
 TOLD = ("--mark", "stairs=75,manhole=190", "--north-deg", 60, "--survey-points", 24)
 
 
-def to_pdf(folder: Path, pdf: Path, *options: object, path: str | None = None) -> Run:
+def to_pdf(
+    folder: Path,
+    pdf: Path,
+    *options: object,
+    path: str | None = None,
+    temporary: Path | None = None,
+) -> Run:
     words = [str(executable("tank_datum_report")), str(folder), "--pdf", str(pdf)]
     environment = {**os.environ} | ({} if path is None else {"PATH": path})
+    environment |= {} if temporary is None else {"TMPDIR": str(temporary)}
     return subprocess.run(
         [*words, *map(str, options)], capture_output=True, text=True, env=environment, timeout=120
     )
@@ -75,6 +83,20 @@ def test_a_failing_tank_with_all_there_is_takes_five(failing: Path, tmp_path: Pa
     assert sheets(tmp_path / "report.pdf") <= 5
 
 
+@pytest.mark.parametrize(("notes", "most"), [(60, 5), (2000, 99)], ids=["shrunk", "long"])
+def test_a_long_report_is_printed_smaller(
+    sample_report: Path, tmp_path: Path, notes: int, most: int
+) -> None:
+    """What would take six sheets fits on five; what is longer by far is printed all the same."""
+    result = tmp_path / "result"
+    result.mkdir()
+    told = {"notes": [f"Note {i} of this tank, a line of its own." for i in range(notes)]}
+    with_data(sample_report / "report.html", result / "report.html", told)
+    assert to_pdf(result, tmp_path / "report.pdf").returncode == 0
+    assert 4 < sheets(tmp_path / "report.pdf") <= most
+    assert most == 5 or sheets(tmp_path / "report.pdf") > 5
+
+
 def test_a_refusal_takes_one(no_tank_report: Path, tmp_path: Path) -> None:
     assert to_pdf(no_tank_report, tmp_path / "report.pdf").returncode == 0
     assert sheets(tmp_path / "report.pdf") == 1
@@ -109,6 +131,83 @@ def test_without_a_browser_a_line_says_so(
     assert len(done.stderr.splitlines()) == 1
     assert all(word in done.stderr for word in words), done.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.fixture(scope="module")
+def picture(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An image as the viewer writes one."""
+    import matplotlib.image
+
+    path = tmp_path_factory.mktemp("picture") / "view.png"
+    matplotlib.image.imsave(path, np.random.default_rng(1).random((80, 128, 3)))
+    return path
+
+
+def written(folder: Path, html: Path, *options: object) -> Run:
+    words = [executable("tank_datum_report"), folder, "--html", html, *options]
+    return subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=120)
+
+
+def test_a_picture_of_the_viewer_goes_into_the_report(
+    browser: Any, sample_report: Path, picture: Path, tmp_path: Path
+) -> None:
+    """On screen and on paper, in one sheet at most more; the result's own page stays as it is."""
+    before = (sample_report / "report.html").read_bytes()
+    for _ in range(2):  # the second replaces the first's file
+        done = written(sample_report, tmp_path / "sent.html", "--picture", picture)
+        assert (done.returncode, done.stderr) == (0, "")
+    with opened(browser, tmp_path / "sent.html") as page:
+        assert page.slips() == []
+        shown = page.page.locator("#view img")
+        assert shown.evaluate("e => [e.naturalWidth, e.naturalHeight]") == [128, 80]
+        assert shown.get_attribute("alt") and "View" in page.texts("main h2")
+    with opened(browser, sample_report / "report.html") as page:
+        assert page.page.locator("#view").count() == 0
+    assert (sample_report / "report.html").read_bytes() == before
+    done = to_pdf(sample_report, tmp_path / "report.pdf", "--picture", picture)
+    assert done.returncode == 0 and sheets(tmp_path / "report.pdf") <= 5
+    assert b"/Width 128" in (tmp_path / "report.pdf").read_bytes()
+
+
+def test_a_picture_in_a_page_is_replaced(
+    sample_report: Path, picture: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "once").mkdir()
+    once = tmp_path / "once" / "report.html"
+    written(sample_report, once, "--picture", picture)
+    written(once.parent, tmp_path / "twice.html", "--picture", picture)
+    assert (tmp_path / "twice.html").read_bytes() == once.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        pytest.param(b"text", "no image", id="a text"),
+        pytest.param(b"\x89PNG" + bytes(8 << 20), "at most 8 MB", id="too large"),
+        pytest.param(None, "not_there.png", id="none"),
+    ],
+)
+def test_other_pictures_are_refused(
+    sample_report: Path, tmp_path: Path, content: bytes | None, words: str
+) -> None:
+    path = tmp_path / ("not_there.png" if content is None else "a.png")
+    if content is not None:
+        path.write_bytes(content)
+    done = written(sample_report, tmp_path / "sent.html", "--picture", path)
+    assert done.returncode == 3 and words in done.stderr
+    assert not (tmp_path / "sent.html").exists()
+
+
+def test_a_picture_of_5_mb_is_taken(sample_report: Path, tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(b"\x89PNG" + bytes(5 << 20))
+    done = written(sample_report, tmp_path / "sent.html", "--picture", tmp_path / "a.png")
+    assert done.returncode == 0
+
+
+def test_no_file_asked_for_is_refused(sample_report: Path) -> None:
+    command = [str(executable("tank_datum_report")), str(sample_report)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 2 and "--pdf or --html" in done.stderr
 
 
 def test_a_folder_without_a_report_is_refused(tmp_path: Path) -> None:

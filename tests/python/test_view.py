@@ -81,6 +81,14 @@ def count(pixels: Pixels, name: str) -> int:
     return int((np.abs(pixels - RGB[name]).max(axis=2) < 0.02).sum())
 
 
+def shaded(pixels: Pixels, name: str) -> int:
+    """How many pixels have a colour, or one that eye-dome lighting darkened."""
+    brightness = pixels.max(axis=2, keepdims=True)
+    hue = pixels / np.maximum(brightness, 1e-6)
+    wanted = np.array(RGB[name]) / max(RGB[name])
+    return int(((np.abs(hue - wanted).max(axis=2) < 0.03) & (brightness[:, :, 0] > 0.3)).sum())
+
+
 def changed(a: Pixels, b: Pixels) -> int:
     return int((np.abs(a - b).max(axis=2) > 0.02).sum())
 
@@ -91,8 +99,21 @@ def test_everything_is_drawn(shot: Callable[..., Pixels], plain: Pixels) -> None
     assert len(np.unique(pixels.reshape(-1, 3), axis=0)) > 200
     assert count(pixels, "curve") > 300
     assert count(pixels, "picked") > 50
-    assert count(pixels, "edge") > 150  # the curve lies over some
+    assert shaded(pixels, "edge") > 150  # the curve lies over some
     assert changed(pixels, plain) > 500  # the values and the mark
+
+
+def test_points_before_others_are_set_off(shot: Callable[..., Pixels]) -> None:
+    """Eye-dome lighting leaves pixels darker than every colour of the cloud, above the ground."""
+    brightness = shot("--keys", "etld").max(axis=2)
+    assert ((brightness > 0.13) & (brightness < 0.35)).sum() > 2000
+
+
+def test_the_colours_key_is_read_beside_the_shading(shot: Callable[..., Pixels]) -> None:
+    """The figures of its ticks, in white, where the cloud is on and where it is off."""
+    corner = (slice(700, 760), slice(690, 1280))
+    white = [(shot(*keys)[corner].min(axis=2) > 0.8).sum() for keys in ((), ("--keys", "c"))]
+    assert white[0] > 150 and white[1] < white[0] / 4
 
 
 def test_the_cloud_does_not_hide_the_datum(shot: Callable[..., Pixels], plain: Pixels) -> None:

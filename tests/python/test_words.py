@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import re
 from collections.abc import Callable
@@ -23,7 +24,10 @@ SOURCES = sorted((ROOT / "src/report").glob("*.cpp"))
 PLACE = re.compile(r"\{\w+\}")
 KEY = re.compile(r'"((?:[a-z_]+\.)+\w+)"')
 # keys that are put together while the page runs: say(`word.${name}`)
-BUILT = ("word.", "movement.removed.", "movement.mean.", "movement.tilt.", "movement.rest.")
+BUILT = (
+    *("word.", "movement.removed.", "movement.mean.", "movement.tilt.", "movement.rest."),
+    *("check_name.", "limit_rate.", "verdict.", "said."),
+)
 # a text of two plain words or a word with a capital, which a reader would see
 TEXT = re.compile(r'"(?:[A-Z][a-z]+[a-z ,.]*|[a-z]+ [a-z]+ [a-z ,.]+)"')
 
@@ -82,6 +86,44 @@ def test_no_script_holds_words(script: Path) -> None:
     kept = {"ArrowRight", "ArrowUp", "ArrowLeft", "ArrowDown", "Home"}
     found = [text for text in TEXT.findall(without_comments(script)) if text[1:-1] not in kept]
     assert found == []
+
+
+def test_what_is_said_in_other_languages_is_what_the_library_says() -> None:
+    """Each template's fixed words stand in a source; some are put together of pieces."""
+    pieced = {f"said.{key}" for key in ("roof_type", "foundation_kind")}
+    pieced |= {"said.points_apart", "said.which_units"}
+    text = "".join(p.read_text() for p in sorted((ROOT / "src").rglob("*.cpp")))
+    text = re.sub(r'"\s*"', "", text).replace("%%", "%").replace("\\n", " ")
+    for key, template in words("en").items():
+        if not key.startswith("said.") or key in pieced:
+            continue
+        pieces = [p.strip(" ,.:") for p in PLACE.split(template)]
+        assert [p for p in pieces if len(p) > 3 and p not in text] == [], key
+
+
+def test_every_standard_check_has_a_name_in_each_language() -> None:
+    lines = (ROOT / "src/limits/limits.csv").read_text().splitlines()
+    for row in csv.DictReader(line for line in lines if not line.startswith("#")):
+        key = "check_name." + re.sub(r"[^a-z0-9]+", "_", row["name"].lower()).strip("_")
+        assert words("en")[key] == row["name"]
+
+
+@pytest.mark.parametrize("language", [name for name in LANGUAGES if name != "en"])
+def test_a_page_holds_no_english_sentence(
+    run: Runner, browser: Any, tmp_path: Path, language: str
+) -> None:
+    """A tank seen in part, and a refusal: verdict, notes, reasons and what to try."""
+    english = [t for k, t in words("en").items() if k.startswith(("said.", "verdict.", "missing."))]
+    for name, options in (("part", ("--tank", "0,0,5")), ("none", ("--min-radius", 20))):
+        out = tmp_path / name
+        run(SAMPLE, "-o", out, "--language", language, *options)
+        with opened(browser, out / "report.html") as page:
+            assert page.slips() == []
+            said = page.text("#summary li, #summary .verdict, #summary .quality")
+            assert len(said) > 60
+            for template in english:
+                pieces = [p.strip(" ,.:") for p in PLACE.split(template)]
+                assert [p for p in pieces if len(p) > 12 and p in said] == []
 
 
 def test_the_option_knows_every_language() -> None:

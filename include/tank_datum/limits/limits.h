@@ -142,7 +142,8 @@ struct Headline {
   std::string word =
       "INCOMPLETE";       ///< FAIL if one fails, else UNDECIDED, else INCOMPLETE if one is not evaluated, else PASS
   std::string governing;  ///< the check that says so, or comes nearest to its limit
-  double utilisation = kUnknown;  ///< its value over its limit
+  double utilisation = kUnknown;    ///< its value over its limit
+  Interval95 utilisation_interval;  ///< 95 % interval of that
   std::string sentence;
 };
 

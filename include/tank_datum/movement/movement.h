@@ -8,6 +8,7 @@
 #include "tank_datum/core/export.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/fit/curves.h"
+#include "tank_datum/limits/limits.h"
 
 namespace TANK_DATUM_API tank_datum {
 
@@ -35,6 +36,8 @@ struct Epoch {
   Circle circle;                    ///< in the scan's own frame [m]
   std::vector<Elevation> stations;  ///< every one in order; z is NaN where it was not measured
   bool levelled = false;            ///< elevations typed in: its azimuths are about its own centre, (0, 0)
+  std::string date = {};            ///< of the survey, as whoever made it says: "2026-11-03"; or empty
+  std::vector<Check> checks = {};   ///< figures beside their limits
 
   bool usable() const { return status == "ok" || status == "partial"; }
   std::size_t judgeable() const;  ///< measured stations with a standard error
@@ -151,5 +154,39 @@ struct StationHistory {
 /// @param times      of the baseline and then of each survey, increasing: one more than movements
 /// @throws Error (Option) when the times are not that
 std::vector<StationHistory> historiesOf(const std::vector<Movement>& movements, const std::vector<double>& times);
+
+/// Whether and when a figure comes to its limit.
+enum class Approach {
+  Beyond,      ///< it is beyond its limit at the last survey
+  Reached,     ///< it rises: within an interval of dates
+  NotBefore,   ///< it may rise or fall: not before a date
+  NotInSight,  ///< not within two centuries
+  Away,        ///< it falls
+};
+
+/// The names used in files: "beyond", "reached", "not_before", "not_in_sight", "away".
+const char* nameOf(Approach approach);
+
+/// How a judged figure goes towards its limit.
+struct LimitRate {
+  Check check;                               ///< of the last survey
+  double rate = kUnknown, sigma = kUnknown;  ///< slope against time and its standard error [unit of the check per year]
+  Approach approach = Approach::NotInSight;
+  double expected = kUnknown;                     ///< where the line meets the limit [decimal year]
+  double earliest = kUnknown, latest = kUnknown;  ///< 95 % interval of it [decimal years]; latest NaN: perhaps never
+};
+
+/// The rates of all judged figures against their limits, the one whose limit may be reached first before the others.
+struct LimitRates {
+  std::vector<LimitRate> rates;
+  std::string none;  ///< why there are none, a key of the report's words: "limit_rate.no_dates", ...
+};
+
+/// Weighted least squares of each figure that was judged at the last survey and at another against the surveys' dates.
+/// Where the figures scatter significantly more about the line than their standard errors say, that is used, with
+/// Student's t. The dates at which the 95 % band of the line meets the limit are the interval (E. C. Fieller, J. R.
+/// Statist. Soc. B 16, 1954). The limit is that of the last survey.
+/// @param surveys  in time order
+LimitRates limitRatesOf(const std::vector<Epoch>& surveys);
 
 }  // namespace tank_datum

@@ -50,6 +50,7 @@ struct Provenance {
   std::string baseline;  ///< the earlier survey compared with, or empty
   MovementOptions movement_options;
   std::optional<Movement> movement;  ///< since the baseline
+  LimitRates limit_rates;            ///< of the judged figures since then
   Identity identity;
 };
 

@@ -165,6 +165,6 @@ def extract_datum(
     # metres
     display_units: Literal["mm", "in", "ft"] = "mm",
     # of the report
-    language: Literal["en", "de"] = "en",
+    language: Literal["en", "de", "es", "zh", "ru"] = "en",
     # end of options
 ) -> Datum: ...

@@ -77,5 +77,5 @@ class Options(MovementOptions, total=False):
     north_deg: float | None
     survey_points: int
     display_units: Literal["mm", "in", "ft"]
-    language: Literal["en", "de"]
+    language: Literal["en", "de", "es", "zh", "ru"]
     # end of options

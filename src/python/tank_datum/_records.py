@@ -118,6 +118,8 @@ class Verdict(Record):
     word: str
     governing: str
     utilisation: float | None
+    utilisation_95: list[float | None]
+    """95 % interval of the same"""
     sentence: str
 
 

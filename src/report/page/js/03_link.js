@@ -51,6 +51,8 @@ function describeStation(azimuth) {
   if (i < 0) return [[say("common.azimuth"), degrees(azimuth, 1)]];
   const s = stations[i];
   const lines = [[say("common.station"), say("link.at", { station: s.station, azimuth_deg: degrees(s.azimuth_deg, 1), flag: words(s.flag) })]];
+  const point = nearestRow(surveyPoints, s.azimuth_deg);
+  if (point !== null && angleApart(point.azimuth_deg, s.azimuth_deg) <= stepOfAzimuth() / 2) lines.push([say("link.survey_point"), String(point.number)]);
   if (!known(s.z)) return lines;
   lines.push([say("common.elevation"), `${longLength(s.z, 4)} ${plusMinus(s.sigma_z, 2)}`]);
   if (known(s.u)) lines.push([say("common.out_of_plane"), shortLength(s.u, 2)]);

@@ -2,7 +2,7 @@
 
 const charts = [];
 const kPaperHeight = 227;  // 60 mm [px]
-const kPairedHeight = 180;  // of two beside each other, 48 mm [px]
+const kPairedHeight = 160;  // of two beside each other, 42 mm [px]
 
 /**
  * @param section  where it stands
@@ -10,15 +10,18 @@ const kPairedHeight = 180;  // of two beside each other, 48 mm [px]
  * @param label    what a listener is told
  * @param ratio    height by width, a figure or a function of the width, between `least` and `most` pixels
  * @param legend   [{name, label, colour, on}]; `on` undefined: always drawn
+ * @param remark   words below the drawing, beside its legend
+ * @param onPaper  its height on paper [px]; 0: as all others have
  * @param draw     draw(svg, width, height, shown) -> mark(chosen, hovered) or nothing
  */
-function addChart(section, { id, label, ratio = 0.36, least = 260, most = 2000, legend = [], draw }) {
+function addChart(section, { id, label, ratio = 0.36, least = 260, most = 2000, legend = [], remark = "", onPaper = 0, draw }) {
   const canvas = make("div", { class: "canvas", id });
   const caption = make("figcaption");
   section.append(make("figure", {}, canvas, make("p", { class: "picked screen-only" }), caption));
-  const chart = { id, canvas, draw, label, ratio, least, most, shown: {}, mark: null };
+  const chart = { id, canvas, draw, label, ratio, least, most, onPaper, shown: {}, mark: null };
   const list = make("div", { class: "legend" });
   for (const entry of legend) list.append(legendEntry(chart, entry));
+  if (remark) list.append(make("span", { class: "remark" }, remark));
   caption.append(list, downloadButtons(chart));
   charts.push(chart);
   return chart;
@@ -43,13 +46,14 @@ function drawChart(chart, width = Math.floor(chart.canvas.clientWidth)) {
   chart.width = width;
   const ratio = typeof chart.ratio === "function" ? chart.ratio(width) : chart.ratio;
   const paper = width === chart.paper;
-  const height = Math.round(Math.min(paper ? kPaperHeight : chart.most, Math.max(paper ? chart.leastOnPaper : chart.least, ratio * width)));
+  const height = Math.round(paper && chart.onPaper ? chart.onPaper : Math.min(paper ? kPaperHeight : chart.most, Math.max(paper ? chart.leastOnPaper : chart.least, ratio * width)));
   chart.canvas.replaceChildren();
   const svg = d3.select(chart.canvas).append("svg").attr("xmlns", "http://www.w3.org/2000/svg")
     .attr("width", width).attr("height", height).attr("viewBox", `0 0 ${width} ${height}`)
     .attr("role", "img").attr("aria-label", chart.label).attr("tabindex", 0);
   svg.append("rect").attr("class", "background").attr("width", width).attr("height", height);
   chart.mark = chart.draw(svg, width, height, chart.shown) || null;
+  if (svg.select("a").size() > 0) svg.attr("role", "group").attr("tabindex", null);  // its links are reached, not itself
   svg.node().addEventListener("keydown", stepByKeys);
   if (chart.mark === null) return;
   link.marks.push(chart.mark);

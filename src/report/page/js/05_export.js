@@ -23,14 +23,14 @@ function styledCopy(chart) {
 function legendLines(chart, width) {
   const lines = [[]];
   let at = 12;
-  for (const label of chart.canvas.parentElement.querySelectorAll(".legend label")) {
+  for (const label of chart.canvas.parentElement.querySelectorAll(".legend label, .legend .remark")) {
     const box = label.querySelector("input"), text = label.textContent, wide = 40 + 6.6 * text.length;
     if (box !== null && !box.checked) continue;
     if (at + wide > width && lines[lines.length - 1].length > 0) {
       lines.push([]);
       at = 12;
     }
-    lines[lines.length - 1].push({ at, text, colour: getComputedStyle(label.querySelector("i")).borderTopColor });
+    lines[lines.length - 1].push({ at, text, colour: box === null && !label.querySelector("i") ? "none" : getComputedStyle(label.querySelector("i")).borderTopColor });
     at += wide;
   }
   return lines.filter((line) => line.length > 0);

@@ -1,7 +1,20 @@
 // What the charts against azimuth have in common: axes, shaded gaps, broken lines, marks.
 
+/** {way, from} by which azimuths are counted; null where the page does not know. */
+function azimuthConvention() {
+  if (datum === null || levelled) return null;
+  const { clockwise, zero_azimuth_deg: zero } = datum.options.stations;
+  return { way: say(clockwise ? "azimuth.clockwise" : "azimuth.counter_clockwise"),
+    from: zero === 0 ? "+x" : say("azimuth.degrees_from_x", { angle: degrees(zero, 1) }) };
+}
+
+function azimuthTitle() {
+  const convention = azimuthConvention();
+  return convention === null ? say("azimuth.as_surveyed") : say("azimuth.axis", convention);
+}
+
 /** Scales and axes of a chart against azimuth [deg]; `domain` of y in its unit. */
-function azimuthAxes(svg, width, height, domain, title, bottom = say("common.azimuth_2")) {
+function azimuthAxes(svg, width, height, domain, title, bottom = azimuthTitle()) {
   const margin = { left: 62, right: 14, top: 26, bottom: 44 };
   const x = d3.scaleLinear([0, 360], [margin.left, width - margin.right]);
   const y = d3.scaleLinear(domain, [height - margin.bottom, margin.top]).nice();

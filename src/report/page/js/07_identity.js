@@ -44,14 +44,14 @@ function drawReferenceMarks(svg, axes, height) {
   });
 }
 
-/** The marks and the survey's points round the plan. */
-function drawPlanMarks(svg, place, ring) {
+/** The marks and, where they are numbered, the survey's points round the plan. */
+function drawPlanMarks(svg, place, ring, numbered = true) {
   for (const { name, azimuth_deg: azimuth } of referenceMarks) {
-    const [x1, y1] = place(azimuth, 0.9 * ring), [x2, y2] = place(azimuth, ring), [x, y] = place(azimuth, 0.86 * ring);
+    const [x1, y1] = place(azimuth, 0.9 * ring), [x2, y2] = place(azimuth, ring), [x, y] = place(azimuth, (surveyPoints.length > 0 ? 1 - 21 / ring : 0.86) * ring);
     svg.append("line").attr("class", "reference-mark").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
     svg.append("text").attr("class", "plan-label").attr("x", x).attr("y", y + 4).attr("text-anchor", x > place(0, 0)[0] ? "end" : "start").text(name);
   }
-  for (const point of surveyPoints) {
+  for (const point of numbered ? surveyPoints : []) {
     const [x, y] = place(point.azimuth_deg, ring);
     svg.append("circle").attr("class", "survey-place").attr("cx", x).attr("cy", y).attr("r", 2.5);
     const [at, down] = place(point.azimuth_deg, ring - 11);

@@ -29,7 +29,7 @@ function countsSentence() {
   const count = (verdict) => checksWith(verdict).length;
   const judged = count("pass") + count("fail") + count("undecided");
   if (judged === 0) return say("summary.no_check_of_a_code");
-  const failing = checksWith("fail").map((check) => `${check.code} ${check.name}`);
+  const failing = checksWith("fail").map(checkTitle);
   const of = say("count.judged_check", { count: judged });
   const parts = [say("summary.of_pass", { count: judged, pass: count("pass"), judged: of })];
   if (failing.length > 0) parts.push(say("summary.fail", { failing: failing.length, failing_2: failing.join(", ") }));
@@ -47,10 +47,33 @@ function statusSentence() {
   return `${levelled ? say("summary.levelling_survey") : name}: ${found}.`;
 }
 
+/** "API 653 out-of-plane settlement S_i" with its name in the page's language. */
+function governingTitle(governing) {
+  const name = Object.keys(kLanguages.en).filter((key) => key.startsWith("check_name.")).map((key) => kLanguages.en[key])
+    .filter((known_name) => governing.endsWith(` ${known_name}`)).sort((one, other) => other.length - one.length)[0];
+  return name === undefined ? governing : `${governing.slice(0, -name.length)}${checkName(name)}`;
+}
+
+/** What a verdict rests on, from its figures; where they are not all there as datum.json has it. */
+function verdictSentence(verdict, check) {
+  const { word, governing, utilisation: used, utilisation_95: interval, sentence: given } = verdict || {};
+  if (!given) return "";
+  if (!governing) return `${say("verdict.no_rule")} ${say("common.screening")}`;
+  const rule = governingTitle(governing), percent = (value) => figure(100 * value, 0), [low, high] = interval || [null, null];
+  if (word === "INCOMPLETE" && check) return `${say("verdict.not_evaluated", { rule, note: translated(check.note) })} ${say("common.screening")}`;
+  if (word === "INCOMPLETE" || !known(used)) return given;
+  const between = known(low) && known(high) ? say("verdict.interval", { low: percent(low), high: percent(high) }) : "";
+  const [, azimuth] = / at (\d+) deg/.exec(given) || [], place = azimuth ? ` ${say("common.at", { azimuth: degrees(Number(azimuth)) })}` : "";
+  return `${say("verdict.share", { rule, share: percent(used), interval: between, place, meaning: say(`verdict.${word}`) })} ${say("common.screening")}`;
+}
+
+/** The check that a verdict rests on. */
+const governingCheck = () => (datum.checks || []).find((c) => `${c.code} ${c.name}` === (datum.verdict || {}).governing);
+
 /** The word of the verdict, what it rests on, and the counts; of a refusal its reason. */
 function verdictBox() {
-  const { word, sentence: why } = datum.verdict || {};
-  const lines = usable ? [why, countsSentence()] : [statusSentence(), sentence(datum.message || words(datum.status))];
+  const { word } = datum.verdict || {};
+  const lines = usable ? [verdictSentence(datum.verdict, governingCheck()), countsSentence()] : [statusSentence(), sentence(translated(datum.message) || words(datum.status))];
   const heading = usable ? (word && words(word)) || say("summary.no_verdict") : say("summary.no_datum");
   return make("div", { class: `verdict ${worstVerdict()}`, role: "status" },
     make("p", { class: "word" }, make("span", { "aria-hidden": "true" }, `${(usable && kVerdictIcons[word]) || "\u2013"} `), heading),
@@ -65,7 +88,7 @@ function qualityLine() {
   if (!usable) return null;
   const sigma = medianSigma();
   const error = known(sigma) ? say("summary.standard_error_of_an_elevation", { sigma: shortLength(sigma, 2) }) : "";
-  const mind = datum.message ? ` ${sentence(datum.message)}` : "";
+  const mind = datum.message ? ` ${sentence(translated(datum.message))}` : "";
   return make("p", { class: "quality" }, make("strong", {}, say("summary.data")), `${statusSentence()}${error}${mind}`);
 }
 
@@ -108,6 +131,7 @@ function addSummary() {
   const quality = qualityLine();
   if (quality !== null) section.append(quality);
   if (hasMovement(datum.movement)) section.append(make("p", { class: "quality" }, make("strong", {}, say("movement.line")), typeset(movementText(datum.movement))));
+  if (hasMovement(datum.movement) && datum.movement.limits) section.append(make("p", { class: "quality" }, make("strong", {}, say("limit_rate.line")), typeset(limitRatesText(datum.movement.limits))));
   if (facts.length > 0) section.append(boxes(facts));
   section.append(make("h3", {}, say("summary.checks_of_the_codes")));
   if (hasSection("checks") && datum.checks.length > 0) section.append(...checkTables());
@@ -116,6 +140,7 @@ function addSummary() {
   section.append(make("h3", {}, say("summary.what_is_missing")), missing.length > 0 ? make("ul", {}, missing.map((item) => make("li", {}, typeset(item))))
     : make("p", {}, say("summary.nothing_every_station_is_measured")));
   const notes = datum.notes || [];
-  if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(note)))));
+  if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(translated(note))))));
+  if (kSpoken !== kLanguages.en) section.append(make("p", { class: "quiet" }, say("missing.in_english")));
   section.append(make("div", { class: "paper-only" }, [say("common.inspector"), say("common.date"), say("summary.signature")].map((name) => make("span", {}, name))));
 }

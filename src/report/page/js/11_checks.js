@@ -15,6 +15,21 @@ function checked(value, check) {
   return shownAs(value, scale[0], scale[1]);
 }
 
+/** A check's figures without their unit. */
+function checkedFigure(value, check) {
+  const scale = scaleOf(check);
+  return scale === null ? anyFigure(value) : figure(scale[0][0] * value, scale[1] + scale[0][2]);
+}
+
+/** The 95 % interval of a check's figure, which is a maximum and reaches further up than down; else two sigma. */
+function intervalOf(check) {
+  if (!known(check.value)) return "";
+  if (known(check.low95) && known(check.high95)) return say("checks.interval", { low: checkedFigure(check.low95, check), high: checked(check.high95, check) });
+  return known(check.sigma) ? `\u00b1 ${checked(2 * check.sigma, check)} (2\u03c3)` : "";
+}
+
+const checkTitle = (check) => `${check.code} ${checkName(check.name)}`;
+
 /** A cell with something below it. */
 function cellWith(heading, kind, text, below) {
   return make("td", { class: kind || false, "data-head": heading },
@@ -22,19 +37,25 @@ function cellWith(heading, kind, text, below) {
 }
 
 function checkRow(check) {
-  const more = [known(check.sigma) && known(check.value) ? `\u00b1 ${checked(2 * check.sigma, check)} (2\u03c3)` : "",
-    known(check.azimuth_deg) ? say("common.at", { azimuth: degrees(check.azimuth_deg) }) : ""].filter(Boolean).join(", ");
-  return [cellWith(say("checks.check"), "", capital(check.name), [check.code, check.clause].filter(Boolean).join(", ")),
+  const more = [intervalOf(check), known(check.azimuth_deg) ? say("common.at", { azimuth: degrees(check.azimuth_deg) }) : ""].filter(Boolean).join(", ");
+  return [cellWith(say("checks.check"), "", capital(checkName(check.name)), [check.code, check.clause].filter(Boolean).join(", ")),
     cellWith(say("checks.value"), "number", checked(check.value, check), more),
     checked(check.limit, check),
     make("td", { class: `verdict-word ${check.verdict}`, "data-head": say("common.verdict") }, make("span", {}, words(check.verdict))),
     cellWith(say("checks.rules_source"), "", check.source, typeset(check.citation || "")),
-    typeset(check.note || "")];
+    typeset(translated(check.note) || "")];
 }
 
 /** The share of its limit that a check's figure takes; null where it has none. */
 function utilisation(check) {
   return known(check.value) && known(check.limit) && check.limit > 0 ? Math.abs(check.value) / check.limit : null;
+}
+
+/** A check's share of its limit in per cent, with the interval of that. */
+function shareText(check) {
+  const percent = (value) => figure((100 * value) / check.limit, 0);
+  const interval = known(check.low95) && known(check.high95) ? ` ${say("checks.range", { low: percent(check.low95), high: percent(check.high95) })}` : "";
+  return `${percent(Math.abs(check.value))} %${interval}`;
 }
 
 /** A bar for each judged check, the fullest first. */
@@ -45,8 +66,8 @@ function utilisationBars() {
   return make("ul", { class: "bars", "aria-label": say("checks.share_of_its_limit_that") }, judged.map((check) => {
     const share = utilisation(check), bar = make("i", { class: check.verdict });
     bar.style.width = `${Math.min(100, 100 * share)}%`;
-    return make("li", {}, make("span", {}, `${capital(check.name)}, ${check.code}`), make("span", { class: "track" }, bar),
-      make("span", { class: "number" }, `${Math.round(100 * share)} %`));
+    return make("li", {}, make("span", {}, `${capital(checkName(check.name))}, ${check.code}`), make("span", { class: "track" }, bar),
+      make("span", { class: "number" }, shareText(check)));
   }));
 }
 

@@ -44,7 +44,7 @@ const hasPlumbness = () => (datum.shell.plumbness || []).length > 0;
 
 function whyNoFit() {
   const found = datum.out_of_plane;
-  return found && found.message ? say("missing.harmonic_fit_and_curvature_none", { message: found.message }) : whyAbsent(say("missing.harmonic_fit_and_curvature"));
+  return found && found.message ? say("missing.harmonic_fit_and_curvature_none", { message: translated(found.message) }) : whyAbsent(say("missing.harmonic_fit_and_curvature"));
 }
 
 /** What checks ask for and was not given, each option once. */
@@ -53,11 +53,11 @@ function missingInputs() {
   const named = notes.flatMap((note) => [...note.matchAll(/([^,;:(]+)\((option [a-z_]+)[^)]*\)/g)]);
   const asked = new Map(named.map(([, name, option]) => [option, name.replace(/ is not given $/, " ").trim()]));
   if (asked.size === 0) return [];
-  return [say("missing.not_given_though_some_checks", { name: [...asked].map(([option, name]) => `${name} (${option})`).join(", ") })];
+  return [say("missing.not_given_though_some_checks", { name: [...asked].map(([option, name]) => translated(`${name} (${option})`)).join(", ") })];
 }
 
 function missingItems() {
-  if (!usable) return [say("missing.everything_below", { status: datum.message || words(datum.status) })];
+  if (!usable) return [say("missing.everything_below", { status: translated(datum.message) || words(datum.status) })];
   const list = missingRanges();
   if (sections === null) list.push(whyNoSections());
   if (!stations.some((s) => known(s.u_fit))) list.push(whyNoFit());

@@ -14,14 +14,15 @@ function addRefusal() {
   if (sighting !== null) addSighting(section);
   const advice = datum.advice || [];
   section.append(make("h3", {}, say("refusal.try")), advice.length === 0 ? make("p", {}, say("refusal.no_advice"))
-    : make("ol", { class: "advice" }, advice.map((line) => make("li", {}, typeset(line)))));
+    : make("ol", { class: "advice" }, advice.map((line) => make("li", {}, typeset(translated(line))))));
+  if (kSpoken !== kLanguages.en) section.append(make("p", { class: "quiet" }, say("missing.in_english")));
 }
 
 /** What fails of the tests of whether it is a tank. */
 function refusalTests() {
   const failing = (datum.tests || []).filter((test) => test.finding);
   if (failing.length < 2) return [];
-  return [make("h3", {}, say("refusal.tests")), make("ul", {}, failing.map((test) => make("li", {}, typeset(sentence(test.finding)))))];
+  return [make("h3", {}, say("refusal.tests")), make("ul", {}, failing.map((test) => make("li", {}, typeset(sentence(translated(test.finding))))))];
 }
 
 function addSighting(section) {

@@ -21,21 +21,33 @@ function addOutOfPlane() {
     (part) => hasSection("harmonics") && datum.harmonics.length > 0 && addHarmonics(part));
 }
 
+const fineFigure = (metres) => figure(toShort(metres), 2 + display.short[2]);
+const fineLength = (metres) => shortLength(metres, 2);
+
+/** The interval of a magnitude as that of a signed figure. */
+const signedEnds = (interval, sign) => (interval && sign < 0 ? [-interval[1], -interval[0]] : interval);
+
+/** "95 %: 8.1 to 32.0 mm" of a maximum, whose interval reaches further up than down; empty of none. */
+function between95(interval, low, high) {
+  return interval && interval.every(known) ? say("checks.interval", { low: low(interval[0]), high: high(interval[1]) }) : "";
+}
+
 /** The largest settlement, the harmonic fit, its curvature and the classic rule's figure. */
 function outOfPlaneFacts(found) {
   if (found === null) return [];
+  const place = nearestRow(stations.filter((s) => known(s.u)), found.max_abs_u_azimuth_deg), down = place && place.u < 0 ? -1 : 1;
   const list = [], at = (azimuth) => say("movement.rest.where", { azimuth: degrees(azimuth, 1) });
-  if (known(found.max_abs_u)) list.push([say("out_of_plane.largest_settlement"), shortLength(found.max_abs_u), at(found.max_abs_u_azimuth_deg)]);
+  if (known(found.max_abs_u)) list.push([say("out_of_plane.largest_settlement"), fineLength(down * found.max_abs_u), [between95(signedEnds(found.max_abs_u_95, down), fineFigure, fineLength), at(found.max_abs_u_azimuth_deg)].filter(Boolean).join(", ")]);
   if (known(found.max_curvature)) {
     list.push([say("out_of_plane.harmonic_fit_2"), say("out_of_plane.waves_2_to", { order: found.order }), say("out_of_plane.left_rms_adjusted_r", { rms: shortLength(found.rms, 2), adjusted_r2: figure(found.adjusted_r2, 4) })]);
-    const sigma = known(found.sigma_curvature) ? `\u00b1 ${figure(bend(2 * found.sigma_curvature), 1)} (2\u03c3), ` : "";
+    const interval = between95(found.max_curvature_95, (value) => figure(bend(value), 1), (value) => figure(bend(value), 1));
     const limit = known(found.curvature_limit) ? say("out_of_plane.limit", { curvature_limit: figure(bend(found.curvature_limit), 1) }) : "";
-    list.push([say("out_of_plane.largest_curvature"), curvature(found.max_curvature), `${sigma}${at(found.max_curvature_azimuth_deg)}${limit}`]);
+    list.push([say("out_of_plane.largest_curvature"), curvature(found.max_curvature), `${[interval, at(found.max_curvature_azimuth_deg)].filter(Boolean).join(", ")}${limit}`]);
   }
   if (found.top_ovality) {
     const { value, low95, high95, azimuth_deg: azimuth } = found.top_ovality;
-    const between = known(low95) && known(high95) ? say("out_of_plane.95_to", { low95: shortLength(low95), high95: shortLength(high95) }) : "";
-    list.push([say("out_of_plane.ovality_of_the_shells_top"), shortLength(value), say("out_of_plane.a_floating_roofs_rim_seal", { between, azimuth: at(azimuth) })]);
+    const between = between95([low95, high95], fineFigure, fineLength);
+    list.push([say("out_of_plane.ovality_of_the_shells_top"), fineLength(value), say("out_of_plane.a_floating_roofs_rim_seal", { between: between ? `${between}, ` : "", azimuth: at(azimuth) })]);
   }
   const classic = found.second_differences, worst = classic && classic.worst;
   if (worst && known(worst.value)) {
@@ -52,7 +64,8 @@ function levelFacts() {
   const level = datum.foundation || {};
   return Object.entries(names).filter(([key]) => level[key] && known(level[key].value)).map(([key, name]) => {
     const { value, sigma, azimuth_deg: azimuth } = level[key];
-    return [name, shortLength(value), [plusMinus(sigma), known(azimuth) ? say("movement.rest.where", { azimuth: degrees(azimuth, 1) }) : ""].filter(Boolean).join(", ")];
+    const check = (datum.checks || []).find((c) => c.name.startsWith("foundation level") && c.value === value);
+    return [name, shortLength(value), [check ? intervalOf(check) : plusMinus(sigma), known(azimuth) ? say("movement.rest.where", { azimuth: degrees(azimuth, 1) }) : ""].filter(Boolean).join(", ")];
   });
 }
 

@@ -2,6 +2,8 @@
 
 const plan = { exaggeration: 1 };
 const kAzimuthGap = 18;  // px: from the ring's ticks to their azimuths
+const kPlanOnPaper = 265;  // px: 70 mm
+const kSmallRing = 95;  // px: in a smaller one there is no room for words
 const kNarrow = 520;  // px: below it the colours' key stands under the plan
 
 function addPlan() {
@@ -21,9 +23,9 @@ function addPlan() {
   const chart = addChart(section, {
     id: "plan-chart", label: say("plan.plan_of_the_tank_with"), ratio: (width) => (width < kNarrow ? 1.34 : 0.78), least: 330, most: 640,
     legend: [{ name: "ring", label: say("plan.datum"), colour: "datum" },
-      ...(datum.tilt ? [{ name: "tilt", label: say("plan.tilt_pointing_up"), colour: "fit", on: true }] : []),
-      ...(datum.antipodal && known(datum.antipodal.max_h) ? [{ name: "diameter", label: say("plan.worst_diameter"), colour: "reference", on: true }] : [])],
-    draw: drawPlan,
+      ...(datum.tilt ? [{ name: "tilt", label: `${say("plan.tilt_pointing_up")}: ${tiltText()}`, colour: "fit", on: true }] : []),
+      ...(datum.antipodal && known(datum.antipodal.max_h) ? [{ name: "diameter", label: `${say("plan.worst_diameter")}: ${shortLength(datum.antipodal.max_h)}`, colour: "reference", on: true }] : [])],
+    remark: planConvention(), onPaper: kPlanOnPaper, draw: drawPlan,
   });
   slider.addEventListener("input", () => {
     set();
@@ -65,6 +67,12 @@ function drawPlan(svg, width, height, shown) {
   return planMarks(svg, place, ring, offset);
 }
 
+/** How azimuths are counted on a plan. */
+function planConvention() {
+  const convention = azimuthConvention();
+  return convention === null ? say("azimuth.as_surveyed") : say("azimuth.plan", convention);
+}
+
 /** The ring at the mean elevation, azimuths every 30 degrees, the zero mark and the frame's axes. */
 function drawPlanFrame(svg, middle, ring, place) {
   svg.append("circle").attr("class", "ring").attr("cx", middle[0]).attr("cy", middle[1]).attr("r", ring);
@@ -100,6 +108,8 @@ function drawColourKey(svg, height, colour) {
     svg.append("text").attr("x", left + 18).attr("y", y).text(value === 0 ? say("plan.mean") : `${value > 0 ? "+" : "\u2212"}${shortLength(Math.abs(value))}`)));
 }
 
+const tiltText = () => `${figure(datum.tilt.angle_arcsec, 0)}\u2033`;
+
 /** 1 where the worst diameter's high end lies further round than the tilt's, else -1: labels keep off the other line. */
 function diameterBeyondTilt() {
   if (!datum.tilt || !datum.antipodal || !known(datum.antipodal.azimuth_deg)) return 1;
@@ -108,13 +118,14 @@ function diameterBeyondTilt() {
 
 /** Text beside a line through the centre, on the side of growing (1) or falling (-1) azimuths. */
 function labelBeside(svg, place, azimuth, radius, side, text) {
+  if (radius < 0.4 * kSmallRing) return;
   const [x, y] = place(azimuth, radius), [x2, y2] = place(azimuth + side, radius), step = Math.hypot(x2 - x, y2 - y);
   const across = (x2 - x) / step, down = (y2 - y) / step, anchor = across > 0.35 ? "start" : across < -0.35 ? "end" : "middle";
   svg.append("text").attr("class", "plan-label").attr("x", x + 9 * across).attr("y", y + 9 * down + 4).attr("text-anchor", anchor).text(text);
 }
 
 function drawTiltArrow(svg, place, ring) {
-  drawArrow(svg, place, ring, datum.tilt.direction_deg, say("plan.tilt", { value: `${figure(datum.tilt.angle_arcsec, 0)}\u2033` }), -diameterBeyondTilt());
+  drawArrow(svg, place, ring, datum.tilt.direction_deg, say("plan.tilt", { value: tiltText() }), -diameterBeyondTilt());
 }
 
 /** An arrow through the centre towards the side that is, or went, up. */

@@ -10,6 +10,7 @@ function addSetups() {
   addChart(section, {
     id: "setups-chart", label: say("setups.plan_of_the_scanners_setups"), ratio: 0.8, least: 330, most: 640,
     legend: setups.map((s, i) => ({ name: String(i), label: s.name, colour: setupColour(i), on: setups.length <= 24 })),
+    remark: planConvention(),
     draw: (svg, width, height, shown) => drawSetups(svg, width, height, setups, shown),
   });
   section.append(setupsTable(setups));

@@ -1,5 +1,7 @@
 // What a station's elevation comes from: points in the section across the shell, the two fitted lines, residuals.
 
+const kSectionOnPaper = 178;  // px: 47 mm
+
 function addStation() {
   const section = addSection("station", say("common.station"));
   if (!usable) return sayAbsent(section, whyAbsent(say("common.stations")));
@@ -13,10 +15,10 @@ function addStation() {
   const pair = make("div", { class: "pair" });
   section.append(make("h3", {}, say("section.section_across_the_shell")), make("p", { class: "quiet" },
     say("section.a_sample_of_the_scans")), pair);
-  const whole = addChart(pair, { id: "section-chart", label: say("section.section_across_the_shell_at"), ratio: 0.8, least: 300, most: 460,
+  const whole = addChart(pair, { id: "section-chart", label: say("section.section_across_the_shell_at"), ratio: 0.8, least: 300, most: 460, onPaper: kSectionOnPaper,
     legend: [{ name: "shell", label: say("section.shell"), colour: "shell" }, { name: "foundation", label: say("section.foundation"), colour: "foundation" }],
     draw: (svg, width, height) => drawSection(svg, width, height, chosenSection(), false) });
-  const close = addChart(pair, { id: "corner-chart", label: say("section.the_foundation_close_to_the"), ratio: 0.8, least: 300, most: 460,
+  const close = addChart(pair, { id: "corner-chart", label: say("section.the_foundation_close_to_the"), ratio: 0.8, least: 300, most: 460, onPaper: kSectionOnPaper,
     legend: [{ name: "fit", label: say("section.the_same_heights_enlarged_shaded"), colour: "foundation" }],
     draw: (svg, width, height) => drawSection(svg, width, height, chosenSection(), true) });
   const residuals = addResiduals(section);
@@ -85,7 +87,7 @@ function sectionScales(width, height, section, points, close) {
 
 function drawSection(svg, width, height, section, close) {
   const points = sectionPoints(section), { x, y } = sectionScales(width, height, section, points, close);
-  const inside = sections.side === "inside" ? say("section.into_the_tank") : "outwards";
+  const inside = sections.side === "inside" ? say("section.into_the_tank") : say("section.outwards");
   const [left, right] = x.range(), [low, high] = y.range(), clip = `clip-${close ? "corner" : "section"}`;
   svg.append("clipPath").attr("id", clip).append("rect").attr("x", left).attr("y", high).attr("width", right - left).attr("height", low - high);
   if (close && known(section.foundation)) {

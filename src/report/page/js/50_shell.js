@@ -94,11 +94,15 @@ function withBreaks(points) {
   return open ? [{ azimuth_deg: 0, value: null }, ...broken] : broken;
 }
 
+const kHeightsOnPaper = 8;
+
+/** A table of more heights than paper has room for leaves out every other one that passes. */
 function roundnessTable(rounds) {
+  const between = (r, i) => rounds.length > kHeightsOnPaper && i % 2 === 1 && r.verdict !== "fail" && r.verdict !== "undecided";
   return table(
     [[say("common.height"), "number"], [say("common.radius"), "number"], [say("shell.outwards"), "number"], [say("shell.inwards"), "number"], [say("shell.worst_at"), "number"], ["2\u03c3", "number"], [say("common.stations"), "number"], [say("shell.tolerance_2"), "number"], [say("common.verdict")]],
-    rounds.map((r) => [longLength(r.height, 2), longLength(r.radius, 4), shortLength(r.max_deviation), shortLength(r.min_deviation), degrees(r.azimuth_deg),
+    rounds.map((r, i) => [longLength(r.height, 2), longLength(r.radius, 4), shortLength(r.max_deviation), shortLength(r.min_deviation), degrees(r.azimuth_deg),
       known(r.sigma) ? shortLength(2 * r.sigma, 2) : kUnknown, anyFigure(r.n), shortLength(r.tolerance),
-      make("td", { class: `verdict-word ${r.verdict}`, "data-head": say("common.verdict") }, make("span", {}, words(r.verdict || "")))]),
+      make("td", { class: `verdict-word ${r.verdict}${between(r, i) ? " between" : ""}`, "data-head": say("common.verdict") }, make("span", {}, words(r.verdict || "")))]),
     say("shell.against_the_circle_through_each"));
 }

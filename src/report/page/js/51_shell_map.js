@@ -1,5 +1,6 @@
 // The shell unrolled: radial deviation as colour, height against azimuth.
 
+const kMapOnPaper = 160;  // px: 42 mm
 const kDeviationColours = ["#2166ac", "#92c5de", "#f2f2f2", "#f4a582", "#b2182b"];
 
 function addShellMap(section, rows) {
@@ -10,7 +11,7 @@ function addShellMap(section, rows) {
   section.append(make("h3", {}, say("shell_map.the_shell_unrolled")), make("p", { class: "quiet" },
     say("shell_map.radial_deviation_from_the_circle")));
   addChart(section, {
-    id: "shell-map", label: say("shell_map.map_of_the_shells_radial"), ratio: rows.length < 4 ? 0.22 : 0.4, least: rows.length < 4 ? 200 : 300, most: 460,
+    id: "shell-map", label: say("shell_map.map_of_the_shells_radial"), ratio: rows.length < 4 ? 0.22 : 0.4, least: rows.length < 4 ? 200 : 300, most: 460, onPaper: kMapOnPaper,
     draw: (svg, width, height) => drawShellMap(svg, width, height, rows, bands, colour, most),
   });
 }
@@ -27,7 +28,7 @@ function drawShellMap(svg, width, height, rows, bands, colour, most) {
   const x = d3.scaleLinear([0, 360], [margin.left, width - margin.right]);
   const y = d3.scaleLinear([bands[0][0], bands[bands.length - 1][1]], [height - margin.bottom, margin.top]);
   const axes = { x, y, margin };
-  drawAxes(svg, x, y, d3.range(0, 361, width < 480 ? 90 : 45), say("shell_map.height_above_the_datum", { unit: kLongUnit }), say("common.azimuth_2"));
+  drawAxes(svg, x, y, d3.range(0, 361, width < 480 ? 90 : 45), say("shell_map.height_above_the_datum", { unit: kLongUnit }), azimuthTitle());
   svg.append("rect").attr("class", "gap").attr("x", x(0)).attr("y", margin.top).attr("width", x(360) - x(0)).attr("height", y.range()[0] - margin.top);
   rows.forEach((row, i) => svg.append("image").attr("href", rowPicture(row, colour)).attr("preserveAspectRatio", "none")
     .style("image-rendering", "pixelated").attr("x", x(0)).attr("width", x(360) - x(0))

@@ -6,7 +6,7 @@ function addPlumbness(section, shell) {
     lower: p.height < top - 1e-6 }));
   const tolerance = plumbnessTolerance();
   const lean = shell.lean ? say("plumbness.the_tank_as_a_whole", { offset: shortLength(shell.lean.offset), height: longLength(shell.lean.height, 2), direction_deg: degrees(shell.lean.direction_deg) }) : "";
-  section.append(make("h3", {}, say("plumbness.plumbness")), make("p", {},
+  section.append(make("h3", {}, say("plumbness.plumbness")), make("p", { class: "quiet" },
     say("plumbness.how_far_the_top_of", { plumbness_max: shortLength(shell.plumbness_max), plumbness_azimuth_deg: degrees(shell.plumbness_azimuth_deg, 1), lean })));
   addChart(section, {
     id: "plumbness-chart", label: say("plumbness.plumbness_of_the_shell_against"), ratio: 0.3, least: 250, most: 360,

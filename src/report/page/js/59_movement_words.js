@@ -51,8 +51,8 @@ function addMovementPlan(section, m, id) {
     id, label: say("movement.plan"), ratio: (width) => (width < kNarrow ? 1.1 : 0.6), least: 300, most: 460,
     legend: [{ name: "rest", label: say("movement.plan.rest", { most: shortLength(largest) }), colour: "datum" },
       { name: "moved", label: say("movement.plan.moved"), colour: "mark" },
-      { name: "tilt", label: say("movement.plan.tilt"), colour: "fit" }],
-    draw: (svg, width, height) => drawMovementPlan(svg, width, height, m, power),
+      { name: "tilt", label: `${say("movement.plan.tilt")}: ${arcseconds(m.tilt_change.angle_arcsec, 0)}`, colour: "fit" }],
+    remark: planConvention(), onPaper: kPaperHeight, draw: (svg, width, height) => drawMovementPlan(svg, width, height, m, power),
   });
 }
 
@@ -63,6 +63,10 @@ function drawMovementPlan(svg, width, height, m, power) {
     return [middle[0] + radius * Math.cos(turn), middle[1] - radius * Math.sin(turn)];
   };
   drawPlanFrame(svg, middle, ring, place);
+  if (datum !== null) {
+    drawPlanMarks(svg, place, ring, false);
+    drawNorth(svg, width);
+  }
   const seen = closed(m.stations), at = (s) => place(s.azimuth_deg, ring * (1 + power * s.rest));
   svg.append("path").attr("class", "line datum").attr("d", d3.line().defined((s) => known(s.rest)).x((s) => at(s)[0]).y((s) => at(s)[1])(seen));
   for (const s of m.stations.filter((one) => one.significant && known(one.rest))) {
@@ -70,6 +74,6 @@ function drawMovementPlan(svg, width, height, m, power) {
   }
   if (known(m.tilt_change.azimuth_deg)) drawArrow(svg, place, ring, m.tilt_change.azimuth_deg, arcseconds(m.tilt_change.angle_arcsec, 0));
   const middleText = signed(shortLength(m.mean.value), m.mean.value);
-  svg.append("text").attr("class", "plan-label").attr("x", middle[0]).attr("y", middle[1] + 0.8 * ring).attr("text-anchor", "middle").text(say("movement.plan.mean", { value: middleText }));
+  svg.append("text").attr("class", "plan-label").attr("x", 14).attr("y", height - 8).text(say("movement.plan.mean", { value: middleText }));
   return null;
 }

@@ -9,6 +9,9 @@ function addMovement() {
   section.append(make("p", { class: "breakable" }, say("movement.since", { baseline: m.baseline })));
   if (hasMovement(m)) section.append(make("p", { class: "screen-only" }, typeset(movementText(m))), movementBoxes(m), make("p", { class: "quiet" }, movementTerms(m)));
   addMovementCharts(section, m, "movement", [{ name: say("movement.this"), movement: m }]);
+  if (!m.limits) return;
+  section.append(make("h3", {}, say("limit_rate.heading")));
+  addLimitRates(section, m.limits);
 }
 
 /** Movement against azimuth, and the plan of the last survey's. */

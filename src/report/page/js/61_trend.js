@@ -10,6 +10,7 @@ function addTrend() {
   link.describe = (azimuth) => [...describeMovement(azimuth, surveys), ...describeRate(rates, azimuth)];
   addMovements(surveys, rates);
   addRates(rates);
+  if (trend.limits) addLimitRates(addSection("limits", say("limit_rate.heading")), trend.limits);
   addCourse(addSection("course", say("trend.one_azimuth_over_the_surveys")), surveys, rates);
   addTrendProvenance();
 }
@@ -22,6 +23,7 @@ function addMovements(surveys, rates) {
     word ? make("p", { class: "word" }, word) : null,
     make("p", { class: "breakable" }, say("movement.since", { baseline: dated(trend.baseline, trend.baseline_date) })),
     hasMovement(last) ? make("p", {}, typeset(movementText(last).slice(word.length + 2))) : null,
+    trend.limits ? make("p", {}, make("strong", {}, say("limit_rate.line")), typeset(limitRatesText(trend.limits))) : null,
     make("p", {}, `${fastest ? say("trend.fastest_trend_2_at", { fastest: rateOf(fastest), azimuth_deg: degrees(fastest.azimuth_deg, 1) }) : ""}${movementTerms(last)}`)),
   table([[say("trend.survey")], [say("common.date")], [say("trend.compared"), "number"], [say("trend.largest"), "number"], [say("trend.at"), "number"], ["RMS", "number"], [say("trend.detectable_from"), "number"], [say("trend.stations_moved"), "number"]],
     trend.movements.map((m) => [m.survey, m.date || "\u2013", `${m.matched}`, shortLength(m.max, 2), degrees(m.max_azimuth_deg, 1), shortLength(m.rms, 2),

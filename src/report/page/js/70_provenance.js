@@ -3,7 +3,7 @@
 /** What a file is known by; of results of earlier versions its SHA-256. */
 function hashOf(file) {
   const hash = file.hash || (file.sha256 && { algorithm: "sha256", value: file.sha256 });
-  if (!hash) return "not taken";
+  if (!hash) return say("provenance.not_taken");
   const name = { xxh3_128: "XXH3-128", sha256: "SHA-256" }[hash.algorithm];
   return make("span", {}, `${name} `, make("code", { class: "breakable" }, hash.value));
 }

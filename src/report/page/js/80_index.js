@@ -1,6 +1,6 @@
 // The page of a scan with several tanks: where they stand, and what was found of each.
 
-const tankName = (tank) => words(tank.page.split("/")[0]);
+const tankName = (tank) => say("export.tank", { tank: tank.page.split("/")[0].replace("tank_", "") });
 
 /** The word of a tank's verdict; of one without a datum its status. */
 function outcomeOf(tank) {
@@ -21,7 +21,7 @@ function addIndex() {
     index.tanks.map((tank) => [
       make("td", { "data-head": say("common.tank") }, make("a", { href: tank.page }, tankName(tank))),
       make("td", { class: `verdict-word ${outcomeClass(tank)}`, "data-head": say("common.verdict") }, make("span", {}, words(outcomeOf(tank)))),
-      tank.verdict ? tank.verdict.sentence : tank.message,
+      tank.verdict ? verdictSentence(tank.verdict, null) : translated(tank.message),
       tank.tank ? longLength(tank.tank.center[0]) : "\u2013", tank.tank ? longLength(tank.tank.center[1]) : "\u2013",
       tank.tank ? longLength(tank.tank.radius) : "\u2013",
       tank.tilt && known(tank.tilt.angle_arcsec) ? say("index.high_side", { angle_arcsec: withUnit(tank.tilt.angle_arcsec, 1, "\u2033"), direction_deg: degrees(tank.tilt.direction_deg) }) : "\u2013",

@@ -8,6 +8,8 @@ function addHeading() {
   const title = index ? say("main.storage_tanks_of_a_scan") : trend ? say("main.movement_of_a_storage_tanks") : tank;
   document.getElementById("title").textContent = title;
   const names = trend ? trend.surveys.map((s) => dated(s.path, s.date)) : (index ? index.files : datum.input.files).map((file) => file.path);
+  document.querySelector(".skip").textContent = say("page.skip");
+  document.getElementById("contents").setAttribute("aria-label", say("page.sections"));
   document.title = `${title}: ${names.join(", ")}`;
   document.getElementById("scans").textContent = names.join(", ");
 }
@@ -36,6 +38,7 @@ if (index) {
   addElevation();
   addOutOfPlane();
   addPlan();
+  addView();
   addSetups();
   addStation();
   addShell();
