@@ -9,6 +9,7 @@
 #include "fit/harmonics.h"
 #include "foot/foot_check.h"
 #include "foot/foot_state.h"
+#include "foot/ring_slope.h"
 #include "foot/slanting_beams.h"
 #include "stations/highest_wave.h"
 #include "tank_datum/core/unknown.h"
@@ -17,9 +18,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kWideSlope = 0.1;   // of pads and floors, before they are looked at [m/m]
-constexpr double kTankSlope = 0.03;  // of the lips of one tank, on the average of its ring [m/m]
-constexpr double kLipSlope = 0.05;   // of the lips of annular plates: bent by the weld, by settlement [m/m]
+constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looked at [m/m]
 
 /// Fits of the slope in windows a few degrees wide, at every so many stations.
 struct Slopes {
@@ -88,74 +87,6 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
 double feignedLean(const FootFit& fit, double shell_noise) {
   const double spread = fit.noise / fit.sigma_slope;  // square root of the sum of squares of d [m]
   return shell_noise * fit.noise * static_cast<double>(fit.points) / (spread * spread);
-}
-
-/// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do [m/m].
-struct Expected {
-  double parallel;  ///< to what the plate lies on: most are
-  double section;   ///< as the stacked section shows it
-  double noise;     ///< what range noise may feign, up or down
-  double lean;      ///< what beams that meet shell or edge too may feign, down only
-};
-
-/// A ring's slope, and its standard error [m/m].
-struct MeanSlope {
-  double seen = 0, slope = 0;  ///< as the windows show it, and as it is
-  double sigma = 0;
-};
-
-double withPrior(double sigma) { return 1.0 / std::hypot(1.0 / sigma, 1.0 / kTankSlope); }
-
-/// The ring's own slope for what its windows show. Where that is neither of those expected, beams may feign it, half as
-/// much as they can and no more than makes the lip parallel; and lips are parallel but for what a tank's usually lean.
-/// @param error  standard error of what the windows show
-MeanSlope ringSlope(double seen, double error, const Expected& expected) {
-  constexpr double kFeigned = 0.6;  // of the largest lean that range noise may feign
-  constexpr double kDoubt = 0.35;   // of what may feign a slope or hide one, where it seems to be as expected
-  constexpr double kOddDoubt = 0.6;
-  const double off = seen - expected.parallel, tolerance = kFeigned * expected.noise + error;
-  constexpr double kSteepest = 0.1;  // of a lip [m/m]: what seems steeper is drawn so by what lies beside it
-  const double beams = kOddDoubt * expected.lean;
-  const double usual = withPrior(std::hypot(kDoubt * std::hypot(expected.noise, error), beams));
-  if (off < tolerance && off > -tolerance - expected.lean) return {seen, expected.parallel, usual};
-  if (expected.lean <= 0.0 && std::abs(seen - expected.section) < tolerance) return {seen, expected.section, usual};
-  if (std::abs(off) > kSteepest + expected.lean) return {seen, expected.parallel, kLipSlope};
-  const double odd = std::hypot(kOddDoubt * expected.noise, error, beams);
-  const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd);
-  const double own = off + 0.5 * std::clamp(-off, 0.0, expected.lean);
-  return {seen, expected.parallel + weight * own, withPrior(odd)};
-}
-
-/// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
-/// more than their errors explain (empirical Bayes).
-MeanSlope drawTogether(const std::vector<SeriesValue>& series, const Expected& expected,
-                       std::vector<SeriesValue>& smooth) {
-  constexpr double kBest = 0.1;     // of the windows: those seen best tell the ring's own slope
-  constexpr double kDoubted = 0.5;  // of the standard error of their variance: so much they may differ unseen
-  std::vector<double> values, variances, sigmas;
-  for (const SeriesValue& v : series) {
-    if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
-  }
-  const double trusted = 2.0 * quantile(sigmas, kBest);
-  for (const SeriesValue& v : series) {
-    if (!std::isfinite(v.value) || v.sigma > trusted) continue;
-    values.push_back(v.value);
-    variances.push_back(v.sigma * v.sigma);
-  }
-  if (values.size() < 6) return {0.0, 0.0, withPrior(kLipSlope)};
-  const double seen = median(values), scatter = robustSigma(values, seen);
-  const auto count = static_cast<double>(values.size());
-  const double square = scatter * scatter, doubt = kDoubted * square * std::sqrt(2.0 / count);
-  const double own = std::max({1e-12, doubt, square - median(variances)});
-  const double mean = 1.2533 * std::sqrt((own + median(variances)) / count);
-  const MeanSlope ring = ringSlope(seen, mean, expected);
-  for (SeriesValue& v : smooth) {
-    if (!std::isfinite(v.value)) continue;
-    const double weight = own / (own + v.sigma * v.sigma);
-    v.value = weight * (v.value + ring.slope - seen) + (1.0 - weight) * ring.slope;
-    v.sigma *= std::sqrt(weight);
-  }
-  return ring;
 }
 
 /// Windows far off those beside them, at the end of what is seen or where another thing reaches in, are known no better

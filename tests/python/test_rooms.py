@@ -157,7 +157,7 @@ def test_one_way_to_be_parallel() -> None:
 
 
 def test_no_two_cpp_tests_write_the_same_file() -> None:
-    """Cases run side by side, each a process: a file of a fixed name is written by several at once."""
+    """Cases run side by side, each a process; a file of a fixed name is written by several."""
     shared = [
         f"{path}:{number}: a temporary name of its own; use TestFolder"
         for path in sources("tests")

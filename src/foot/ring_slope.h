@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/adaptive_smooth.h"
+
+namespace tank_datum {
+
+constexpr double kLipSlope = 0.05;  ///< of the lips of annular plates: bent by the weld, by settlement [m/m]
+
+/// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do [m/m].
+struct ExpectedSlope {
+  double parallel;  ///< to what the plate lies on: most are
+  double section;   ///< as the stacked section shows it
+  double noise;     ///< what range noise may feign, up or down
+  double lean;      ///< what beams that meet shell or edge too may feign, down only
+};
+
+/// A ring's slope, and its standard error [m/m].
+struct MeanSlope {
+  double seen = 0, slope = 0;  ///< as the windows show it, and as it is
+  double sigma = 0;
+};
+
+/// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
+/// more than their errors explain (empirical Bayes).
+MeanSlope drawTogether(const std::vector<SeriesValue>& series, const ExpectedSlope& expected,
+                       std::vector<SeriesValue>& smooth);
+
+}  // namespace tank_datum
