@@ -125,6 +125,17 @@ std::size_t firstSeen(const FootProfile& profile, std::size_t from) {
   return from;
 }
 
+/// The first one where a surface is: of four bins it is seen in three, stray points are in fewer.
+std::size_t firstOfSurface(const FootProfile& profile, std::size_t from) {
+  const std::vector<double>& height = profile.height;
+  for (std::size_t i = from; i + 4 <= height.size(); ++i) {
+    const auto seen = [](double z) { return std::isfinite(z); };
+    const auto at = height.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::isfinite(*at) && std::count_if(at, at + 4, seen) >= 3) return i;
+  }
+  return from;
+}
+
 /// Reads the surface between two bins: noise, edge, kind, slope, and the band that is plainly it, with what is not seen
 /// next to it.
 void readSurface(FootProfile& profile, std::size_t first, std::size_t last, const FootScales& scales) {
@@ -203,7 +214,7 @@ FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, co
   std::size_t last = lastBeforeStep(profile, first);
   while (last < first + 3 && first < bins / 3) last = lastBeforeStep(profile, ++first);
   // a lip would be hidden in what is not seen, or a gutter: the surface beyond is not known to reach the shell
-  const double nearest = static_cast<double>(firstSeen(profile, first)) * profile.bin;
+  const double nearest = static_cast<double>(firstOfSurface(profile, first)) * profile.bin;
   if (nearest > scales.nearest() + kUnseen * scales.reach) profile.unseen = nearest;
   if (profile.unseen > 0.0 || last < first + 3) return profile;
   readSurface(profile, first, last, scales);

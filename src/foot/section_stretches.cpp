@@ -51,7 +51,8 @@ double stepBetween(const std::vector<SectionBin>& bins, BinRange before, BinRang
   const double at = 0.5 * (bins[before.last - 1].d + bins[after.first].d),
                length = bins[before.last - 1].d - bins[before.first].d;
   const double error = std::sqrt(a.varianceAt(at) + b.varianceAt(at));
-  const double none = length < kLong * scales.length ? scales.least + 3.0 * error : kLesser * scales.least + 2.0 * error;
+  const double none =
+      length < kLong * scales.length ? scales.least + 3.0 * error : kLesser * scales.least + 2.0 * error;
   return std::abs(b.at(at) - a.at(at)) - none;
 }
 

@@ -129,9 +129,8 @@ void PythonGate::drop(PyObject* object) {
 
 ScanBlocks blocksFrom(const std::shared_ptr<PythonGate>& gate, const py::handle& reader, double metres_per_unit) {
   ScanBlocks blocks;
-  gate->enter([&] {
-    blocks = blocksOf(gate, shared(py::reinterpret_borrow<py::object>(reader), gate), metres_per_unit);
-  });
+  gate->enter(
+      [&] { blocks = blocksOf(gate, shared(py::reinterpret_borrow<py::object>(reader), gate), metres_per_unit); });
   return blocks;
 }
 

@@ -32,8 +32,8 @@ class PythonGate {
   bool shut_ = false;
 };
 
-/// Points that an object of Python's yields, see Blocks in tank_datum/_foreign.py. To be called without the interpreter's
-/// lock.
+/// Points that an object of Python's yields, see Blocks in tank_datum/_foreign.py. To be called without the
+/// interpreter's lock.
 ScanBlocks blocksFrom(const std::shared_ptr<PythonGate>& gate, const pybind11::handle& reader, double metres_per_unit);
 
 /// Reads scans through the package's Python readers. To be called with the interpreter's lock held; what it returns
