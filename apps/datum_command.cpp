@@ -135,8 +135,8 @@ struct Extracted {
 Extracted extractRecorded(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
   clock.begin("open");
   if (!command.levelling.empty()) {
-    Datum datum = readLevelling(command.levelling, command.metresPerUnit(), command.diameter, command.datum);
-    return {{datum}, {recordOfLevelling(command.levelling, datum, command.checksumTaken())}};
+    RecordedDatum levelled = readRecordedLevelling(command);
+    return {{std::move(levelled.datum)}, {std::move(levelled.file)}};
   }
   const ThreadScope threads(command.datum.threads);
   const Scan scan = scanOf(command);

@@ -6,6 +6,7 @@
 #include "core/units.h"
 #include "exit_status.h"
 #include "flag_names.h"
+#include "io/input_file.h"
 #include "io/sha256.h"
 #include "movement/epoch.h"
 #include "movement/movement.h"
@@ -95,9 +96,11 @@ int run(const CompareCommand& command) {
   std::vector<Epoch> epochs;
   Comparison comparison{command.epochs, {}, command.dates, {}, {}, {}, command.options, command.readers};
   for (const std::string& path : command.epochs) {
+    const InputFile file(epochFile(path));
     epochs.push_back(readEpoch(path));
     if (epochs.size() <= command.dates.size()) epochs.back().date = command.dates[epochs.size() - 1];
-    comparison.hashes.push_back(sha256OfFile(epochFile(path)));
+    comparison.hashes.push_back(sha256OfFile(file.path()));
+    file.requireUnchanged();
   }
   for (std::size_t i = 1; i < epochs.size(); ++i) {
     comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));

@@ -9,6 +9,7 @@
 #include "datum_stages.h"
 #include "datum_status.h"
 #include "io/csv.h"
+#include "io/whole_file.h"
 #include "shape/analysis.h"
 #include "shape/deformation.h"
 #include "stations/stations.h"
@@ -141,7 +142,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
 
 Datum readLevelling(const std::string& path, double metres_per_unit, double diameter, const DatumOptions& options) {
   return datumOfLevelling(
-      levellingStations(textOf(path, "levelling"), path, metres_per_unit, diameter, options.stations), diameter,
+      levellingStations(wholeFile(path, "levelling"), path, metres_per_unit, diameter, options.stations), diameter,
       options);
 }
 

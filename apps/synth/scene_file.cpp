@@ -1,10 +1,10 @@
 #include "scene_file.h"
 
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 #include <set>
 
+#include "io/whole_file.h"
 #include "option_fields.h"
 #include "tank_datum/core/error.h"
 
@@ -166,9 +166,7 @@ Json toJson(const SceneOptions& options) {
 }
 
 Json readJson(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw Error(Error::Kind::File, "scene", "scene file", path, "a readable file");
-  Json json = Json::parse(file, nullptr, false);
+  Json json = Json::parse(wholeFile(path, "scene"), nullptr, false);
   if (json.is_discarded()) throw Error(Error::Kind::File, "scene", "scene file", path, "JSON");
   return json;
 }

@@ -16,6 +16,7 @@ from tank_datum import _core
 from tank_datum._datum import Datum
 from tank_datum._errors import file_error, option_error
 from tank_datum._records import Curve, Limit, Record
+from tank_datum_qa._regular_file import read_regular_text
 
 
 def limits(path: str | os.PathLike[str] | None = None) -> list[Limit]:
@@ -128,7 +129,7 @@ def simulate(
 
 def _scene_text(path: Path) -> str:
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_regular_text(path)
         json.loads(text)
     except OSError as error:
         raise file_error(
