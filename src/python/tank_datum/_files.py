@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from tank_datum_qa._regular_file import read_regular
 
 from tank_datum import _core
 from tank_datum._datum import Datum
 from tank_datum._errors import FileError, file_error
-from tank_datum_qa._regular_file import read_regular
 
 SCHEMA = 1  # of datum.json: what this version knows
 _NAMES = (

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from tank_datum_qa._regular_file import read_regular_text
 
 from tank_datum import _core
 from tank_datum._datum import Datum
 from tank_datum._errors import file_error, option_error
 from tank_datum._records import Curve, Limit, Record
-from tank_datum_qa._regular_file import read_regular_text
 
 
 def limits(path: str | os.PathLike[str] | None = None) -> list[Limit]:

@@ -8,12 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from tank_datum_qa._regular_file import read_regular, text_of
+
 from tank_datum.farm.campaign import HEIGHTS, Campaign, FarmTank, Limits, Survey
 from tank_datum.farm.campaign_checks import check_whole
 from tank_datum.farm.errors import CampaignError, Problem
 from tank_datum.farm.fields import Reader, Table
 from tank_datum.farm.toml_lines import line_numbers
-from tank_datum_qa._regular_file import read_regular, text_of
 
 # Beyond these a figure is in another unit.
 LARGEST = 500.0  # radius of a tank [m]
