@@ -12,6 +12,7 @@
 #include <new>
 #include <system_error>
 
+#include "core/printable.h"
 #include "exit_status.h"
 #include "flag_names.h"
 #include "results/stop_signals.h"
@@ -19,14 +20,6 @@
 
 namespace tank_datum {
 namespace {
-
-/// One line of a text, such as an exception's.
-std::string oneLine(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
-}
 
 constexpr const char* kNoMemory = "memory: more than there is, expected a machine with more memory, or fewer points";
 
@@ -65,7 +58,7 @@ const char* reasonToEnd() {
 int runMain(const std::string& program, const std::function<int()>& work,
             const std::function<std::string()>& after_failure) {
   const auto failed = [&](const std::string& reason, int status) {
-    std::cerr << program << ": " << oneLine(reason) << (after_failure ? after_failure() : "") << "\n";
+    std::cerr << program << ": " << printable(reason) << printable(after_failure ? after_failure() : "") << "\n";
     return status;
   };
   try {

@@ -1,5 +1,6 @@
-"""Memory and threads that are not to be had: one line, status 3, the old result whole; in threads of
-libraries too, where an exception would end the process.
+"""Memory and threads that are not to be had: one line, status 3, the old result whole.
+
+In threads of libraries too, where an exception would end the process.
 """
 
 from __future__ import annotations
@@ -97,7 +98,7 @@ def test_little_address_space(tmp_path: Path, megabytes: int) -> None:
 
 @pytest.mark.parametrize("megabytes", [100, 400, 12_000])
 def test_many_threads_in_little_space(command: Path, tmp_path: Path, megabytes: int) -> None:
-    """1024 stacks take 8 GB of addresses: fewer threads do it, or the rest has no memory."""
+    """1024 stacks take 8 GB of addresses: fewer threads do it, or memory ends."""
     out = tmp_path / "out"
     done = subprocess.run(
         [*words_of("tank_datum flann", command, out)[:-1], "--threads", "1024"],
