@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -64,6 +65,7 @@ int runMain(const std::string& program, const std::function<int()>& work,
   try {
     nameOfProgram() = program;
     std::set_terminate(endAtOnce);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond what is allowed is a write that fails, as on a full disk
     Eigen::setNbThreads(1);  // OpenMP, by which Eigen has large products done, ends the process for want of a thread
     results::stopCleanly(program);
     return work();
