@@ -39,7 +39,7 @@ def with_rows(place: int, rows: list[list[float]]) -> Array:
     return np.vstack([made[:place], rows, made[place:]])
 
 
-# Each with how far its datum may be from the sample's [m], by what is lost of the tank's own points.
+# Each with how far its datum may be from the sample's [m], by what is lost of the tank itself.
 CLOUDS: dict[str, tuple[Callable[[], Array], float]] = {
     "one point 1 km away": (lambda: with_rows(9000, [[1e3, 0, 0]]), 0.0),
     "one point 1e9 m away": (lambda: with_rows(9000, [[1e9, 0, 0]]), 0.0),
