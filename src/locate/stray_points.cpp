@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "core/parallel.h"
 #include "core/cell_number.h"
+#include "core/parallel.h"
 #include "core/point_hash.h"
 #include "io/point_extent.h"
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "support/refused.h"
+#include "support/test_folder.h"
 #include "synth/command_line.h"
 #include "synth/scene.h"
 #include "synth/scene_file.h"
@@ -43,6 +44,23 @@ TEST(SynthOptions, NothingIsLargerOrFartherThanAnySite) {
   EXPECT_EQ(errorOf("/tanks/0/lobes/min_length", 0.005), "tanks[0].lobes.min_length, 0.005, expected 0.01 .. 1e+08");
   EXPECT_EQ(errorOf("/tanks/0/x", 1e8), "");
   EXPECT_EQ(errorOf("/tanks/0/x", -1.1e8), "tanks[0].x, -1.1e+08, expected -1e+08 .. 1e+08");
+}
+
+/// What is written about a value that is refused goes down into it; a million of brackets went down too far.
+TEST(SynthOptions, ASceneIsNotNestedWithoutEnd) {
+  const TestFolder folder;
+  const auto refusal = [&folder](std::size_t lists) {
+    try {
+      readScene(folder.file("scene.json", "{\"a\":" + std::string(lists, '[') + std::string(lists, ']') + "}"));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal(16).find("expected no such key"), std::string::npos);
+  for (const std::size_t lists : {17, 1'000'000}) {
+    EXPECT_NE(refusal(lists).find("nested deeper"), std::string::npos) << lists;
+  }
 }
 
 struct Bad {
