@@ -41,8 +41,9 @@ TEST(RunMain, EndsWhatNobodyCatchesCleanly) {
     std::thread([] { throw std::bad_alloc(); }).join();
     return 0;
   };
-  EXPECT_EXIT(runMain("program", work), testing::ExitedWithCode(3),
-              "^program: memory: more than there is, expected a machine with more memory, or fewer points\ncleaned up\n$");
+  EXPECT_EXIT(
+      runMain("program", work), testing::ExitedWithCode(3),
+      "^program: memory: more than there is, expected a machine with more memory, or fewer points\ncleaned up\n$");
 }
 
 TEST(RunMain, EndsEveryExceptionAsOneLineAndAStatusOfTheContract) {
