@@ -12,12 +12,13 @@
 namespace tank_datum {
 
 /// The record of the input files. Hashes that the extraction does not take as it reads are taken in a thread beside it.
-/// When the extraction fails nobody waits for them.
+/// When the extraction fails nobody waits for them; where there is no thread to be had they are taken afterwards.
 class BackgroundRecords {
  public:
   BackgroundRecords(const Scan& scan, Checksum checksum, int threads)
       : records_(std::async(
-            threads != 1 && takesBeside(scan, checksum) ? std::launch::async : std::launch::deferred,
+            threads != 1 && takesBeside(scan, checksum) ? std::launch::async | std::launch::deferred
+                                                        : std::launch::deferred,
             [this, scan, checksum] { return recordInputs(scan, checksum, [this] { return wanted_.load(); }); })) {}
   ~BackgroundRecords() { wanted_ = false; }
   BackgroundRecords(const BackgroundRecords&) = delete;

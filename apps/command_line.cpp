@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "config_lines.h"
+#include "core/printable.h"
 #include "exit_status.h"
 #include "option_flags.h"
 #include "options/option_json.h"
@@ -69,11 +70,11 @@ bool parse(CLI::App& app, int argc, char** argv, const Command& command, int& st
   } catch (const CLI::Success& asked) {  // --help, --version
     status = app.exit(asked);
   } catch (const CLI::FileError& error) {
-    std::cerr << "tank_datum: command line: --config, " << error.what() << ", expected a readable file\n";
+    std::cerr << "tank_datum: command line: --config, " << printable(error.what()) << ", expected a readable file\n";
     status = kFileFailed;
   } catch (const CLI::ParseError& error) {
     requireConfigLines(app.get_config_ptr()->as<std::string>());
-    std::cerr << "tank_datum: command line: " << error.what() << ", expected what tank_datum --help lists\n";
+    std::cerr << "tank_datum: command line: " << printable(error.what()) << ", expected what tank_datum --help lists\n";
     status = kWrongUse;
   }
   return false;

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "flag_names.h"
-#include "io/csv.h"
+#include "io/whole_file.h"
 #include "option_flags.h"
 #include "options/option_table.h"
 #include "tank_datum/core/error.h"
@@ -57,7 +57,7 @@ std::optional<std::string> refusalOf(const std::string& line) {
 
 void requireConfigLines(const std::string& path) {
   if (path.empty()) return;
-  std::istringstream text(textOf(path, "command line"));
+  std::istringstream text(wholeFile(path, "command line"));
   std::string line;
   for (std::size_t number = 1; std::getline(text, line); ++number) {
     line = trimmed(line);

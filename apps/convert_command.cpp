@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "core/printable.h"
 #include "core/refusal.h"
 #include "exit_status.h"
 #include "io/pcd_copy.h"
@@ -102,7 +103,7 @@ int run(const Command& command) {
   const std::uint64_t points = copyToPcd(scan, file.place(), copy);
   clock.end();
   file.commit();
-  if (!command.quiet) std::cout << points << " points of " << scan.size() << ": " << command.copy() << "\n";
+  if (!command.quiet) std::cout << points << " points of " << scan.size() << ": " << printable(command.copy()) << "\n";
   return kUsable;
 }
 

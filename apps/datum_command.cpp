@@ -6,6 +6,7 @@
 #include "background_records.h"
 #include "command_line.h"
 #include "core/parallel.h"
+#include "core/printable.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "exit_status.h"
@@ -84,7 +85,7 @@ Provenance recordOf(const Datum& datum, const std::vector<InputRecord>& files, c
                     const Command& command) {
   Provenance provenance = provenanceOf(files, command, baseline, datum);
   if (provenance.movement && !provenance.movement->message.empty()) {
-    std::cerr << "tank_datum: no movement: " << withFlags(provenance.movement->message) << "\n";
+    std::cerr << "tank_datum: no movement: " << printable(withFlags(provenance.movement->message)) << "\n";
   }
   return provenance;
 }
@@ -107,17 +108,18 @@ int announce(const std::vector<Datum>& datums, const std::vector<Provenance>& pr
   bool usable = false;
   for (std::size_t i = 0; i < datums.size(); ++i) {
     if (!command.quiet && command.json != "-")
-      std::cout << withFlags(summary(datums[i], provenances[i], showsBlocks())) << "results        " << command.output
-                << "/" << fileToOpen(command, partOf(command, i)) << "\n";
+      std::cout << printableLines(withFlags(summary(datums[i], provenances[i], showsBlocks()))) << "results        "
+                << printable(command.output) << "/" << fileToOpen(command, partOf(command, i)) << "\n";
     for (const std::string& warning : warningsOf(datums[i]))
-      std::cerr << "tank_datum: warning: " << withFlags(warning) << "\n";
+      std::cerr << "tank_datum: warning: " << printable(withFlags(warning)) << "\n";
     usable = usable || datums[i].usable();
     if (!datums[i].usable()) {
-      std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << withFlags(datums[i].message) << "\n";
+      std::cerr << "tank_datum: " << nameOf(datums[i].status) << ": " << printable(withFlags(datums[i].message))
+                << "\n";
     }
   }
   if (command.all && !command.quiet && command.json != "-")
-    std::cout << "index          " << command.output << "/index.html\n";
+    std::cout << "index          " << printable(command.output) << "/index.html\n";
   std::cout.flush();
   if (!std::cout) {
     throw Error(Error::Kind::File, "report", "standard output", "not written",
@@ -135,8 +137,8 @@ struct Extracted {
 Extracted extractRecorded(const Command& command, const std::optional<Baseline>& baseline, StageClock& clock) {
   clock.begin("open");
   if (!command.levelling.empty()) {
-    Datum datum = readLevelling(command.levelling, command.metresPerUnit(), command.diameter, command.datum);
-    return {{datum}, {recordOfLevelling(command.levelling, datum, command.checksumTaken())}};
+    RecordedDatum levelled = readRecordedLevelling(command);
+    return {{std::move(levelled.datum)}, {std::move(levelled.file)}};
   }
   const ThreadScope threads(command.datum.threads);
   const Scan scan = scanOf(command);

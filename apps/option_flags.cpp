@@ -1,6 +1,7 @@
 #include "option_flags.h"
 
 #include "flag_names.h"
+#include "io/whole_file.h"
 #include "typed_text.h"
 
 namespace tank_datum {
@@ -47,7 +48,12 @@ struct OptionFlags::Declaration {
     return after(app.add_option(names, typed, help), [&typed, fact] { *fact.value = typed.value_or(*fact.value); });
   }
   CLI::Option* operator()(const Path& path) const {
-    return option.name == "config" ? app.set_config(flag, "", help) : app.add_option(names, *path.path, help);
+    return option.name == "config" ? config() : app.add_option(names, *path.path, help);
+  }
+  /// CLI11 reads the file by itself, and waits for a pipe or reads a device without end: looked at before.
+  CLI::Option* config() const {
+    const auto look = [](const std::string& path) { return wholeFile(path, "command line"), std::string(); };
+    return app.set_config(flag, "", help)->check(look, "");
   }
   CLI::Option* operator()(const Places& places) const { return app.add_option(names, *places.path, help); }
   CLI::Option* operator()(const Choice& choice) const {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/printable.h"
 #include "exit_status.h"
 
 namespace tank_datum {
@@ -16,7 +17,7 @@ inline bool parsed(CLI::App& app, int argc, char** argv, int& status) {
   } catch (const CLI::Success& asked) {  // --help, --version
     status = app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::cerr << app.get_name() << ": command line: " << error.what() << ", expected what " << app.get_name()
+    std::cerr << app.get_name() << ": command line: " << printable(error.what()) << ", expected what " << app.get_name()
               << " --help lists\n";
     status = kWrongUse;
   }

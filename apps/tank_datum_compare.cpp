@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <iostream>
 
+#include "core/printable.h"
 #include "core/units.h"
 #include "exit_status.h"
 #include "flag_names.h"
+#include "io/input_file.h"
 #include "io/sha256.h"
 #include "movement/epoch.h"
 #include "movement/movement.h"
@@ -55,7 +57,7 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
 }
 
 void print(const Comparison& comparison) {
-  std::printf("baseline %s, removed: %s\n", comparison.names.front().c_str(),
+  std::printf("baseline %s, removed: %s\n", printable(comparison.names.front()).c_str(),
               nameOf(comparison.movements.front().removal));
   const Display display(comparison.readers.display_units);
   const std::string unit = std::string("_") + display.shortUnit();
@@ -65,10 +67,10 @@ void print(const Comparison& comparison) {
               "at_deg", ("lod95" + unit).c_str(), "significant");
   for (std::size_t i = 0; i < comparison.movements.size(); ++i) {
     const Movement& m = comparison.movements[i];
-    std::printf("%-32s %8zu %8.*f %8.*f %8.1f %8.*f %12zu\n", comparison.names[i + 1].c_str(), m.matched, digits,
-                factor * m.rms, digits, factor * m.max, m.max_azimuth / kDegree, digits, factor * medianLod(m),
+    std::printf("%-32s %8zu %8.*f %8.*f %8.1f %8.*f %12zu\n", printable(comparison.names[i + 1]).c_str(), m.matched,
+                digits, factor * m.rms, digits, factor * m.max, m.max_azimuth / kDegree, digits, factor * medianLod(m),
                 m.significant);
-    std::printf("  %s\n", withFlags(movementText(m, display, comparison.readers.language)).c_str());
+    std::printf("  %s\n", printableLines(withFlags(movementText(m, display, comparison.readers.language))).c_str());
   }
   const StationHistory* fastest = nullptr;
   for (const StationHistory& place : comparison.histories) {
@@ -95,16 +97,18 @@ int run(const CompareCommand& command) {
   std::vector<Epoch> epochs;
   Comparison comparison{command.epochs, {}, command.dates, {}, {}, {}, command.options, command.readers};
   for (const std::string& path : command.epochs) {
+    const InputFile file(epochFile(path));
     epochs.push_back(readEpoch(path));
     if (epochs.size() <= command.dates.size()) epochs.back().date = command.dates[epochs.size() - 1];
-    comparison.hashes.push_back(sha256OfFile(epochFile(path)));
+    comparison.hashes.push_back(sha256OfFile(file.path()));
+    file.requireUnchanged();
   }
   for (std::size_t i = 1; i < epochs.size(); ++i) {
     comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
     const Movement& m = comparison.movements.back();
     if (m.valid()) continue;
-    std::cerr << "tank_datum_compare: movement: " << withFlags(m.message) << earlierResults(command.output, kProgram)
-              << "\n";
+    std::cerr << "tank_datum_compare: movement: "
+              << printable(withFlags(m.message) + earlierResults(command.output, kProgram)) << "\n";
     return kNoDatum;
   }
   comparison.histories = historiesOf(comparison.movements, times);

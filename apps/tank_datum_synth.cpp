@@ -1,6 +1,7 @@
 #include <exception>
 #include <iostream>
 
+#include "core/printable.h"
 #include "exit_status.h"
 #include "run_main.h"
 #include "synth/output.h"
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
     const synth::Scene scene(command.scene);
     const synth::ScanSummary summary = synth::writeScan(scene, command);
     if (!command.quiet)
-      std::cout << summary.points << " points of " << summary.rays << " rays: " << command.output << "\n";
+      std::cout << summary.points << " points of " << summary.rays << " rays: " << printable(command.output) << "\n";
     return kUsable;
   });
 }

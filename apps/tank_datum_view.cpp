@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/length_units.h"
+#include "core/printable.h"
 #include "exit_status.h"
 #include "parsed.h"
 #include "results/output_file.h"
@@ -87,7 +88,7 @@ int run(const ViewCommand& command) {
   const ViewedResult result =
       folder ? readResult(command.path, command.scans) : extractResult(command.path, kUnits.at(command.units));
   if (!result.usable) {
-    std::cerr << "tank_datum_view: " << result.status << ": " << result.message << "\n";
+    std::cerr << "tank_datum_view: " << printable(result.status + ": " + result.message) << "\n";
     return kNoDatum;
   }
   if (command.station >= static_cast<int>(result.stations.size())) {

@@ -4,18 +4,26 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '== %s\n' "$*" >&2; }
 
-# apt_install PACKAGE...: installs those that are missing.
+# by_hand PACKAGE...: ends with what is to be installed otherwise.
+by_hand() {
+  say "cannot install packages here (no apt-get, no network or no rights); install these, then run this again: $*"
+  exit 3
+}
+
+# apt_install PACKAGE...: says which are missing, and installs them.
 apt_install() {
   local package missing=()
   for package in "$@"; do
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return
+  command -v apt-get >/dev/null || by_hand "${missing[@]}"
   local sudo=()
   [ "$(id -u)" = 0 ] || sudo=(sudo)
   say "installing packages: ${missing[*]}"
-  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
-  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2 || by_hand "${missing[@]}"
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null ||
+    by_hand "${missing[@]}"
 }
 
 # compile_once: the programs and the Python module are built of the same sources, with the same flags; ccache compiles

@@ -9,6 +9,7 @@
 #include "datum_stages.h"
 #include "datum_status.h"
 #include "io/csv.h"
+#include "io/whole_file.h"
 #include "shape/analysis.h"
 #include "shape/deformation.h"
 #include "stations/stations.h"
@@ -17,7 +18,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kFewestStations = 4;  // stations, for a plane and something left over
+constexpr std::size_t kFewestStations = 4;   // stations, for a plane and something left over
+constexpr std::size_t kMostStations = 3600;  // stations, ten a degree; the work grows with their square
+constexpr double kLargestDiameter = 1000.0;  // no tank has half of it [m]
 /// Elevations over the diameter: ten times the tilt that any code allows. Beyond it they are in another unit [m/m].
 constexpr double kSteepest = 0.1;
 
@@ -93,6 +96,9 @@ std::vector<Station> levellingStations(const std::string& text, const std::strin
   const std::vector<CsvRow> rows = csvRows(text);
   if (rows.empty()) throw refused(file, "no lines", "the header line azimuth_deg,elevation and a row per station");
   const Columns columns = columnsOf(rows.front(), file);
+  if (rows.size() - 1 > kMostStations) {
+    throw refused(file, std::to_string(rows.size() - 1) + " rows", "at most " + std::to_string(kMostStations));
+  }
   std::vector<Station> stations;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     stations.push_back(stationFrom(rows[i], columns, file, metres_per_unit));
@@ -113,8 +119,9 @@ std::vector<Station> levellingStations(const std::string& text, const std::strin
 }
 
 Datum datumOfLevelling(std::vector<Station> stations, double diameter, const DatumOptions& options) {
-  if (!(diameter > 0.0 && std::isfinite(diameter))) {
-    throw refused("diameter", fixedText(diameter), "the tank's in metres, > 0");
+  if (!(diameter > 0.0 && diameter <= kLargestDiameter)) {
+    throw refused("diameter", generalText(diameter),
+                  "the tank's in metres, > 0 and <= " + generalText(kLargestDiameter));
   }
   requireValid(options);
   Datum datum;
@@ -141,7 +148,7 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
 
 Datum readLevelling(const std::string& path, double metres_per_unit, double diameter, const DatumOptions& options) {
   return datumOfLevelling(
-      levellingStations(textOf(path, "levelling"), path, metres_per_unit, diameter, options.stations), diameter,
+      levellingStations(wholeFile(path, "levelling"), path, metres_per_unit, diameter, options.stations), diameter,
       options);
 }
 

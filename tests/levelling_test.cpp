@@ -63,6 +63,17 @@ TEST(LevellingStations, RefusesWithFileAndLine) {
   EXPECT_NE(refusal("azimuth_deg,elevation\n0,1\n360,2\n").find("two rows at 0.0"), std::string::npos);
 }
 
+/// The work grows with the square of the rows: 200 000 took most of a minute, in gigabytes.
+TEST(LevellingStations, AreAtMostTenADegree) {
+  const auto table = [](int rows) {
+    std::string text = "azimuth_deg,elevation\n";
+    for (int i = 0; i < rows; ++i) text += std::to_string(i * 0.09) + ",1\n";
+    return text;
+  };
+  EXPECT_EQ(refusal(table(3600)), "");
+  EXPECT_EQ(refusal(table(3601)), "levelling: l.csv, 3601 rows, expected at most 3600");
+}
+
 TEST(LevellingStations, RowsAreAtOneAzimuthUpToAMillionthOfARadian) {
   const auto rowsApart = [](double radians) {
     return refusal("azimuth_deg,elevation\n0,1\n" + std::to_string(1e6 * radians / kDegree) + "e-6,2\n");
@@ -90,6 +101,17 @@ TEST(DatumOfLevelling, ElevationsInAnotherUnitAreRefused) {
     FAIL() << "not refused";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("are they in option units"), std::string::npos);
+  }
+}
+
+TEST(DatumOfLevelling, ATankIsNoLargerThanAnyThatStands) {
+  const auto stations = levellingStations("azimuth_deg,elevation\n0,1\n90,1\n180,1\n270,1\n", "l", 1.0, 10.0, {});
+  EXPECT_TRUE(datumOfLevelling(stations, 1000.0, {}).levelled);
+  try {
+    datumOfLevelling(stations, 1001.0, {});
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "levelling: diameter, 1001, expected the tank's in metres, > 0 and <= 1000");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "core/printable.h"
 #include "results/file_calls.h"
 #include "tank_datum/core/error.h"
 
@@ -34,7 +35,7 @@ void commit(Staging& staging, const std::string& folder, const Journal& journal,
 
 void sayLines(const std::string& prefix, const std::string& lines) {
   std::istringstream in(lines);
-  for (std::string line; std::getline(in, line);) std::cerr << prefix << ": " << line << "\n";
+  for (std::string line; std::getline(in, line);) std::cerr << prefix << ": " << printable(line) << "\n";
 }
 
 std::vector<std::string> syncedFiles(const std::string& folder) {

@@ -160,6 +160,8 @@ void Staging::remove() noexcept {
       removeOwn(path_);
       if (!exists(path_)) path_.clear();
     } catch (const Error&) {
+      if (lock_ >= 0) ::close(lock_);  // what is being removed needs no owner, and to look into it a descriptor
+      lock_ = -1;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }

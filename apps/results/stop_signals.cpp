@@ -31,10 +31,14 @@ void waitAndEnd(const sigset_t& signals, const std::string& program) {
 
 }  // namespace
 
-void stopBy(int signal_number, const std::string& program) {
+void cleanUpForGood() {
   shared().busy.lock();  // for good: nobody begins a step any more
   auto& actions = shared().actions;
   for (auto latest = actions.rbegin(); latest != actions.rend(); ++latest) latest->second();
+}
+
+void stopBy(int signal_number, const std::string& program) {
+  cleanUpForGood();
   std::cerr << program << ": stopped by " << strsignal(signal_number) << "\n" << std::flush;
   signal(signal_number, SIG_DFL);
   sigset_t one;

@@ -14,6 +14,9 @@ void stopCleanly(const std::string& program);
 /// Cleans up, says so on stderr and ends the process by a signal, for a program that hears of its signals otherwise.
 [[noreturn]] void stopBy(int signal_number, const std::string& program);
 
+/// Cleans up what a process leaves that is about to end at once.
+void cleanUpForGood();
+
 /// What is to be cleaned up when a signal comes, as long as this lives.
 class OnStop {
  public:

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/printable.h"
 #include "results/output_guard.h"
 #include "scene_file.h"
 #include "tank_datum/core/error.h"
@@ -202,7 +203,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
     status = app.exit(help);
     return false;
   } catch (const CLI::ParseError& error) {
-    std::cerr << "tank_datum_synth: options: " << error.what() << "\n";
+    std::cerr << "tank_datum_synth: options: " << printable(error.what()) << "\n";
     status = 2;
     return false;
   }

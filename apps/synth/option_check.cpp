@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <sstream>
@@ -13,6 +14,8 @@ std::string shown(double value) {
   return text.str();
 }
 
+constexpr double kFarthest = 1e8;  // of anything from a map's zero [m]
+
 /// Collects the first value outside its limits.
 class Checker {
  public:
@@ -21,7 +24,7 @@ class Checker {
   void number(const char* name, double value, Limit limit = {}) {
     if (error) return;
     const bool low_ok = limit.open ? value > limit.low : value >= limit.low;
-    if (std::isfinite(value) && low_ok && value <= limit.high) return;
+    if (std::abs(value) <= kFarthest && low_ok && value <= limit.high) return;
     refuse(name, shown(value), expected(limit));
   }
   void angle(const char* name, double value, Limit limit = {}) {
@@ -63,9 +66,10 @@ class Checker {
 
  private:
   static std::string expected(const Limit& limit) {
-    if (!std::isinf(limit.low) && !std::isinf(limit.high)) return shown(limit.low) + " .. " + shown(limit.high);
-    if (!std::isinf(limit.low)) return (limit.open ? "> " : ">= ") + shown(limit.low);
-    return "finite";
+    const double high = std::min(limit.high, kFarthest);
+    if (std::isinf(limit.low)) return shown(-high) + " .. " + shown(high);
+    if (limit.open) return "> " + shown(limit.low) + " and <= " + shown(high);
+    return shown(limit.low) + " .. " + shown(high);
   }
 
   std::string path_;

@@ -15,6 +15,7 @@ struct Limit {
 inline Limit anyNumber() { return {}; }
 inline Limit above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
 inline Limit atLeast(double low) { return {low, std::numeric_limits<double>::infinity(), false}; }
+inline Limit aboveUpTo(double low, double high) { return {low, high, true}; }
 inline Limit within(double low, double high) { return {low, high, false}; }
 
 template <class Visitor>
@@ -42,7 +43,7 @@ void fields(Visitor& v, Dip& o) {
 template <class Visitor>
 void fields(Visitor& v, Lobes& o) {
   v.number("amplitude", o.amplitude, atLeast(0));
-  v.number("min_length", o.min_length, above(0));
+  v.number("min_length", o.min_length, atLeast(0.01));
   v.number("max_length", o.max_length, above(0));
   v.integer("count", o.count, within(1, 100));
 }
@@ -101,8 +102,8 @@ template <class Visitor>
 void fields(Visitor& v, TankOptions& o) {
   v.number("x", o.x);
   v.number("y", o.y);
-  v.number("radius", o.radius, atLeast(0.5));
-  v.number("height", o.height, above(0));
+  v.number("radius", o.radius, within(0.5, 1000));
+  v.number("height", o.height, aboveUpTo(0, 1000));
   v.number("thickness", o.thickness, above(0));
   v.number("base_elevation", o.base_elevation);
   v.number("tilt_slope", o.tilt_slope, within(-0.1, 0.1));
@@ -115,7 +116,7 @@ void fields(Visitor& v, TankOptions& o) {
   v.flag("lean_with_tilt", o.lean_with_tilt);
   v.number("lean_x", o.lean_x, within(-0.1, 0.1));
   v.number("lean_y", o.lean_y, within(-0.1, 0.1));
-  v.number("course_height", o.course_height, above(0));
+  v.number("course_height", o.course_height, atLeast(0.1));
   v.number("course_step", o.course_step);
   v.choice("course_flush", o.course_flush, {"inner", "outer"});
   v.choice("roof", o.roof, {"none", "cone", "dome", "floating"});

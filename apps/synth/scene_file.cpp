@@ -1,10 +1,10 @@
 #include "scene_file.h"
 
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 #include <set>
 
+#include "io/whole_file.h"
 #include "option_fields.h"
 #include "tank_datum/core/error.h"
 
@@ -166,9 +166,12 @@ Json toJson(const SceneOptions& options) {
 }
 
 Json readJson(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw Error(Error::Kind::File, "scene", "scene file", path, "a readable file");
-  Json json = Json::parse(file, nullptr, false);
+  constexpr int kDeepest = 16;  // lists and groups in each other; a scene has four
+  const auto look = [&path](int depth, Json::parse_event_t, const Json&) {
+    if (depth <= kDeepest) return true;
+    throw Error(Error::Kind::File, "scene", "scene file", path, "JSON that is not nested deeper than a scene");
+  };
+  Json json = Json::parse(wholeFile(path, "scene"), look, false);
   if (json.is_discarded()) throw Error(Error::Kind::File, "scene", "scene file", path, "JSON");
   return json;
 }

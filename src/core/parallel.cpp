@@ -1,10 +1,8 @@
 #include "core/parallel.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <atomic>
-#include <exception>
+
+#include "core/thread_pool.h"
 
 namespace tank_datum {
 namespace {
@@ -15,7 +13,7 @@ thread_local int scope_threads = 0;
 
 int threadCount(int threads) {
   if (threads > 0) return threads;
-  return scope_threads > 0 ? scope_threads : omp_get_max_threads();
+  return scope_threads > 0 ? scope_threads : ThreadPool::cores();
 }
 
 ThreadScope::ThreadScope(int threads) : outer_(scope_threads) {
@@ -25,23 +23,11 @@ ThreadScope::ThreadScope(int threads) : outer_(scope_threads) {
 ThreadScope::~ThreadScope() { scope_threads = outer_; }
 
 void forEachIndex(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  const int wanted = threadCount(threads);
-  if (wanted == 1) {
-    for (std::size_t i = 0; i < count; ++i) work(i);
-    return;
-  }
-  std::exception_ptr thrown;
-  std::atomic<bool> stop{false};
-#pragma omp parallel for schedule(dynamic) num_threads(wanted)
-  for (std::size_t i = 0; i < count; ++i) {
-    if (stop) continue;
-    try {
-      work(i);
-    } catch (...) {  // none may leave the parallel region
-      if (!stop.exchange(true)) thrown = std::current_exception();
-    }
-  }
-  if (thrown) std::rethrow_exception(thrown);
+  if (count == 0) return;
+  const std::size_t wanted = ThreadPool::isAtWork() ? 1 : static_cast<std::size_t>(threadCount(threads));
+  SharedWork shared(count, work);
+  ThreadPool::instance().share(shared, std::min(count, wanted) - 1);
+  shared.rethrow();
 }
 
 void forEachRun(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& work) {

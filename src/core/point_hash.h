@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -16,8 +17,9 @@ inline std::uint64_t mixed(std::uint64_t x) {
 /// Of the coordinates in steps far above their rounding, so that the same tank in another frame has the same hashes.
 inline std::uint32_t pointHash(const Eigen::Vector3d& point) {
   constexpr double kSteps = 1e5;  // per metre
+  constexpr double kLast = 9e18;  // steps that 63 bits can count; damaged floats lie beyond
   const auto steps = [&](int axis) {
-    const double step = point[axis] * kSteps;
+    const double step = std::clamp(point[axis] * kSteps, -kLast, kLast);
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(step + std::copysign(0.5, step)));
   };
   // odd factors without a common pattern; the finaliser spreads their sum

@@ -1,13 +1,8 @@
 #include "io/csv.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "io/words.h"
-#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
@@ -63,17 +58,6 @@ std::vector<CsvRow> csvRows(const std::string& given, char separator) {
     if (!comment && (row.cells.size() > 1 || !row.cells.front().empty())) rows.push_back(row);
   }
   return rows;
-}
-
-std::string textOf(const std::string& path, const std::string& stage) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file.peek() != EOF) text << file.rdbuf();
-  if (!file.is_open() || file.bad() || text.bad()) {
-    throw Error(Error::Kind::File, stage, path, std::strerror(errno), "a readable file");
-  }
-  return text.str();
 }
 
 std::string placeOf(const std::string& file, const CsvRow& row) { return file + " line " + std::to_string(row.line); }

@@ -16,10 +16,6 @@ struct CsvRow {
 /// @param separator  between cells
 std::vector<CsvRow> csvRows(const std::string& text, char separator = ',');
 
-/// A whole file.
-/// @throws Error (File) naming `stage` and the path
-std::string textOf(const std::string& path, const std::string& stage);
-
 /// "FILE line 12", for messages.
 std::string placeOf(const std::string& file, const CsvRow& row);
 

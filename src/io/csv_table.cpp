@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "io/io_error.h"
+#include "io/whole_file.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 
 CsvTable::CsvTable(const std::string& path, std::string stage)
-    : path_(echoPath(path)), stage_(std::move(stage)), rows_(csvRows(textOf(path, stage_))) {
+    : path_(echoPath(path)), stage_(std::move(stage)), rows_(csvRows(wholeFile(path, stage_))) {
   if (rows_.empty()) throw Error(Error::Kind::File, stage_, path_, "empty", "a header line that names the columns");
   names_ = rows_.front().cells;
   rows_.erase(rows_.begin());

@@ -15,6 +15,16 @@
 
 namespace tank_datum {
 
+bool InputFile::State::operator==(const State& other) const {
+  return device == other.device && number == other.number && size == other.size && seconds == other.seconds &&
+         nanoseconds == other.nanoseconds;
+}
+
+InputFile::State InputFile::stateOf(const struct stat& status) {
+  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
+          status.st_mtim.tv_nsec};
+}
+
 InputFile::InputFile(std::string path, bool hashed)
     : path_(std::move(path)), hash_(hashed ? std::make_unique<ReadHash>() : nullptr) {
   // O_NONBLOCK: a pipe with nobody at the other end is refused below instead of waited for
@@ -27,7 +37,7 @@ InputFile::InputFile(std::string path, bool hashed)
     throw fileError("opening", path_, known && S_ISDIR(status.st_mode) ? "a folder" : "not a regular file",
                     "a file that can be read");
   }
-  size_ = static_cast<std::uint64_t>(status.st_size);
+  opened_ = stateOf(status);
 }
 
 InputFile::~InputFile() { ::close(descriptor_); }
@@ -52,9 +62,17 @@ std::size_t InputFile::readBytes(std::uint64_t offset, void* to, std::size_t cou
 }
 
 std::string InputFile::head(std::size_t count) const {
-  std::string bytes(std::min<std::uint64_t>(count, size_), '\0');
+  std::string bytes(std::min<std::uint64_t>(count, size()), '\0');
   bytes.resize(readSome(0, bytes.data(), bytes.size()));
   return bytes;
+}
+
+void InputFile::requireUnchanged() const {
+  struct stat named {
+  }, open{};
+  const bool known = ::stat(path_.c_str(), &named) == 0 && ::fstat(descriptor_, &open) == 0;
+  if (known && stateOf(named) == opened_ && stateOf(open) == opened_) return;
+  throw fileError("reading", path_, "changed meanwhile", "a file that nobody writes, moves or removes during the run");
 }
 
 std::string InputFile::xxh3(const std::function<bool()>& wanted) const {

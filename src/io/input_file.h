@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+struct stat;
+
 namespace tank_datum {
 
 class ReadHash;
@@ -23,7 +25,7 @@ class InputFile {
   const std::string& path() const { return path_; }
 
   /// Bytes when it was opened.
-  std::uint64_t size() const { return size_; }
+  std::uint64_t size() const { return opened_.size; }
 
   /// Reads up to count bytes from offset on; fewer only at the end of the file.
   /// @throws Error (File) when the device fails
@@ -37,6 +39,10 @@ class InputFile {
   /// @throws Error (File) when the file is shorter
   void read(std::uint64_t offset, void* to, std::size_t count) const;
 
+  /// Whether the path still names this file, as long as it was and not written to since it was opened.
+  /// @throws Error (File) when it does not: what was read before and after need not belong together
+  void requireUnchanged() const;
+
   /// XXH3-128 of the bytes, see Scan::hashOf.
   /// @throws Error (File) when the device fails
   std::string xxh3(const std::function<bool()>& wanted = {}) const;
@@ -44,9 +50,18 @@ class InputFile {
  private:
   std::size_t readBytes(std::uint64_t offset, void* to, std::size_t count) const;
 
+  /// How a change of the file shows.
+  struct State {
+    std::uint64_t device = 0, number = 0, size = 0;
+    std::int64_t seconds = 0, nanoseconds = 0;  ///< when it was last written to
+
+    bool operator==(const State& other) const;
+  };
+  static State stateOf(const struct stat& status);
+
   std::string path_;
   int descriptor_ = -1;
-  std::uint64_t size_ = 0;
+  State opened_;
   std::unique_ptr<ReadHash> hash_;  ///< of what has been read; none: of a file that is not hashed
 };
 

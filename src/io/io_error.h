@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/printable.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -18,12 +19,7 @@ inline std::string echo(std::string_view value) {
 }
 
 /// A path in full, without control characters; UTF-8 stays.
-inline std::string echoPath(std::string path) {
-  for (char& c : path) {
-    if ((c >= '\0' && c < ' ') || c == '\x7f') c = '?';
-  }
-  return path;
-}
+inline std::string echoPath(std::string path) { return printable(std::move(path)); }
 
 /// Error of the kind File, stage "io", about a thing (such as "POINTS") of a file.
 inline Error fileError(const std::string& thing, const std::string& path, const std::string& value,

@@ -1,8 +1,7 @@
 #include "io/json_file.h"
 
-#include <fstream>
-
 #include "io/io_error.h"
+#include "io/whole_file.h"
 
 namespace tank_datum {
 
@@ -10,11 +9,11 @@ nlohmann::json readJson(const std::string& path, const std::string& stage, const
   const auto refused = [&](const std::string& value, const std::string& wanted) {
     return Error(Error::Kind::File, stage, echoPath(path), value, wanted);
   };
-  std::ifstream in(path);
-  if (!in) throw refused("not read", expected);
   nlohmann::json json;
   try {
-    json = nlohmann::json::parse(in);
+    json = nlohmann::json::parse(wholeFile(path, stage));
+  } catch (const Error& error) {
+    throw refused(error.refused().value, expected);
   } catch (const nlohmann::json::exception& error) {
     throw refused(error.what(), expected);
   }

@@ -8,38 +8,14 @@
 
 #include "core/plain_text.h"
 #include "io/input_file.h"
-#include "io/point_extent.h"
 #include "io/scan_format.h"
+#include "io/scan_origin.h"
 #include "io/scan_source.h"
 #include "io/setup_pick.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
-
-/// The first of the points that lies among them and not at zero, where scanners write what did not return; nothing when
-/// all are there.
-std::optional<Eigen::Vector3d> firstAmong(Points points) {
-  const auto is_zero = [](const Eigen::Vector3d& p) { return p.isZero(0.0); };
-  points.erase(std::remove_if(points.begin(), points.end(), is_zero), points.end());
-  if (points.empty()) return std::nullopt;
-  const Extent extent = extentOf(points);
-  return *std::find_if(points.begin(), points.end(), [&extent](const auto& p) { return extent.holds(p); });
-}
-
-/// The first finite point that is one of the scan, however many others come before it; zero if there is none.
-Eigen::Vector3d findOrigin(const std::vector<std::shared_ptr<const Scan::Source>>& sources) {
-  std::optional<Eigen::Vector3d> origin;
-  for (const auto& source : sources) {
-    if (origin) break;
-    source->visit(Eigen::Vector3d::Zero(), [&](const Points& block, const Labels&) {
-      origin = firstAmong(block);
-      return !origin;
-    });
-  }
-  return origin ? Eigen::Vector3d(origin->array() + 0.0)  // + 0.0: no negative zero in the outputs
-                : Eigen::Vector3d::Zero();
-}
 
 void requireClasses(const std::vector<int>& classes) {
   for (const int code : classes) {
@@ -59,6 +35,19 @@ const Points& turnInto(Points& turned, const Points& points, const Eigen::Matrix
 /// A file as the readers share it.
 struct Scan::File {
   std::shared_ptr<const InputFile> input;
+
+  /// A pass over it; of a file that changed meanwhile that is the reason, whatever the pass met.
+  template <class Pass>
+  static void passOver(const std::vector<std::shared_ptr<const File>>& files, std::size_t i, const Pass& pass) {
+    const InputFile* file = i < files.size() ? files[i]->input.get() : nullptr;
+    try {
+      pass();
+    } catch (const Error&) {
+      if (file) file->requireUnchanged();
+      throw;
+    }
+    if (file) file->requireUnchanged();
+  }
 };
 
 const char* nameOf(Checksum checksum) {
@@ -147,10 +136,11 @@ ScanCounts Scan::forEachLabelled(const LabelledVisitor& visit) const {
   ScanCounts total;
   Points turned;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
-    total += sources_[i]->visit(stored_origin_, [&](const Points& block, const Labels& labels) {
+    const auto told = [&](const Points& block, const Labels& labels) {
       visit(rotation_ ? turnInto(turned, block, *rotation_) : block, static_cast<std::uint32_t>(i), labels);
       return true;
-    });
+    };
+    File::passOver(files_, i, [&] { total += sources_[i]->visit(stored_origin_, told); });
   }
   return total;
 }
@@ -180,7 +170,9 @@ ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const SetupVi
       if (!chosen.empty()) visit(chosen, {static_cast<std::uint32_t>(i), label});
       if (progress_) progress_(total.points);
     };
-    sources_[i]->choose(stored_origin_, {rotation_ ? from_turned : choose, n}, threads, block, told);
+    File::passOver(files_, i, [&] {
+      sources_[i]->choose(stored_origin_, {rotation_ ? from_turned : choose, n}, threads, block, told);
+    });
   }
   return total;
 }
@@ -227,6 +219,10 @@ std::uint64_t Scan::sizeOf(std::size_t file) const { return sources_.at(file)->s
 
 std::string Scan::hashOf(std::size_t file, const std::function<bool()>& wanted) const {
   return files_.at(file)->input->xxh3(wanted);
+}
+
+void Scan::requireUnchanged() const {
+  for (const auto& file : files_) file->input->requireUnchanged();
 }
 
 std::uint64_t Scan::size() const {

@@ -5,6 +5,7 @@
 
 #include "io/csv.h"
 #include "io/embedded.h"
+#include "io/whole_file.h"
 #include "limits/limit_formula.h"
 #include "tank_datum/core/error.h"
 
@@ -135,7 +136,7 @@ std::vector<Limit> parseLimits(const std::string& text, const std::string& file)
 
 const std::string& standardLimitsText() { return embedded::limits(); }
 
-std::vector<Limit> readLimits(const std::string& path) { return parseLimits(textOf(path, "limits"), path); }
+std::vector<Limit> readLimits(const std::string& path) { return parseLimits(wholeFile(path, "limits"), path); }
 
 const std::vector<Limit>& standardLimits() {
   static const std::vector<Limit> limits = parseLimits(standardLimitsText(), "the limits of this version");

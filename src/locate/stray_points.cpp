@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "core/cell_number.h"
 #include "core/parallel.h"
 #include "core/point_hash.h"
 #include "io/point_extent.h"
@@ -24,7 +25,7 @@ struct CellHash {
 };
 
 Cell cellOf(const Eigen::Vector3d& p, double edge) {
-  const auto index = [&](int axis) { return static_cast<std::int64_t>(std::floor(p[axis] / edge)); };
+  const auto index = [&](int axis) { return cellNumber(p[axis] / edge); };
   return {index(0), index(1), index(2)};
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/cell_number.h"
+
 namespace tank_datum {
 namespace {
 
@@ -15,9 +17,7 @@ constexpr double kCellInVoxels = 2.0;
 constexpr double kHoleInVoxels = 3.0;  // two empty voxels between hits are still one wall
 constexpr double kRunInVoxels = 4.0;   // sloping or rough ground fills at most two voxels of a column
 
-CellIndex cellOf(double x, double y, double cell) {
-  return {static_cast<std::int64_t>(std::floor(x / cell)), static_cast<std::int64_t>(std::floor(y / cell))};
-}
+CellIndex cellOf(double x, double y, double cell) { return {cellNumber(x / cell), cellNumber(y / cell)}; }
 
 /// A point filed by its cell.
 struct Filed {

@@ -52,7 +52,7 @@ void addStations(Table& t, DatumOptions& o) {
   t.add("heights", "shell.heights", &o.shell.heights,
         "H,H,... above the datum at which the shell is surveyed; none: 0.3 and every step above")
       .in(Unit::Metres)
-      .within(above(0));
+      .within(aboveUpTo(0, 100));
   t.add("height_step", "shell.step", &o.shell.step,
         "between the heights of the shell; with the courses' own all are 0.3 m above a seam")
       .in(Unit::Metres)
@@ -122,7 +122,7 @@ void addInput(Table& t, RunOptions& run) {
 void addRun(Table& t, RunOptions& run) {
   t.topic = "Results and the run";
   t.add("threads", "", &run.datum.threads, "threads; 0: all cores; the result does not depend on it")
-      .within(atLeast(0));
+      .within(within(0, 1024));
   t.add("no_report", "", &run.no_report, "no report.html").ofCommand();
   t.add(
       "checksum", "", choiceOf(run.checksum, {Checksum::Xxh3, Checksum::Sha256, Checksum::None}),
@@ -193,7 +193,7 @@ void addLevelling(Table& t, RunOptions& run) {
   t.topic = "Input";
   t.add("diameter", "", Fact{&run.diameter}, "of the tank of option stations_csv, as 60, 60m, 196.85ft")
       .in(Unit::Metres)
-      .within(above(0))
+      .within(aboveUpTo(0, 1000))
       .ofCommand()
       .notInFiles();
   t.add("stations_csv", "", Path{&run.levelling},

@@ -152,10 +152,8 @@ struct Job {
   }
 
   void level(const std::optional<Baseline>& baseline) {
-    const RunOptions& o = task.options;
-    Datum datum = readLevelling(o.levelling, o.metresPerUnit(), o.diameter, o.datum);
-    const InputRecord file = recordOfLevelling(o.levelling, datum, o.checksumTaken());
-    keep({std::move(datum)}, {file}, baseline);
+    RecordedDatum levelled = readRecordedLevelling(task.options);
+    keep({std::move(levelled.datum)}, {levelled.file}, baseline);
   }
 
   void keep(std::vector<Datum> datums, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline) {

@@ -40,14 +40,18 @@ std::vector<InputRecord> recordInputs(const Scan& scan, Checksum checksum, const
     if (checksum == Checksum::Sha256) file.hash = sha256OfFile(file.path, wanted);
     files.push_back(std::move(file));
   }
+  scan.requireUnchanged();
   return files;
 }
 
-InputRecord recordOfLevelling(const std::string& path, const Datum& datum, Checksum checksum) {
-  InputRecord file{path, datum.stations.size(), checksum, {}};
-  if (checksum == Checksum::Xxh3) file.hash = InputFile(path).xxh3();
-  if (checksum == Checksum::Sha256) file.hash = sha256OfFile(path);
-  return file;
+RecordedDatum readRecordedLevelling(const RunOptions& run) {
+  const InputFile file(run.levelling);
+  RecordedDatum levelled{readLevelling(run.levelling, run.metresPerUnit(), run.diameter, run.datum), {}};
+  levelled.file = {run.levelling, levelled.datum.stations.size(), run.checksumTaken(), {}};
+  if (levelled.file.checksum == Checksum::Xxh3) levelled.file.hash = file.xxh3();
+  if (levelled.file.checksum == Checksum::Sha256) levelled.file.hash = sha256OfFile(run.levelling);
+  file.requireUnchanged();
+  return levelled;
 }
 
 Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units, const DatumOptions& options,

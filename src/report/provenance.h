@@ -10,9 +10,15 @@
 
 namespace tank_datum {
 
-/// The hash of a levelling survey's file and its stations.
-/// @throws Error (File) naming it when it cannot be read
-InputRecord recordOfLevelling(const std::string& path, const Datum& datum, Checksum checksum);
+/// What was found, and the record of the file that it was found in.
+struct RecordedDatum {
+  Datum datum;
+  InputRecord file;
+};
+
+/// The datum of the levelling survey that a run names.
+/// @throws Error  as readLevelling; (File) when the file changes between its reading and its hash
+RecordedDatum readRecordedLevelling(const RunOptions& run);
 
 /// The record of a run's datum, with its movement since the baseline. Of several tanks, those that are not the
 /// baseline's have a movement that says so.

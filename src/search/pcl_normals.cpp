@@ -5,8 +5,6 @@
 #include <pcl/point_types.h>
 
 #include <algorithm>
-#include <atomic>
-#include <future>
 #include <pcl/features/impl/normal_3d.hpp>
 
 #include "core/parallel.h"
@@ -16,21 +14,6 @@ namespace tank_datum {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-/// Calls work(begin, end) for the parts of 0 .. count - 1, in plain threads: FLANN opens a parallel region for every
-/// query, which inside of another region means a new team, allocated and locked, each time.
-template <typename Work>
-void forEachPart(std::size_t count, int threads, const Work& work) {
-  constexpr std::size_t kPart = 1024;
-  std::atomic<std::size_t> next{0};
-  const auto take_parts = [&] {
-    for (std::size_t begin; (begin = next.fetch_add(kPart)) < count;) work(begin, std::min(begin + kPart, count));
-  };
-  std::vector<std::future<void>> others;
-  for (int i = 1; i < threadCount(threads); ++i) others.push_back(std::async(std::launch::async, take_parts));
-  take_parts();
-  for (auto& other : others) other.get();
-}
 
 Cloud::Ptr roundedCloud(const Points& points) {
   const auto cloud = std::make_shared<Cloud>();
@@ -60,7 +43,7 @@ Normals estimateNormalsWithPcl(const Points& points, int k, int threads) {
       tree.setInputCloud(cloud);
     }
   });
-  forEachPart(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+  forEachRun(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
     pcl::Indices found(width);
     std::vector<float> squared_distances(width);

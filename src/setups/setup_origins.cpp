@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "io/csv.h"
+#include "io/whole_file.h"
 #include "setups/agreement.h"
 #include "tank_datum/core/error.h"
 
@@ -21,7 +22,7 @@ bool isHeading(const CsvRow& row) { return row.cells.size() > 1 && row.cells[1] 
 
 std::map<std::string, Eigen::Vector3d> readSetupOrigins(const std::string& path, double metres_per_unit) {
   std::map<std::string, Eigen::Vector3d> origins;
-  for (const CsvRow& row : csvRows(textOf(path, "setups"))) {
+  for (const CsvRow& row : csvRows(wholeFile(path, "setups"))) {
     if (origins.empty() && isHeading(row)) continue;
     if (row.cells.size() != 4) {
       throw Error(Error::Kind::File, "setups", placeOf(path, row), std::to_string(row.cells.size()) + " cells",

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "support/refused.h"
+#include "support/test_folder.h"
 #include "synth/command_line.h"
 #include "synth/scene.h"
 #include "synth/scene_file.h"
@@ -26,11 +27,40 @@ std::string errorOf(const std::string& place, const Json& value) {
 TEST(SynthOptions, DefaultsAreUsable) { EXPECT_EQ(said(firstError(SceneOptions{})), ""); }
 
 TEST(SynthOptions, BadValuesAreRefusedByName) {
-  EXPECT_EQ(errorOf("/tanks/0/radius", -1), "tanks[0].radius, -1, expected >= 0.5");
+  EXPECT_EQ(errorOf("/tanks/0/radius", -1), "tanks[0].radius, -1, expected 0.5 .. 1000");
   EXPECT_EQ(errorOf("/tanks/0/foundation/kind", "sand"),
             "tanks[0].foundation.kind, sand, expected one of pad, annular_plate, crown");
   EXPECT_EQ(errorOf("/measurement/outliers", 1.5), "measurement.outliers, 1.5, expected 0 .. 1");
   EXPECT_EQ(errorOf("/scanner/step_deg", 0), "scanner.step_deg, 0, expected 0.0001 .. 30");
+}
+
+/// Loops over courses, and whole numbers made of lengths, end; what a map's coordinates need is let through.
+TEST(SynthOptions, NothingIsLargerOrFartherThanAnySite) {
+  EXPECT_EQ(errorOf("/tanks/0/height", 18446744073709551616.0),
+            "tanks[0].height, 1.84467e+19, expected > 0 and <= 1000");
+  EXPECT_EQ(errorOf("/tanks/0/height", 1000), "");
+  EXPECT_EQ(errorOf("/tanks/0/radius", 1001), "tanks[0].radius, 1001, expected 0.5 .. 1000");
+  EXPECT_EQ(errorOf("/tanks/0/course_height", 0.05), "tanks[0].course_height, 0.05, expected 0.1 .. 1e+08");
+  EXPECT_EQ(errorOf("/tanks/0/lobes/min_length", 0.005), "tanks[0].lobes.min_length, 0.005, expected 0.01 .. 1e+08");
+  EXPECT_EQ(errorOf("/tanks/0/x", 1e8), "");
+  EXPECT_EQ(errorOf("/tanks/0/x", -1.1e8), "tanks[0].x, -1.1e+08, expected -1e+08 .. 1e+08");
+}
+
+/// What is written about a value that is refused goes down into it; a million of brackets went down too far.
+TEST(SynthOptions, ASceneIsNotNestedWithoutEnd) {
+  const TestFolder folder;
+  const auto refusal = [&folder](std::size_t lists) {
+    try {
+      readScene(folder.file("scene.json", "{\"a\":" + std::string(lists, '[') + std::string(lists, ']') + "}"));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal(16).find("expected no such key"), std::string::npos);
+  for (const std::size_t lists : {17, 1'000'000}) {
+    EXPECT_NE(refusal(lists).find("nested deeper"), std::string::npos) << lists;
+  }
 }
 
 struct Bad {

@@ -2,10 +2,13 @@
 #include "core/parallel.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -49,6 +52,44 @@ TEST(ForEachIndex, ThrowsWhatTheWorkThrowsAndStops) {
   EXPECT_THROW(forEachIndex(1000, 1, work), std::out_of_range);
   EXPECT_EQ(calls, 4);
   EXPECT_THROW(forEachIndex(1000, 2, work), std::out_of_range);
+}
+
+/// Where the machine gives no thread more those that there are do the work.
+TEST(ForEachIndex, GoesOnWithoutTheThreadsThatCannotBeHad) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const auto work = [] {
+    const struct rlimit none { 1, 1 };
+    ::setrlimit(RLIMIT_AS, &none);  // no stack for any thread
+    int done[1000] = {};
+    forEachIndex(1000, 100, [&](std::size_t i) { ++done[i]; });
+    std::_Exit(std::all_of(done, done + 1000, [](int times) { return times == 1; }) ? 0 : 1);
+  };
+  EXPECT_EXIT(work(), testing::ExitedWithCode(0), "");
+}
+
+TEST(ForEachIndex, InsideAnotherIsDoneByTheThreadThatAsks) {
+  std::vector<int> done(64, 0);
+  forEachIndex(8, 4, [&](std::size_t outer) {
+    const auto asks = std::this_thread::get_id();
+    forEachIndex(8, 4, [&](std::size_t inner) {
+      EXPECT_EQ(std::this_thread::get_id(), asks);
+      ++done[8 * outer + inner];
+    });
+  });
+  EXPECT_EQ(done, std::vector<int>(64, 1));
+}
+
+/// Callers in several threads do not wait for each other.
+TEST(ForEachIndex, FromSeveralThreadsAtOnce) {
+  std::vector<std::vector<int>> done(4, std::vector<int>(500, 0));
+  std::vector<std::thread> callers;
+  for (auto& own : done) {
+    callers.emplace_back([&own] {
+      for (int repeat = 0; repeat < 50; ++repeat) forEachIndex(own.size(), 3, [&own](std::size_t i) { ++own[i]; });
+    });
+  }
+  for (auto& caller : callers) caller.join();
+  for (const auto& own : done) EXPECT_EQ(own, std::vector<int>(500, 50));
 }
 
 TEST(ForEachIndex, OneThreadIsTheCallers) {

@@ -21,6 +21,13 @@ TEST(PointHash, IsOfStepsOfAHundredthOfAMillimetre) {
   }
 }
 
+/// What is beyond 63 bits has the hash of the last step, whichever processor counts.
+TEST(PointHash, OfDamagedFloatsIsThatOfTheLastStep) {
+  EXPECT_EQ(pointHash({1e300, 0, 0}), pointHash({9e13, 0, 0}));
+  EXPECT_EQ(pointHash({0, -1e300, 0}), pointHash({0, -9e13, 0}));
+  EXPECT_NE(pointHash({8e13, 0, 0}), pointHash({9e13, 0, 0}));
+}
+
 TEST(PointHash, OfAGridHardlyMeet) {
   std::set<std::uint32_t> hashes;
   for (int i = 0; i < 10'000; ++i) hashes.insert(pointHash({0.01 * (i % 100), 0.01 * (i / 100), 0.0}));

@@ -36,17 +36,5 @@ TEST(CsvRows, MarksAndOddEnds) {
   EXPECT_EQ(csvRows("\"open,\n").size(), 1U);  // a quote that never ends takes the rest
 }
 
-TEST(TextOf, NamesAFileThatCannotBeRead) {
-  for (const char* path : {"/none/there.csv", "/tmp"}) {
-    try {
-      textOf(path, "limits");
-      FAIL() << path;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), Error::Kind::File);
-      EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace tank_datum

@@ -78,23 +78,52 @@ def test_full_disk(run: Runner, scan: Path, small_disk: Path) -> None:
     assert names(small_disk) == []
 
 
-def test_file_size_limit(scan: Path, tmp_path: Path) -> None:
-    """RLIMIT_FSIZE: a write beyond it fails as on a full disk (the signal ignored)."""
-
-    def limit() -> None:
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
-
-    result = subprocess.run(
-        [str(executable("tank_datum")), str(scan), "-o", str(tmp_path / "out")],
-        preexec_fn=limit,
+def run_limited(words: list[object], kind: int, most: int) -> Run:
+    return subprocess.run(
+        [str(w) for w in words],
+        preexec_fn=lambda: resource.setrlimit(kind, (most, most)),
         capture_output=True,
         text=True,
         timeout=60,
     )
+
+
+def test_file_size_limit(scan: Path, tmp_path: Path) -> None:
+    """ulimit -f: a write beyond it fails as on a full disk."""
+    words = [executable("tank_datum"), scan, "-o", tmp_path / "out"]
+    result = run_limited(words, resource.RLIMIT_FSIZE, 8192)
     assert result.returncode == FILE_FAILED
-    one_line(result, "report", "expected")
+    one_line(result, "report", "File too large", "expected")
     assert names(tmp_path) == []
+
+
+@pytest.mark.parametrize("most", range(4, 12))
+def test_few_open_files(scan: Path, tmp_path: Path, most: int) -> None:
+    """ulimit -n: enough, or one line and nothing left behind."""
+    words = [executable("tank_datum"), scan, "-o", tmp_path / "out", "--quiet"]
+    result = run_limited(words, resource.RLIMIT_NOFILE, most)
+    if result.returncode == USABLE:
+        assert names(tmp_path / "out") == sorted(FOLDER)
+        return
+    assert result.returncode in (FILE_FAILED, 127), result.stderr  # 127: not even the libraries
+    if result.returncode == FILE_FAILED:
+        one_line(result, "Too many open files", "expected")
+        assert names(tmp_path) == []
+
+
+def test_two_runs_into_one_folder_at_once(scan: Path, tmp_path: Path) -> None:
+    """Each ends with its own whole result there, or is refused with a line."""
+    out, alone = tmp_path / "out", tmp_path / "alone"
+    assert run_program("tank_datum", [scan, "-o", alone]).returncode == USABLE
+    words = [str(executable("tank_datum")), str(scan), "-o", str(out), "--quiet"]
+    for _ in range(4):
+        both = [subprocess.Popen(words, stderr=subprocess.PIPE, text=True) for _ in range(2)]
+        said = [process.communicate(timeout=60)[1] for process in both]
+        assert USABLE in [process.returncode for process in both], said
+        for process, line in zip(both, said, strict=True):
+            assert process.returncode == USABLE or line.count("\n") == 1, said
+        assert names(out) == sorted(FOLDER)
+        assert contents(out) == contents(alone)
 
 
 def test_timings_not_writable(run: Runner, scan: Path, tmp_path: Path) -> None:

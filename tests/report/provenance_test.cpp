@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "io/input_file.h"
+#include "io/sha256.h"
 #include "support/made_datums.h"
 #include "support/pcd_files.h"
 
@@ -41,11 +43,9 @@ TEST(RecordInputs, AHashOfTheKindAskedFor) {
   }
 }
 
-/// A text is not read again to count its rows: here it is gone.
 TEST(RecordInputs, CountsTheRowsOfEachFile) {
   const pcd_files::Folder folder;
   const Scan scan = Scan::open({folder.file("a.xyz", kText), folder.file("b.xyz", "1 2 nan\n")});
-  std::filesystem::remove(folder.path("a.xyz"));
   const auto files = recordInputs(scan);
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].points, 2U);
@@ -53,12 +53,31 @@ TEST(RecordInputs, CountsTheRowsOfEachFile) {
   EXPECT_TRUE(recordInputs(Scan::fromPoints({{1, 2, 3}})).empty());
 }
 
-TEST(RecordOfLevelling, AHashOfTheKindAskedFor) {
+/// A hash of other bytes than the result is of would be worse than none.
+TEST(RecordInputs, OfAFileThatChangedAreRefused) {
+  for (const Checksum checksum : {Checksum::None, Checksum::Xxh3, Checksum::Sha256}) {
+    const pcd_files::Folder folder;
+    const Scan scan = Scan::open({folder.file("a.xyz", kText)});
+    folder.file("a.xyz", std::string(kText) + "7 8 9\n");
+    EXPECT_NE(pcd_files::errorOf([&] { recordInputs(scan, checksum); }).find("changed meanwhile"), std::string::npos);
+  }
+}
+
+TEST(ReadRecordedLevelling, HasAHashOfTheKindAskedFor) {
   const pcd_files::Folder folder;
-  const std::string path = folder.file("a.csv", kText);
-  EXPECT_EQ(recordOfLevelling(path, Datum(), Checksum::Xxh3).hash, kXxh3);
-  EXPECT_EQ(recordOfLevelling(path, Datum(), Checksum::Sha256).hash, kSha256);
-  EXPECT_EQ(recordOfLevelling(path, Datum(), Checksum::None).hash, "");
+  RunOptions run;
+  run.levelling = folder.file("a.csv", "azimuth_deg,elevation\n0,1\n90,1\n180,1\n270,1\n");
+  run.diameter = 10.0;
+  const std::map<Checksum, std::string> expected = {{Checksum::None, ""},
+                                                    {Checksum::Xxh3, InputFile(run.levelling).xxh3()},
+                                                    {Checksum::Sha256, sha256OfFile(run.levelling)}};
+  for (const auto& [checksum, hash] : expected) {
+    run.checksum = checksum;
+    const RecordedDatum levelled = readRecordedLevelling(run);
+    EXPECT_EQ(levelled.file.hash, hash);
+    EXPECT_EQ(levelled.file.points, 4U);
+    EXPECT_TRUE(levelled.datum.levelled);
+  }
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ class Scan {
   Scan relativeTo(const Eigen::Vector3d& origin) const;
 
   /// Visits every finite point once, in file order. May be called again for another pass.
-  /// @throws Error (File) when the data are shorter or other than the header says
+  /// @throws Error (File) when the data are shorter or other than the header says, or the file changes meanwhile
   ScanCounts forEachBlock(const Visitor& visit) const;
 
   /// The same, told which file or array a block is of and the labels of its points; none: all are 0.
@@ -198,6 +198,10 @@ class Scan {
   /// @param wanted  asked before each megabyte; false: an empty text is returned at once
   /// @throws Error (File) when the file cannot be read
   std::string hashOf(std::size_t file, const std::function<bool()>& wanted = {}) const;
+
+  /// Passes see to this by themselves: no file has been written to, replaced or removed since it was opened.
+  /// @throws Error (File) naming the one that has
+  void requireUnchanged() const;
 
   /// Step between neighbouring coordinates that the files can hold at the origin [m]: 0.25 for 4-byte floats near 4e6
   /// m. Zero for points in memory that are doubles.

@@ -65,7 +65,7 @@ def extract_datum(
     # none is (>= 0 and < 360 deg)
     longest_bridge_deg: float = 10.0,
     # H,H,... above the datum at which the shell is surveyed [m]; none: 0.3 and
-    # every step above (> 0 m and above the one before)
+    # every step above (> 0 and <= 100 m and above the one before)
     heights: Sequence[float] = ...,
     # between the heights of the shell [m]; with the courses' own all are 0.3 m
     # above a seam (>= 0.1 m)
@@ -126,7 +126,7 @@ def extract_datum(
     radius_difference: float = 0.05,
     # the same of their centres [m] (> 0 m)
     centre_distance: float = 0.25,
-    # threads; 0: all cores; the result does not depend on it (>= 0)
+    # threads; 0: all cores; the result does not depend on it (0 to 1024)
     threads: int = 0,
     # hash of the scans in datum.json: XXH3-128, which xxhsum -H2 prints; SHA-256,
     # which of a large scan takes longer than all the rest; none

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from tank_datum_qa._regular_file import read_regular
 
 from tank_datum import _core
 from tank_datum._datum import Datum
@@ -63,7 +64,7 @@ def load(path: str | os.PathLike[str]) -> Datum:
 
 def _bytes(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return read_regular(path)
     except OSError as error:
         raise file_error(
             "load",

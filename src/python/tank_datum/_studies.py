@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from tank_datum_qa._regular_file import read_regular_text
 
 from tank_datum import _core
 from tank_datum._datum import Datum
@@ -128,7 +129,7 @@ def simulate(
 
 def _scene_text(path: Path) -> str:
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_regular_text(path)
         json.loads(text)
     except OSError as error:
         raise file_error(

@@ -11,6 +11,8 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
+from tank_datum_qa._regular_file import read_regular_text
+
 FILES = ("datum.json", "stations.csv")
 FILES_OF = {
     "extract": FILES,
@@ -170,7 +172,7 @@ def read_cases(path: Path) -> list[Case]:
     """
     path = Path(os.path.abspath(path))
     try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
+        table = tomllib.loads(read_regular_text(path))
     except OSError as error:
         raise _refuse(str(path), error.strerror, "a readable file") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:

@@ -194,6 +194,8 @@ def compare_file(
         return [Change(file, "", "is missing")]
     if not fixture.exists():
         return [Change(file, "", "has no fixture")]
+    if not fixture.is_file():
+        return [Change(file, "", "has no regular file for its fixture")]
     try:
         if file.endswith(".json"):
             return compare_json(file, fixture, result, tolerances)

@@ -8,6 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from tank_datum_qa._regular_file import read_regular, text_of
+
 from tank_datum.farm.campaign import HEIGHTS, Campaign, FarmTank, Limits, Survey
 from tank_datum.farm.campaign_checks import check_whole
 from tank_datum.farm.errors import CampaignError, Problem
@@ -21,15 +23,16 @@ WORST, STEEPEST = 0.1, 3600.0  # 1 sigma of heights [m], and of tilts [arcsec]
 
 def read_campaign(path: str | os.PathLike[str]) -> Campaign:
     """Reads and checks a campaign. Raises CampaignError with every reason."""
-    file, text = Path(path), ""
+    file, content, text = Path(path), b"", ""
     try:
-        text = file.read_text(encoding="utf-8-sig")
+        content = read_regular(file)
+        text = text_of(content, encoding="utf-8-sig")
         given = tomllib.loads(text)
     except OSError as error:
         reason = f"{error.strerror}, expected a campaign (TOML)"
         raise CampaignError([Problem(str(path), 0, reason)]) from None
     except UnicodeDecodeError as error:
-        line = file.read_bytes()[: error.start].count(b"\n") + 1
+        line = content[: error.start].count(b"\n") + 1
         reason = f"{error.reason}, expected UTF-8"
         raise CampaignError([Problem(str(path), line, reason)]) from None
     except tomllib.TOMLDecodeError as error:

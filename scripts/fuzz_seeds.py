@@ -1,0 +1,97 @@
+"""Seeds for scripts/fuzz: a small file of each kind that the readers know, most of them made by the
+project's own writers.
+Usage: python scripts/fuzz_seeds.py FOLDER     (TANK_DATUM_BIN names the folder of the programs)
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+from format_writers import (
+    SHIFT,
+    Setups,
+    in_floats,
+    write_las,
+    write_ply,
+    write_pts,
+    write_ptx,
+    write_rows,
+)
+from results import write_pcd
+
+ROOT = Path(__file__).resolve().parents[1]
+BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build/bin"))
+TABLES = {
+    "origins": 'name,x,y,z\nscan_1,1.5,-2,3\n"scan, 2",1e3,0,.5\n',
+    "table": 'azimuth_deg,z,flag\n0,1.5,measured\n1,,missing\n2,-1e-3,"measured"\n',
+}
+
+
+def run(program: str, *words: object) -> str:
+    done = subprocess.run(
+        [str(BIN / program), *map(str, words)], capture_output=True, text=True, check=True
+    )
+    return done.stdout
+
+
+def make_scans(folder: Path) -> None:
+    random = np.random.default_rng(21)
+    parts = [SHIFT + random.uniform(-5, 5, (40, 3)).round(4) for _ in range(3)]
+    scan = Setups(parts, [np.zeros(3)] * 3)
+    write_las(folder / "las/a.las", scan, "1.2", 1)
+    write_las(folder / "las/b.las", scan, "1.4", 6)
+    for order in "<", ">", "=":
+        name = {"<": "little", ">": "big", "=": "text"}[order]
+        write_ply(folder / f"ply/{name}.ply", in_floats(scan), order)
+    write_pts(folder / "pts/a.pts", scan)
+    write_ptx(folder / "ptx/a.ptx", scan)
+    write_rows(folder / "xyz/a.xyz", scan, " ", "")
+    write_rows(folder / "xyz/b.csv", scan, ",", "setup,x,y,z")
+    columns = dict(zip("xyz", scan.all().T, strict=True))
+    write_pcd(folder / "pcd/doubles.pcd", columns)
+    for name, words in {"binary": [], "ascii": ["--ascii"], "setups": ["--label-setups"]}.items():
+        tank = ["--radius", 2, "--height", 1, "--step-deg", 15, "--quiet"]
+        run("tank_datum_synth", "-o", folder / f"pcd/{name}.pcd", *tank, *words)
+        (folder / f"pcd/{name}.truth.json").unlink()
+
+
+def make_compressed(folder: Path) -> None:
+    """A binary PCD in literal runs of LZF, which any decompressor takes."""
+    head, _, data = (folder / "pcd/doubles.pcd").read_bytes().partition(b"DATA binary\n")
+    rows = np.frombuffer(data, dtype="<f8").reshape(-1, 3).T.tobytes()
+    runs = [rows[i : i + 32] for i in range(0, len(rows), 32)]
+    packed = b"".join(bytes([len(part) - 1]) + part for part in runs)
+    sizes = np.array([len(packed), len(rows)], dtype="<u4").tobytes()
+    (folder / "pcd/compressed.pcd").write_bytes(head + b"DATA binary_compressed\n" + sizes + packed)
+
+
+def make_texts(folder: Path) -> None:
+    for kind, text in TABLES.items():
+        (folder / kind / "a.csv").write_text(text)
+    (folder / "limits/a.csv").write_text(run("tank_datum", "--print-limits"))
+    for scene in sorted((ROOT / "tests/scenes").glob("*.json")):
+        shutil.copy(scene, folder / "scene" / scene.name)
+    results = folder / "json/out"
+    run("tank_datum", ROOT / "tests/data/sample.pcd", "-o", results, "--stations", 16, "--quiet")
+    whole = json.loads((results / "datum.json").read_text())
+    shutil.rmtree(results)
+    (folder / "json/a.json").write_text(json.dumps(whole))
+
+
+def main(folder: Path) -> None:
+    shutil.rmtree(folder, ignore_errors=True)
+    for kind in "pcd las ply pts ptx xyz table origins limits json scene".split():
+        (folder / kind).mkdir(parents=True)
+    make_scans(folder)
+    make_compressed(folder)
+    make_texts(folder)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
