@@ -53,10 +53,10 @@ std::vector<FootPoint> rowsOf(int bins, int count, const Section& section) {
   return points;
 }
 
-TEST(FindCandidates, AStepIsEightThousandthsOfTheReach) {
+TEST(FindCandidates, BetweenWideStretchesAStepIsTwoThousandthsOfTheReach) {
   const auto stepped = [](double by) { return [by](double d) { return d < 0.133 ? 0.0 : -by; }; };
-  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0020)), kScales).size(), 1U);  // 2.4 mm
-  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0028)), kScales).size(), 2U);
+  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0004)), kScales).size(), 1U);  // 0.6 mm
+  EXPECT_EQ(findCandidates(rowsOf(47, 12, stepped(0.0010)), kScales).size(), 2U);
 }
 
 TEST(FindCandidates, TwelvePointsMakeTwoBinsAndALine) {

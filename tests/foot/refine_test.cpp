@@ -82,7 +82,7 @@ TEST(RefineStations, OnSoilAreNotMeasuredOrRightWhereItFadesOut) {
     EXPECT_LT(std::abs(s.z - plateRun().truthAt(s).z), 2.0 * s.sigma_z) << degrees(s.direction);
   }
   EXPECT_GT(covered, 20U);
-  EXPECT_LE(measured, 2U);  // where the heap fades out
+  EXPECT_LE(measured, 3U);  // where the heap fades out
 }
 
 TEST(RefineStations, UnseenArcsAreMissingAndShortOnesBridged) {

@@ -146,8 +146,12 @@ TEST(ShellOptions, AreRefusedByName) {
     change(options);
     return said(firstError(options));
   };
-  EXPECT_EQ(refused([](auto& o) { o.heights = {0.5, 0.4}; }), "heights, 0.4, expected > 0 m and above the one before");
-  EXPECT_EQ(refused([](auto& o) { o.heights = {0.0}; }), "heights, 0, expected > 0 m and above the one before");
+  EXPECT_EQ(refused([](auto& o) {
+              o.heights = {0.5, 0.4};
+            }),
+            "heights, 0.4, expected > 0 and <= 100 m and above the one before");
+  EXPECT_EQ(refused([](auto& o) { o.heights = {0.0}; }),
+            "heights, 0, expected > 0 and <= 100 m and above the one before");
   EXPECT_EQ(refused([](auto& o) { o.heights = {1.0, INFINITY}; }).rfind("heights, inf, ", 0), 0U);
   EXPECT_EQ(refused([](auto& o) { o.step = 0.05; }), "height_step, 0.05, expected >= 0.1 m");
   EXPECT_EQ(refused([](auto& o) { o.step = NAN; }).rfind("height_step, nan, ", 0), 0U);
