@@ -58,7 +58,7 @@ TEST(SynthOptions, ASceneIsNotNestedWithoutEnd) {
     return std::string();
   };
   EXPECT_NE(refusal(16).find("expected no such key"), std::string::npos);
-  for (const std::size_t lists : {17, 1'000'000}) {
+  for (const std::size_t lists : {std::size_t{17}, std::size_t{1'000'000}}) {
     EXPECT_NE(refusal(lists).find("nested deeper"), std::string::npos) << lists;
   }
 }
