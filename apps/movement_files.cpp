@@ -11,6 +11,7 @@
 #include "core/units.h"
 #include "io/json_file.h"
 #include "movement/movement.h"
+#include "movement/trend.h"
 #include "report/movement_json.h"
 #include "report/report_page.h"
 #include "tank_datum/core/error.h"
@@ -39,6 +40,12 @@ void write(const fs::path& path, const std::string& content) {
 }
 
 }  // namespace
+
+void followOverTime(Comparison& comparison, std::vector<Epoch> surveys) {
+  for (std::size_t i = 0; i < comparison.dates.size(); ++i) surveys[i].date = comparison.dates[i];
+  comparison.histories = historiesOf(comparison.movements, timesOf(comparison.dates, surveys.size()));
+  comparison.limit_rates = limitRatesOf(surveys);
+}
 
 const char* trendUnit(const Comparison& comparison) { return comparison.dates.empty() ? "m/survey" : "m/year"; }
 

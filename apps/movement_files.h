@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "movement/epoch.h"
 #include "results/result_folder.h"
 #include "tank_datum/movement/movement.h"
 #include "tank_datum/report/report.h"
@@ -20,6 +21,10 @@ struct Comparison {
   MovementOptions options;
   Identity readers = {};  ///< units and language of what people read
 };
+
+/// Adds what the surveys show together: the stations' trends, and when limits are reached; by its dates, where it has
+/// them.
+void followOverTime(Comparison& comparison, std::vector<Epoch> surveys);
 
 /// What a trend is in: "m/year" with dates, "m/survey" without.
 const char* trendUnit(const Comparison& comparison);

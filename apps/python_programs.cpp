@@ -61,7 +61,7 @@ class Compared {
     for (std::size_t i = 1; i < epochs.size(); ++i) {
       comparison_.movements.push_back(compareEpochs(epochs.front(), epochs[i], comparison_.options));
     }
-    if (valid()) comparison_.histories = historiesOf(comparison_.movements, timesOf(comparison_.dates, surveys.size()));
+    if (valid()) followOverTime(comparison_, std::move(epochs));
   }
 
   bool valid() const {

@@ -93,13 +93,12 @@ int run(const CompareCommand& command) {
   for (const std::string& epoch : command.epochs) settleToRead(epoch, kProgram);
   ResultFolder folder(command.output, kProgram);
   requireValid(command.options);
-  const std::vector<double> times = timesOf(command.dates, command.epochs.size());
+  timesOf(command.dates, command.epochs.size());  // refuses bad ones before anything is read
   std::vector<Epoch> epochs;
   Comparison comparison{command.epochs, {}, command.dates, {}, {}, {}, command.options, command.readers};
   for (const std::string& path : command.epochs) {
     const InputFile file(epochFile(path));
     epochs.push_back(readEpoch(path));
-    if (epochs.size() <= command.dates.size()) epochs.back().date = command.dates[epochs.size() - 1];
     comparison.hashes.push_back(sha256OfFile(file.path()));
     file.requireUnchanged();
   }
@@ -111,8 +110,7 @@ int run(const CompareCommand& command) {
               << printable(withFlags(m.message) + earlierResults(command.output, kProgram)) << "\n";
     return kNoDatum;
   }
-  comparison.histories = historiesOf(comparison.movements, times);
-  comparison.limit_rates = limitRatesOf(epochs);
+  followOverTime(comparison, std::move(epochs));
   writeMovement(folder, comparison);
   folder.commit();
   print(comparison);

@@ -2,13 +2,11 @@
 #include "core/parallel.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdlib>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -55,18 +53,6 @@ TEST(ForEachIndex, ThrowsWhatTheWorkThrowsAndStops) {
 }
 
 /// Where the machine gives no thread more those that there are do the work.
-TEST(ForEachIndex, GoesOnWithoutTheThreadsThatCannotBeHad) {
-  testing::FLAGS_gtest_death_test_style = "threadsafe";
-  const auto work = [] {
-    const struct rlimit none { 1, 1 };
-    ::setrlimit(RLIMIT_AS, &none);  // no stack for any thread
-    int done[1000] = {};
-    forEachIndex(1000, 100, [&](std::size_t i) { ++done[i]; });
-    std::_Exit(std::all_of(done, done + 1000, [](int times) { return times == 1; }) ? 0 : 1);
-  };
-  EXPECT_EXIT(work(), testing::ExitedWithCode(0), "");
-}
-
 TEST(ForEachIndex, InsideAnotherIsDoneByTheThreadThatAsks) {
   std::vector<int> done(64, 0);
   forEachIndex(8, 4, [&](std::size_t outer) {

@@ -107,7 +107,10 @@ def test_height_step(run: Runner, scan: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--heights", "1,0.5"], "--heights, 0.5, expected > 0 m and above the one before"),
+        (
+            ["--heights", "1,0.5"],
+            "--heights, 0.5, expected > 0 and <= 100 m and above the one before",
+        ),
         (["--heights", "1,two"], "--heights, 1,two, expected H,H,... in metres"),
         (["--height-step", "0"], "--height-step, 0, expected >= 0.1 m"),
     ],

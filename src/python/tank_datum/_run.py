@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import inspect
 import os
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterable
+from typing import Any, cast
 
 from tank_datum import _core
 from tank_datum._datum import Datum
@@ -98,7 +98,11 @@ def read_levelling(
 def _run(
     function: str, points: Any, progress: Progress | None, options: dict[str, Any]
 ) -> list[Any]:
-    stream = Stream(points) if callable(points) else None
+    stream = (
+        Stream(cast("Callable[[], Iterable[Any]]", points))
+        if callable(points)
+        else None
+    )
     paths, arrays = ([], []) if stream else split(points)
     keywords, given = _with_baseline(options)
     if stream:
