@@ -66,4 +66,9 @@ double student95(double freedom) {
   return z + (first + (second + (third + fourth / n) / n) / n) / n;
 }
 
+double chiSquareQuantile(double freedom, double deviate) {
+  const double part = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - part + deviate * std::sqrt(part), 3.0);
+}
+
 }  // namespace tank_datum

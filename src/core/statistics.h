@@ -24,4 +24,9 @@ double tukeyWeight(double residual_in_sigmas);
 /// infinitely many. Source: Abramowitz and Stegun 26.7.5; exact for 1 and 2.
 double student95(double freedom);
 
+/// Quantile of chi-square.
+/// @param deviate  the same quantile of the normal distribution: 0 for the median, 1.6449 for the 95 % point
+/// Source: Wilson and Hilferty; Abramowitz and Stegun 26.4.17.
+double chiSquareQuantile(double freedom, double deviate);
+
 }  // namespace tank_datum

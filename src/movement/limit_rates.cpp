@@ -27,15 +27,9 @@ struct Observation {
   double time = 0.0, value = 0.0, sigma = 0.0;
 };
 
-/// 95 % point of chi-square. Source: Wilson and Hilferty; Abramowitz and Stegun 26.4.17.
-double chiSquare95(double freedom) {
-  constexpr double kOneSided95 = 1.6448536269514722;
-  const double part = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - part + kOneSided95 * std::sqrt(part), 3.0);
-}
-
 /// @param seen  of two times or more
 Line lineThrough(const std::vector<Observation>& seen) {
+  constexpr double kOneSided95 = 1.6448536269514722;  // of the normal distribution
   Line line;
   double weights = 0.0, spread = 0.0, misfit = 0.0;
   const auto weight = [](const Observation& o) { return 1.0 / (o.sigma * o.sigma); };
@@ -53,7 +47,7 @@ Line lineThrough(const std::vector<Observation>& seen) {
     misfit += weight(o) * std::pow(o.value - line.level - line.rate * (o.time - line.at), 2.0);
   }
   const double freedom = static_cast<double>(seen.size()) - 2.0;
-  const bool scattered = freedom > 0.0 && misfit > chiSquare95(freedom);
+  const bool scattered = freedom > 0.0 && misfit > chiSquareQuantile(freedom, kOneSided95);
   const double factor = scattered ? misfit / freedom : 1.0;
   line.level_variance = factor / weights, line.rate_variance = factor / spread;
   line.quantile2 = std::pow(student95(scattered ? freedom : 0.0), 2.0);

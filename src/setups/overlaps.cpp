@@ -93,8 +93,7 @@ Eigen::VectorXd Overlaps::left(const ArcView& arc, const Eigen::VectorXd& errors
 double Overlaps::misfit(const ArcView& arc, const Eigen::VectorXd& errors, double extra) const {
   const Eigen::VectorXd rest = left(arc, errors);
   const auto freedom = static_cast<double>(arc.seen.setups.size() - 1);
-  const double median_of_chi_squared = freedom * std::pow(1.0 - 2.0 / (9.0 * freedom), 3);
-  return rest.dot(informationOf(arc, extra) * rest) / median_of_chi_squared;
+  return rest.dot(informationOf(arc, extra) * rest) / chiSquareQuantile(freedom, 0.0);
 }
 
 double Overlaps::extraOf(const SetupSolution& solution, bool shell) const {
