@@ -12,6 +12,8 @@
 namespace tank_datum {
 namespace {
 
+constexpr double kSteepest = 0.1;  // of a foundation surface [m/m]
+
 struct Bin {
   double d, z, spread, error;
   double from, to;
@@ -93,15 +95,13 @@ std::vector<Bin> binsOf(const std::vector<FootPoint>& points, const FootScales& 
 
 bool isStep(const Bin& a, const Bin& b, double reach) {
   constexpr double kStep = 0.005;  // of the reach
-  constexpr double kRamp = 0.10;   // the steepest slope of a foundation surface [m/m]
-  return std::abs(a.z - b.z) > kStep * reach + kRamp * (b.d - a.d) + 3.0 * std::hypot(a.error, b.error);
+  return std::abs(a.z - b.z) > kStep * reach + kSteepest * (b.d - a.d) + 3.0 * std::hypot(a.error, b.error);
 }
 
 /// The line through a run of bins: median of the slopes between its thirds, median of the offsets; of a few bins by
 /// least squares.
 FootCandidate stretchOf(const std::vector<Bin>& run) {
   constexpr std::size_t kFew = 4;
-  constexpr double kSteepest = 0.1;  // of a foundation surface [m/m]
   std::vector<SectionBin> bins;
   std::vector<double> slopes, offsets, spreads;
   for (const Bin& bin : run) {

@@ -6,6 +6,7 @@
 #include "foot/foot_check.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
+#include "foot/ring_slope.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -72,7 +73,6 @@ bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
 /// the slope does not show: a heap of soil. (They fall to it where few rows of the scan cross the lip: range noise
 /// moves a row's points along their rays.)
 bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
-  constexpr double kSteepest = 0.10;  // of a lip, beside what the scan makes of them all [m/m]
   if (!pass.priors.settled) return false;
   FootPrior prior = pass.priors.at(station);
   prior.sigma_slope = 1.0;
@@ -81,7 +81,7 @@ bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
   const double usual = pass.priors.slope[station];
   const auto points = foot.ring.around(foot.directions[station], 3.0 * foot.half_step, fit.z, foot.reach);
   const FootFit own = fitFoundation(points, profile, fit.z + profile.offset, usual, prior);
-  return own.valid() && own.slope < std::min(usual, pass.priors.seen) - kSteepest - 3.0 * own.sigma_slope;
+  return own.valid() && own.slope < std::min(usual, pass.priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
 }
 
 }  // namespace

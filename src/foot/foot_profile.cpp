@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/statistics.h"
+#include "foot/ring_slope.h"
 #include "foot/section_bins.h"
 #include "foot/section_stretches.h"
 #include "tank_datum/core/unknown.h"
@@ -139,7 +140,6 @@ std::size_t firstOfSurface(const FootProfile& profile, std::size_t from) {
 /// Reads the surface between two bins: noise, edge, kind, slope, and the band that is plainly it, with what is not seen
 /// next to it.
 void readSurface(FootProfile& profile, std::size_t first, std::size_t last, const FootScales& scales) {
-  constexpr double kSteepest = 0.1;  // of a lip [m/m]
   const double reach = scales.reach;
   const std::size_t nearest = firstBeyondWeld(profile, scales);
   std::vector<double> spreads;
@@ -156,7 +156,7 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   profile.slope = plate ? profile.slope_beyond : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
   Plateau plateau = findPlateau(profile, first, last);
-  if (plate && std::abs(own.slope) < kSteepest) {  // one that leans is plain along its own slope only
+  if (plate && std::abs(own.slope) < kSteepestLip) {  // one that leans is plain along its own slope only
     FootProfile leaning = profile;
     leaning.slope = own.slope;
     const Plateau wider = findPlateau(leaning, first, last);

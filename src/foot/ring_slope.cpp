@@ -20,12 +20,11 @@ MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
   constexpr double kDoubt = 0.35;   // of what may feign a slope or hide one, where it seems to be as expected
   constexpr double kOddDoubt = 0.6;
   const double off = seen - expected.parallel, tolerance = kFeigned * expected.noise + error;
-  constexpr double kSteepest = 0.1;  // of a lip [m/m]: what seems steeper is drawn so by what lies beside it
   const double beams = kOddDoubt * expected.lean;
   const double usual = withPrior(std::hypot(kDoubt * std::hypot(expected.noise, error), beams));
   if (off < tolerance && off > -tolerance - expected.lean) return {seen, expected.parallel, usual};
   if (expected.lean <= 0.0 && std::abs(seen - expected.section) < tolerance) return {seen, expected.section, usual};
-  if (std::abs(off) > kSteepest + expected.lean) return {seen, expected.parallel, kLipSlope};
+  if (std::abs(off) > kSteepestLip + expected.lean) return {seen, expected.parallel, kLipSlope};
   const double odd = std::hypot(kOddDoubt * expected.noise, error, beams);
   const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd);
   const double own = off + 0.5 * std::clamp(-off, 0.0, expected.lean);

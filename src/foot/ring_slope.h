@@ -6,7 +6,8 @@
 
 namespace tank_datum {
 
-constexpr double kLipSlope = 0.05;  ///< of the lips of annular plates: bent by the weld, by settlement [m/m]
+constexpr double kSteepestLip = 0.1;  ///< what seems steeper is drawn so by what lies beside it or on it [m/m]
+constexpr double kLipSlope = 0.05;    ///< of the lips of annular plates: bent by the weld, by settlement [m/m]
 
 /// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do [m/m].
 struct ExpectedSlope {

@@ -31,7 +31,7 @@ SectionLine lineThrough(const std::vector<SectionBin>& bins, BinRange range, dou
 
 /// The bins with standard errors as large as they are seen to be: points of a bin lie in rows and on one patch of a
 /// rough surface, so that it errs more than its points' scatter says. By the second differences nearby, of which a
-/// jump moves few; elsewhere another surface may be rougher, or a gutter hold points of both its banks.
+/// step moves few; elsewhere another surface may be rougher, or a gutter hold points of both its banks.
 std::vector<SectionBin> withErrorsSeen(std::vector<SectionBin> bins);
 
 }  // namespace tank_datum
