@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/report/report.h"
 #include "tank_datum/stations/stations.h"
@@ -14,13 +15,7 @@ namespace tank_datum {
 namespace {
 
 std::string refusal(const std::string& text) {
-  try {
-    levellingStations(text, "l.csv", 1.0, 10.0, {});
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Option);
-    return error.what();
-  }
-  return "";
+  return refusalOf(Error::Kind::Option, [&] { levellingStations(text, "l.csv", 1.0, 10.0, {}); });
 }
 
 TEST(LevellingStations, ReadsSortsAndScales) {

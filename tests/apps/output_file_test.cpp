@@ -4,6 +4,7 @@
 
 #include "apps/result_folder_fixture.h"
 #include "results/output_guard.h"
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -12,13 +13,7 @@ namespace {
 using OutputFileTest = ResultFolderFixture;
 
 std::string refusal(const std::vector<NamedPath>& inputs, const std::vector<NamedPath>& outputs) {
-  try {
-    requireApart(inputs, outputs);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Option);
-    return error.what();
-  }
-  return "";
+  return refusalOf(Error::Kind::Option, [&] { requireApart(inputs, outputs); });
 }
 
 TEST_F(OutputFileTest, OutputsThatAreInputsAreRefused) {

@@ -2,6 +2,7 @@
 
 #include "support/made_datums.h"
 #include "support/pcd_files.h"
+#include "support/refused.h"
 #include "view/stations_file.h"
 
 namespace tank_datum::view {
@@ -11,13 +12,7 @@ using made_datums::octagon;
 using pcd_files::Folder;
 
 std::string refusalOf(const std::string& path) {
-  try {
-    readStations(path, Eigen::Vector3d::Zero());
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::File);
-    return error.what();
-  }
-  return "";
+  return refusalOf(Error::Kind::File, [&] { readStations(path, Eigen::Vector3d::Zero()); });
 }
 
 TEST(ReadStations, GivesBackWhatWasWritten) {

@@ -5,6 +5,7 @@
 #include "io/pcd_writer.h"
 #include "support/made_datums.h"
 #include "support/pcd_files.h"
+#include "support/refused.h"
 
 namespace tank_datum::view {
 namespace {
@@ -30,13 +31,7 @@ std::string writeOctagon(const Folder& folder, const std::string& scan) {
 }
 
 std::string refusalOf(const std::string& folder) {
-  try {
-    readResult(folder, {});
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::File);
-    return error.what();
-  }
-  return "";
+  return refusalOf(Error::Kind::File, [&] { readResult(folder, {}); });
 }
 
 TEST(ReadResult, GivesBackWhatWasWritten) {

@@ -5,23 +5,13 @@
 #include <cmath>
 
 #include "support/pcd_files.h"
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
 
 using pcd_files::Folder;
-
-template <typename Work>
-std::string refusalOf(const Work& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::File);
-    return error.what();
-  }
-  return "";
-}
 
 TEST(CsvTable, IsReadByTheNamesOfItsColumns) {
   const Folder folder;
@@ -40,12 +30,16 @@ TEST(CsvTable, NamesWhatIsWrong) {
   const Folder folder;
   const std::string path = folder.file("a.csv", "a,b\n1,x\ninf,2\n");
   const CsvTable table(path, "stations");
-  EXPECT_EQ(refusalOf([&] { table.number(0, "b"); }), "stations: b in " + path + " line 2, x, expected a number");
-  EXPECT_EQ(refusalOf([&] { table.number(1, "a"); }), "stations: a in " + path + " line 3, inf, expected a number");
-  EXPECT_EQ(refusalOf([&] { table.number(0, "c"); }),
+  EXPECT_EQ(refusalOf(Error::Kind::File, [&] { table.number(0, "b"); }),
+            "stations: b in " + path + " line 2, x, expected a number");
+  EXPECT_EQ(refusalOf(Error::Kind::File, [&] { table.number(1, "a"); }),
+            "stations: a in " + path + " line 3, inf, expected a number");
+  EXPECT_EQ(refusalOf(Error::Kind::File, [&] { table.number(0, "c"); }),
             "stations: header of " + path + ", no c, expected a column of that name");
-  EXPECT_NE(refusalOf([&] { CsvTable(folder.path("none.csv"), "stations"); }).find("none.csv"), std::string::npos);
-  EXPECT_NE(refusalOf([&] { CsvTable(folder.file("e.csv", ""), "stations"); }).find("empty"), std::string::npos);
+  EXPECT_NE(refusalOf(Error::Kind::File, [&] { CsvTable(folder.path("none.csv"), "stations"); }).find("none.csv"),
+            std::string::npos);
+  EXPECT_NE(refusalOf(Error::Kind::File, [&] { CsvTable(folder.file("e.csv", ""), "stations"); }).find("empty"),
+            std::string::npos);
 }
 
 }  // namespace

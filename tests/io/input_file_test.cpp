@@ -10,6 +10,7 @@
 
 #include "io/pcd_writer.h"
 #include "io/whole_file.h"
+#include "support/refused.h"
 #include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/io/scan.h"
@@ -18,16 +19,6 @@ namespace tank_datum {
 namespace {
 
 using Change = std::function<void(const std::string& path)>;
-
-std::string reasonOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::File);
-    return error.what();
-  }
-  return "";
-}
 
 /// When the file was last written to; clocks of file systems tick every few milliseconds.
 void setTime(const std::string& path, long nanoseconds) {
@@ -66,9 +57,9 @@ TEST(InputFile, TellsThatItChanged) {
     const std::string path = folder.file("a.txt", "one");
     setTime(path, 0);
     const InputFile file(path);
-    EXPECT_EQ(reasonOf([&] { file.requireUnchanged(); }), "") << name;
+    EXPECT_EQ(refusalOf(Error::Kind::File, [&] { file.requireUnchanged(); }), "") << name;
     change(path);
-    EXPECT_EQ(reasonOf([&] { file.requireUnchanged(); }),
+    EXPECT_EQ(refusalOf(Error::Kind::File, [&] { file.requireUnchanged(); }),
               "io: reading of " + path + ", changed meanwhile, expected a file that nobody writes, moves or removes " +
                   "during the run")
         << name;
@@ -79,7 +70,7 @@ TEST(InputFile, RefusesAPipeWithoutWaiting) {
   const TestFolder folder;
   const std::string path = folder.path("pipe");
   ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
-  EXPECT_EQ(reasonOf([&] { const InputFile file(path); }),
+  EXPECT_EQ(refusalOf(Error::Kind::File, [&] { const InputFile file(path); }),
             "io: opening of " + path + ", not a regular file, expected a file that can be read");
 }
 
@@ -109,9 +100,10 @@ TEST(Scan, PassesSayThatTheFileChanged) {
       };
       const auto all = [](std::uint64_t, const Points& points, Points& wanted) { wanted = points; };
       const auto run = [&] { chosen ? scan.forEachChosen(all, 2, pass) : scan.forEachBlock(pass); };
-      EXPECT_NE(reasonOf(run).find("changed meanwhile"), std::string::npos) << name << chosen;
-      EXPECT_NE(reasonOf(run).find("changed meanwhile"), std::string::npos) << name << chosen << " again";
-      EXPECT_NE(reasonOf([&] { scan.requireUnchanged(); }), "") << name;
+      EXPECT_NE(refusalOf(Error::Kind::File, run).find("changed meanwhile"), std::string::npos) << name << chosen;
+      EXPECT_NE(refusalOf(Error::Kind::File, run).find("changed meanwhile"), std::string::npos)
+          << name << chosen << " again";
+      EXPECT_NE(refusalOf(Error::Kind::File, [&] { scan.requireUnchanged(); }), "") << name;
     }
   }
 }
@@ -124,15 +116,15 @@ TEST(WholeFile, IsReadAsItIs) {
 
 TEST(WholeFile, NamesAFileThatCannotBeRead) {
   const TestFolder folder;
-  EXPECT_EQ(reasonOf([] { wholeFile("/none/there.csv", "limits"); }),
+  EXPECT_EQ(refusalOf(Error::Kind::File, [] { wholeFile("/none/there.csv", "limits"); }),
             "limits: opening of /none/there.csv, No such file or directory, expected a file that can be read");
-  EXPECT_EQ(reasonOf([] { wholeFile("/tmp", "limits"); }),
+  EXPECT_EQ(refusalOf(Error::Kind::File, [] { wholeFile("/tmp", "limits"); }),
             "limits: opening of /tmp, a folder, expected a file that can be read");
-  EXPECT_EQ(reasonOf([] { wholeFile("/dev/zero", "limits"); }),
+  EXPECT_EQ(refusalOf(Error::Kind::File, [] { wholeFile("/dev/zero", "limits"); }),
             "limits: opening of /dev/zero, not a regular file, expected a file that can be read");
   const std::string path = folder.file("c", "12345");
   EXPECT_EQ(wholeFile(path, "about", 5), "12345");
-  EXPECT_EQ(reasonOf([&] { wholeFile(path, "about", 4); }),
+  EXPECT_EQ(refusalOf(Error::Kind::File, [&] { wholeFile(path, "about", 4); }),
             "about: size of " + path + ", 5 bytes, expected a file of at most 4 bytes");
 }
 
@@ -140,7 +132,7 @@ TEST(WholeFile, IsNoLargerThanAnyTable) {
   const TestFolder folder;
   const std::string path = folder.file("sparse", "");
   std::filesystem::resize_file(path, (std::uint64_t{1} << 28) + 1);
-  EXPECT_NE(reasonOf([&] { wholeFile(path, "limits"); }).find("at most 256 MB"), std::string::npos);
+  EXPECT_NE(refusalOf(Error::Kind::File, [&] { wholeFile(path, "limits"); }).find("at most 256 MB"), std::string::npos);
 }
 
 }  // namespace

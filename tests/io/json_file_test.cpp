@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/refused.h"
 #include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
@@ -12,13 +13,7 @@ class JsonFile : public testing::Test {
  protected:
   void write(const std::string& text) const { folder_.file("datum.json", text); }
   std::string refusal() const {
-    try {
-      readJson(path_, "epoch", "a datum.json");
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), Error::Kind::File);
-      return error.what();
-    }
-    return "";
+    return refusalOf(Error::Kind::File, [&] { readJson(path_, "epoch", "a datum.json"); });
   }
   const TestFolder folder_;
   const std::string path_ = folder_.path("datum.json");

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "limits/limit_formula.h"
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -16,13 +17,7 @@ const std::string kHeader =
     "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation\n";
 
 std::string refusal(const std::string& row) {
-  try {
-    parseLimits(kHeader + row, "mine.csv");
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Option);
-    return error.what();
-  }
-  return "";
+  return refusalOf(Error::Kind::Option, [&] { parseLimits(kHeader + row, "mine.csv"); });
 }
 
 TEST(ParseFormula, ProductsAndPowers) {

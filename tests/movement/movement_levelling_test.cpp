@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 #include "levelling.h"
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/foot/refined.h"
 #include "tank_datum/movement/movement.h"
@@ -36,13 +37,7 @@ Epoch levelled(double step = 20.0, double lift = 0.0, double first = 10.0) {
 }
 
 std::string refusal(const Epoch& a, const Epoch& b) {
-  try {
-    compareEpochs(a, b, {});
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Option);
-    return error.what();
-  }
-  return "";
+  return refusalOf(Error::Kind::Option, [&] { compareEpochs(a, b, {}); });
 }
 
 TEST(LevellingAgainstScan, IsComparedAtTheLevelledStationsBothWays) {

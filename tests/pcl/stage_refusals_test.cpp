@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "support/pcl_clouds.h"
+#include "support/refused.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/pcl/datum_filter.h"
 #include "tank_datum/pcl/pcl_stages.h"
@@ -25,18 +26,6 @@ const Cloud::ConstPtr& tank() {
   return cloud;
 }
 
-/// What a call refuses, as its message says it; empty when it does not.
-template <typename Call>
-std::string refusalOf(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Option);
-    return error.what();
-  }
-  return "";
-}
-
 TEST(StageRefusals, NeighboursMustBeThreeOrMore) {
   Tree tree;
   tree.setInputCloud(tank());
@@ -44,19 +33,22 @@ TEST(StageRefusals, NeighboursMustBeThreeOrMore) {
     NormalOptions options;
     options.k = k;
     const std::string expected = "options: k, " + std::to_string(k) + ", expected >= 3";
-    EXPECT_EQ(refusalOf([&] { estimateNormals(*tank(), options); }), expected);
-    EXPECT_EQ(refusalOf([&] { estimateNormals(*tank(), tree, options); }), expected);
+    EXPECT_EQ(refusalOf(Error::Kind::Option, [&] { estimateNormals(*tank(), options); }), expected);
+    EXPECT_EQ(refusalOf(Error::Kind::Option, [&] { estimateNormals(*tank(), tree, options); }), expected);
     options.search = SearchEngine::Buckets;
-    EXPECT_EQ(refusalOf([&] { estimateNormals(*tank(), options); }), expected);
+    EXPECT_EQ(refusalOf(Error::Kind::Option, [&] { estimateNormals(*tank(), options); }), expected);
   }
   for (const int k : {0, -5}) {
     const std::string expected = "normals: k, " + std::to_string(k) + ", expected ";
-    EXPECT_EQ(refusalOf([&] { findNeighbours(tree, *tank(), {0, 1}, k); }), expected + ">= 1");
-    EXPECT_NE(refusalOf([&] { fitNormals(pointsOf(*tank()), {}, k); }).find(expected), std::string::npos);
+    EXPECT_EQ(refusalOf(Error::Kind::Option, [&] { findNeighbours(tree, *tank(), {0, 1}, k); }), expected + ">= 1");
+    EXPECT_NE(refusalOf(Error::Kind::Option, [&] { fitNormals(pointsOf(*tank()), {}, k); }).find(expected),
+              std::string::npos);
   }
-  EXPECT_NE(refusalOf([&] {
-              fitNormals(pointsOf(*tank()), {1, 2, 3}, 3);
-            }).find("as many as points"),
+  EXPECT_NE(refusalOf(Error::Kind::Option,
+                      [&] {
+                        fitNormals(pointsOf(*tank()), {1, 2, 3}, 3);
+                      })
+                .find("as many as points"),
             std::string::npos);
 }
 
@@ -64,21 +56,25 @@ TEST(StageRefusals, EveryStageNamesItsOption) {
   const Normals normals = estimateNormals(*tank(), NormalOptions());
   GrowingOptions growing;
   growing.angle = 2.0;
-  EXPECT_NE(refusalOf([&] { growCandidates(normals, growing); }).find("options: angle_deg, 114"), std::string::npos);
+  EXPECT_NE(refusalOf(Error::Kind::Option, [&] { growCandidates(normals, growing); }).find("options: angle_deg, 114"),
+            std::string::npos);
   CentreFilterOptions centre;
   centre.tolerance = -0.1;
-  EXPECT_EQ(refusalOf([&] { filterByCentre(*tank(), {}, std::nullopt, centre); }),
+  EXPECT_EQ(refusalOf(Error::Kind::Option, [&] { filterByCentre(*tank(), {}, std::nullopt, centre); }),
             "options: centre_tolerance, -0.1, expected >= 0 m");
   LocateOptions locate;
   locate.min_radius = 0.0;
-  EXPECT_EQ(refusalOf([&] { locateTanks<pcl::PointXYZ>(tank(), locate); }), "options: min_radius, 0, expected > 0 m");
+  EXPECT_EQ(refusalOf(Error::Kind::Option, [&] { locateTanks<pcl::PointXYZ>(tank(), locate); }),
+            "options: min_radius, 0, expected > 0 m");
   StationOptions stations;
   stations.count = 7;
-  EXPECT_EQ(refusalOf([&] { refineStations<pcl::PointXYZ>(tank(), Tank(), RefineOptions(), stations); }),
-            "options: stations, 7, expected 8 to 36000");
+  EXPECT_EQ(
+      refusalOf(Error::Kind::Option, [&] { refineStations<pcl::PointXYZ>(tank(), Tank(), RefineOptions(), stations); }),
+      "options: stations, 7, expected 8 to 36000");
   CropOptions crop;
   crop.fit_points = 10;
-  EXPECT_EQ(refusalOf([&] { refineStations<pcl::PointXYZ>(tank(), Tank(), RefineOptions(), StationOptions(), crop); }),
+  EXPECT_EQ(refusalOf(Error::Kind::Option,
+                      [&] { refineStations<pcl::PointXYZ>(tank(), Tank(), RefineOptions(), StationOptions(), crop); }),
             "options: fit_points, 10, expected >= 1000");
 }
 
@@ -101,7 +97,8 @@ TEST(StageRefusals, CurvatureIsThatOfPcl) {
   }
   EXPECT_GT(largest, 0.1F);  // at the crease
   EXPECT_TRUE(std::isnan(toPcl(normals)[0].curvature));
-  EXPECT_NE(refusalOf([&] { toPcl(normals, Points(3)); }).find("normals: points, 3"), std::string::npos);
+  EXPECT_NE(refusalOf(Error::Kind::Option, [&] { toPcl(normals, Points(3)); }).find("normals: points, 3"),
+            std::string::npos);
 }
 
 TEST(StageRefusals, CurvatureOfKnownPoints) {
@@ -134,11 +131,11 @@ TEST(StageRefusals, ASearchThatCannotBeUsedIsSaid) {
   filter.setInputCloud(tank());
   filter.setSearchMethod(tree);
   pcl::Indices edge;
-  const std::string other = refusalOf([&] { filter.filter(edge); });
+  const std::string other = refusalOf(Error::Kind::Option, [&] { filter.filter(edge); });
   EXPECT_NE(other.find("by the search method, point 10"), std::string::npos) << other;
   EXPECT_NE(other.find("is the search over another cloud?"), std::string::npos) << other;
   tree->fault = WrongTree::Fault::Same;
-  const std::string same = refusalOf([&] { filter.filter(edge); });
+  const std::string same = refusalOf(Error::Kind::Option, [&] { filter.filter(edge); });
   EXPECT_NE(same.find(" twice, expected points of the cloud"), std::string::npos) << same;
   EXPECT_EQ(filter.getDatum().status, Status::NotRun);
 }
