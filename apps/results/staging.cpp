@@ -41,10 +41,20 @@ Owner ownerByNumber(int descriptor) {
   return process > 0 && (::kill(process, 0) == 0 || errno != ESRCH) ? Owner::Lives : Owner::Gone;
 }
 
+/// Whether the folder's lock is the open file, and not that of another run whose folder has the name now.
+bool isLockOf(int descriptor, const std::string& folder) {
+  struct stat mine {
+  }, its{};
+  return ::fstat(descriptor, &mine) == 0 && ::stat((folder + "/lock").c_str(), &its) == 0 &&
+         mine.st_ino == its.st_ino && mine.st_dev == its.st_dev;
+}
+
 /// An open lock file, closed at the end.
 class LockFile {
  public:
-  explicit LockFile(const std::string& folder) : descriptor_(::open(nameIn(folder).c_str(), O_RDWR | O_CLOEXEC)) {
+  /// @param how O_CREAT | O_EXCL to take over a folder whose lock is missing
+  explicit LockFile(const std::string& folder, int how = 0)
+      : descriptor_(::open(nameIn(folder).c_str(), O_RDWR | O_CLOEXEC | how, 0666)) {
     if (descriptor_ < 0) {
       owner_ = errno == ENOENT ? Owner::Gone : Owner::Unknown;
     } else if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
@@ -60,14 +70,7 @@ class LockFile {
   LockFile& operator=(const LockFile&) = delete;
 
   Owner owner() const { return owner_; }
-  /// Whether the folder still has this lock, and no other run's.
-  bool isOf(const std::string& folder) const {
-    struct stat mine {
-    }, its{};
-    if (descriptor_ < 0) return !exists(nameIn(folder));
-    return ::fstat(descriptor_, &mine) == 0 && ::stat(nameIn(folder).c_str(), &its) == 0 && mine.st_ino == its.st_ino &&
-           mine.st_dev == its.st_dev;
-  }
+  bool isOf(const std::string& folder) const { return descriptor_ >= 0 && isLockOf(descriptor_, folder); }
   static std::string nameIn(const std::string& folder) { return folder + "/lock"; }
 
  private:
@@ -123,12 +126,13 @@ bool Staging::begin(const std::string& path) {
     if (reason == ENOENT) return false;  // another run took the empty folder for a stale one
     throw failure(path, std::strerror(reason), "a folder that can be written to");
   }
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // the same, a moment later
+  const bool taken = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (taken || !isLockOf(lock_, path)) {  // the same, a moment later
     ::close(lock_);
     lock_ = -1;
     return false;
   }
-  path_ = path;
+  own_name_ = path_ = path;
   try {
     const std::string process = std::to_string(::getpid()) + "\n";
     if (::write(lock_, process.data(), process.size()) < 0) {
@@ -151,10 +155,15 @@ void Staging::abandon() {
   if (lock_ >= 0) ::close(lock_);
   lock_ = -1;
   path_.clear();
+  own_name_.clear();
 }
 
 void Staging::remove() noexcept {
   constexpr int kTries = 50;
+  if (path_ != own_name_) {  // the commit folder: its name is the next run's as soon as this one's folder has left it
+    if (::rename(path_.c_str(), own_name_.c_str()) != 0) return abandon();
+    path_ = own_name_;
+  }
   for (int i = 0; i < kTries && !path_.empty(); ++i) {
     try {
       removeOwn(path_);
@@ -197,13 +206,12 @@ void removeStale(const std::string& folder) {
   for (const std::string& name : found) {
     const std::string path = folder + "/" + name;
     if (kindOf(path) != Kind::Folder) continue;
-    const LockFile lock(path);
-    if (lock.owner() != Owner::Gone) continue;
     if (!exists(LockFile::nameIn(path))) {
       removeEmptyFolder(path);  // of a run killed, or just about to make its lock: that one makes another folder
-    } else if (lock.isOf(path)) {
-      removeOwn(path);
+      continue;
     }
+    const LockFile lock(path);
+    if (lock.owner() == Owner::Gone && lock.isOf(path)) removeOwn(path);
   }
 }
 
@@ -211,7 +219,9 @@ std::string settle(const std::string& folder) {
   const std::string commit = folder + "/" + kCommitFolder;
   for (int i = 0; i < kPatience; ++i) {
     if (kindOf(commit) != Kind::Folder) return {};
-    const LockFile lock(commit);
+    const bool unlocked = !exists(LockFile::nameIn(commit));
+    if (unlocked && removeEmptyFolder(commit)) continue;  // of a run that has just removed its lock
+    const LockFile lock(commit, unlocked ? O_CREAT | O_EXCL : 0);
     if (lock.owner() == Owner::Gone && lock.isOf(commit)) return putRight(folder);
     if (lock.owner() == Owner::Unknown) {
       throw failure(commit, "not to be opened",

@@ -32,7 +32,7 @@ class Staging {
  private:
   bool begin(const std::string& path);
 
-  std::string folder_, path_;
+  std::string folder_, path_, own_name_;
   int lock_ = -1;
 };
 

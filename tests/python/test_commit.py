@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -131,19 +132,34 @@ def test_killed_again_while_it_is_put_right(tmp_path: Path) -> None:
     assert seen > 16
 
 
+ROUNDS = 15
+PYTHON_WRITER = """
+import sys
+from pathlib import Path
+from tank_datum_qa._result_folder import ResultFolder
+with ResultFolder(Path(sys.argv[1]), "pictures") as new:
+    (new / "tank.png").write_text(sys.argv[2])
+"""
+
+
 def test_runs_at_the_same_time(tmp_path: Path) -> None:
-    """Each commits a whole result, the last one stays; no folder of a living run is removed."""
+    """Each commits a whole result, the last one stays; no folder of a living run is removed.
+
+    One run's folder has gone from a name when the next one's gets it: what is removed must be one's
+    own. This needs a few rounds to be seen.
+    """
     program, out = str(executable("results_probe")), tmp_path / "out"
     names = ("datum.json", "stations.csv", "tank_1/datum.json")
-    runs = [
-        subprocess.Popen([program, "tank_datum", out, *(f"{n}={i}" for n in names)])
-        for i in range(12)
-    ]
-    assert [run.wait(timeout=60) for run in runs] == [0] * len(runs)
-    assert len({(out / n).read_text() for n in names}) == 1
-    assert sorted(p.name for p in out.iterdir()) == [
-        "datum.json", "manifest.json", "stations.csv", "tank_1",
-    ]  # fmt: skip
+    for turn in range(ROUNDS):
+        words = [[program, "tank_datum", out, *(f"{n}={i}" for n in names)] for i in range(12)]
+        words += [[sys.executable, "-c", PYTHON_WRITER, out, str(turn)] for _ in range(2)]
+        runs = [subprocess.Popen(line) for line in words]
+        assert [run.wait(timeout=60) for run in runs] == [0] * len(runs), f"round {turn}"
+        assert len({(out / n).read_text() for n in names}) == 1
+        assert (out / "tank.png").read_text() == str(turn)
+        assert sorted(p.name for p in out.iterdir()) == [
+            "datum.json", "manifest.json", "stations.csv", "tank.png", "tank_1",
+        ]  # fmt: skip
 
 
 def test_what_cannot_be_put_right_is_said(tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from tank_datum_qa._result_journal import (
     PATIENCE,
     Journal,
     ResultError,
+    is_lock_of,
     kept_name,
     move,
     no_stop,
@@ -75,6 +76,7 @@ class ResultFolder:
     def __init__(self, folder: Path, program: str, own: IsOwn | None = None) -> None:
         self.folder, self.program, self.own = folder, program, own
         self._path: Path | None = None
+        self._own_name = folder
         self.lock = -1
         self.made: list[Path] = []
 
@@ -114,7 +116,10 @@ class ResultFolder:
                 fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except (FileExistsError, FileNotFoundError, BlockingIOError):
                 continue  # of another run, or taken for a stale one
-            self._path = path
+            if not is_lock_of(self.lock, path):
+                os.close(self.lock)
+                continue  # the same, a moment later
+            self._path = self._own_name = path
             (path / "new").mkdir()
             return path / "new"
         raise ResultError(
@@ -124,7 +129,10 @@ class ResultFolder:
     def _clean_up(self) -> None:
         if self._path is not None:
             with contextlib.suppress(OSError):
-                remove_own(self.path)
+                # the commit folder's name is the next run's as soon as this one's has left it
+                if self.path != self._own_name:
+                    self.path.rename(self._own_name)
+                remove_own(self._own_name)
         if self.lock >= 0:
             os.close(self.lock)
         self.lock, self._path = -1, None

@@ -119,19 +119,30 @@ def remove_own(path: Path) -> None:
         path.rmdir()
 
 
-@contextlib.contextmanager
-def lock_of(path: Path) -> Iterator[bool]:
-    """Whether the run of a hidden folder is gone; then it is ours as long as this lasts."""
+def is_lock_of(descriptor: int, path: Path) -> bool:
+    """Whether the folder's lock is the open file, and not that of another run that has its name."""
     try:
-        descriptor = os.open(path / "lock", os.O_RDWR)
+        mine, there = os.fstat(descriptor), os.stat(path / "lock")
     except FileNotFoundError:
-        yield True
+        return False
+    return (mine.st_dev, mine.st_ino) == (there.st_dev, there.st_ino)
+
+
+@contextlib.contextmanager
+def lock_of(path: Path, how: int = 0) -> Iterator[bool]:
+    """Whether the run of a hidden folder is gone; then it is ours as long as this lasts.
+
+    With `how` os.O_CREAT | os.O_EXCL a folder is taken over whose lock is missing.
+    """
+    try:
+        descriptor = os.open(path / "lock", os.O_RDWR | how, 0o666)
+    except (FileExistsError, FileNotFoundError):
+        yield False
         return
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        mine, there = os.fstat(descriptor), os.stat(path / "lock")
-        yield (mine.st_dev, mine.st_ino) == (there.st_dev, there.st_ino)
-    except (BlockingIOError, FileNotFoundError):
+        yield is_lock_of(descriptor, path)
+    except BlockingIOError:
         yield False
     finally:
         os.close(descriptor)
@@ -143,7 +154,12 @@ def settle(folder: Path) -> list[str]:
     for _ in range(PATIENCE):
         if not commit.is_dir() or commit.is_symlink():
             return []
-        with lock_of(commit) as gone:
+        unlocked = not (commit / "lock").exists()
+        if unlocked:
+            with contextlib.suppress(OSError):
+                commit.rmdir()  # of a run that has just removed its lock
+                continue
+        with lock_of(commit, os.O_CREAT | os.O_EXCL if unlocked else 0) as gone:
             if gone:
                 said = []
                 if (commit / "journal.json").exists():
