@@ -31,6 +31,20 @@ double robustSigma(const std::vector<double>& values, double center) {
   return 1.4826 * median(std::move(deviations));
 }
 
+double biweightSigma(const std::vector<double>& values) {
+  constexpr double kReach = 9.0;  // median absolute deviations
+  const double middle = median(values), reach = kReach / 1.4826 * robustSigma(values, middle);
+  if (!(reach > 0.0)) return reach;
+  double above = 0.0, below = 0.0;
+  for (const double value : values) {
+    const double off = value - middle, u2 = std::pow(off / reach, 2.0);
+    if (u2 >= 1.0) continue;
+    above += off * off * std::pow(1.0 - u2, 4.0);
+    below += (1.0 - u2) * (1.0 - 5.0 * u2);
+  }
+  return std::sqrt(static_cast<double>(values.size()) * above) / std::abs(below);
+}
+
 double halfSampleMode(const std::vector<double>& sorted) {
   std::size_t first = 0, count = sorted.size();
   while (count > 3) {

@@ -69,7 +69,7 @@ void removeStandingWaves(std::vector<double>& values, const std::vector<MatchedS
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   constexpr std::size_t kFewStations = 16, kDense = 32;
   constexpr double kMismatch = 1.25;    // few stations exceed their sigma by less through chance
-  constexpr double kEfficiency = 0.37;  // of the median absolute deviation (Huber, Robust Statistics, 1981)
+  constexpr double kEfficiency = 0.87;  // of biweightSigma
   constexpr double kNone = 0.35;        // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;    // an arc is known to about a quarter
   constexpr double kWidest = 30.0 * kDegree;
@@ -92,7 +92,7 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   if (along > 0.0) errors.shared = kCautious * step * (1.0 + 2.0 * along);
   // the plane took three degrees of freedom from as many values as are independent
   const double independent = errors.shared > 0.0 ? std::max(6.0, kTwoPi / errors.shared) : static_cast<double>(n);
-  errors.shown = robustSigma(values, median(values)) / std::sqrt(1.0 - 3.0 / independent);
+  errors.shown = biweightSigma(values) / std::sqrt(1.0 - 3.0 / independent);
   if (errors.shown <= (n < kFewStations ? kMismatch : 1.0)) return errors;
   errors.scale = errors.shown;
   if (errors.shown > kMismatch) errors.freedom = std::max(1.0, kEfficiency * (independent - 3.0));

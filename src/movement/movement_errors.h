@@ -14,9 +14,9 @@ struct MovementErrors {
   double freedom = 0.0;  ///< degrees of freedom that the scale is known by; 0: the given sigmas stand
 };
 
-/// Scatter and autocorrelation of dz about a robust plane, by medians: a movement of less than half of the ring hardly
-/// changes them, nor does a long wave of the whole ring that stands far above the waves shorter than it. Fewer than 16
-/// stations must scatter by a quarter more than their sigmas; the autocorrelation and the waves need 32.
+/// Scatter and autocorrelation of dz about a robust plane, by biweight and medians: a movement of less than half of the
+/// ring hardly changes them, nor does a long wave of the whole ring that stands far above the waves shorter than it.
+/// Fewer than 16 stations must scatter by a quarter more than their sigmas; the autocorrelation and the waves need 32.
 /// Source of the robust autocovariance: Ma and Genton, J. Time Series Analysis 21, 2000, with the median absolute
 /// deviation as scale.
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations);

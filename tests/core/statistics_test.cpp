@@ -52,6 +52,31 @@ TEST(RobustSigma, IsTheStandardDeviationOfNormalErrorsAndIgnoresAFewGrossOnes) {
   EXPECT_NEAR(robustSigma(values, 0.0), 2.0, 0.08);
 }
 
+TEST(BiweightSigma, OfFourValuesIsWhatItsFormulaGives) {
+  // median 0, median absolute deviation 1, u = 1/9: sqrt(4 * 4 * (80/81)^4) / (4 * 80/81 * 76/81)
+  EXPECT_NEAR(biweightSigma({-1, 1, -1, 1}), 80.0 / 76.0, 1e-15);
+  EXPECT_NEAR(biweightSigma({9, 11, 9, 11, 1000}), biweightSigma({9, 11, 9, 11, 2000}), 1e-12) << "beyond nine";
+  EXPECT_EQ(biweightSigma({3, 3, 3, 4}), 0.0);
+  EXPECT_TRUE(std::isnan(biweightSigma({})));
+}
+
+TEST(BiweightSigma, OfTwelveNormalErrorsScattersByLessThanTheMedianDeviation) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0.0, 2.0);
+  double sum = 0.0, squares = 0.0, squares_of_median = 0.0, sum_of_median = 0.0;
+  constexpr int kRuns = 4000;
+  for (int run = 0; run < kRuns; ++run) {
+    std::vector<double> values(12);
+    for (double& v : values) v = normal(random);
+    const double sigma = biweightSigma(values), other = robustSigma(values, median(values));
+    sum += sigma, squares += sigma * sigma, sum_of_median += other, squares_of_median += other * other;
+  }
+  const auto relative = [](double s, double s2) { return std::sqrt(s2 * kRuns / (s * s) - 1.0); };
+  EXPECT_NEAR(sum / kRuns, 0.94 * 2.0, 0.03);
+  EXPECT_NEAR(relative(sum, squares), 0.23, 0.01);  // sqrt(1 / (2 * 0.87 * 11))
+  EXPECT_NEAR(relative(sum_of_median, squares_of_median), 0.33, 0.01);
+}
+
 TEST(TukeyWeight, IsOneInTheMiddleAndNothingFrom4Point685SigmasOn) {
   EXPECT_EQ(tukeyWeight(0.0), 1.0);
   EXPECT_DOUBLE_EQ(tukeyWeight(4.685 / 2), 0.5625);  // (1 - 1/4)^2

@@ -91,10 +91,10 @@ TEST(ShownErrors, AWaveIsNoErrorWhenItsPowerIsFiftyTimesThatOfShorterOnes) {
   EXPECT_NEAR(shown(7.5), without, 0.1 * without);  // power 56
 }
 
-/// Values that scatter by `scatter` of their sigma as the median absolute deviation has it, without chance.
+/// Values that scatter by `scatter` of their sigma as the biweight midvariance has it, without chance.
 std::vector<MatchedStation> scattered(std::size_t count, double scatter) {
   auto stations = differences(count, 1, 1, 0.0);
-  const double off = scatter / 1.4826 * std::sqrt(1.0 - 3.0 / static_cast<double>(count));
+  const double off = scatter * 76.0 / 80.0 * std::sqrt(1.0 - 3.0 / static_cast<double>(count));
   for (std::size_t i = 0; i < count; ++i) stations[i].dz = (i % 2 == 0 ? off : -off) * stations[i].sigma;
   return stations;
 }
@@ -106,10 +106,10 @@ TEST(ShownErrors, FewStationsMustShowAQuarterMoreThanGiven) {
   EXPECT_NEAR(shownErrors(scattered(18, 1.15)).scale, 1.15, 0.02);
 }
 
-TEST(ShownErrors, AScaleFromResidualsIsKnownByThoseThatAMedianUses) {
+TEST(ShownErrors, AScaleFromResidualsIsKnownByAsManyAsTheBiweightUses) {
   EXPECT_EQ(shownErrors(scattered(28, 1.15)).freedom, 0.0) << "the given sigmas stand";
-  EXPECT_NEAR(shownErrors(scattered(28, 1.35)).freedom, 0.37 * 25.0, 1e-9);
-  EXPECT_EQ(shownErrors(scattered(8, 2.0)).freedom, 0.37 * 5.0);
+  EXPECT_NEAR(shownErrors(scattered(28, 1.35)).freedom, 0.87 * 25.0, 1e-9);
+  EXPECT_EQ(shownErrors(scattered(8, 2.0)).freedom, 0.87 * 5.0);
 }
 
 TEST(ShownErrors, ThirtyTwoStationsTellTheArcThatNeighboursShare) {
