@@ -191,7 +191,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   widenErrors(matched, errors, options.correlation);
   movement.errors_shown = errors.shown, movement.shared_arc = errors.shared;
   const CommonMotion motion = commonMotion(matched, options.registration_error, rim);
-  describeWhole(motion, errors.freedom, current.circle.radius, movement);
+  describeWhole(motion, errors.freedom_whole, current.circle.radius, movement);
   movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);
   describeRest(matched, movement);
   const CommonPart part(matched, options.removal, true);

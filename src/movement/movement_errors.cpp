@@ -93,9 +93,11 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   // the plane took three degrees of freedom from as many values as are independent
   const double independent = errors.shared > 0.0 ? std::max(6.0, kTwoPi / errors.shared) : static_cast<double>(n);
   errors.shown = biweightSigma(values) / std::sqrt(1.0 - 3.0 / independent);
+  const double freedom = std::max(1.0, kEfficiency * (independent - 3.0));
+  if (errors.shared > 0.0) errors.freedom_whole = freedom;  // the arc is known no better than a scale would be
   if (errors.shown <= (n < kFewStations ? kMismatch : 1.0)) return errors;
   errors.scale = errors.shown;
-  if (errors.shown > kMismatch) errors.freedom = std::max(1.0, kEfficiency * (independent - 3.0));
+  if (errors.shown > kMismatch) errors.freedom = errors.freedom_whole = freedom;
   return errors;
 }
 

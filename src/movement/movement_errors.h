@@ -8,10 +8,11 @@ namespace tank_datum {
 
 /// What the differences of two surveys show of their errors.
 struct MovementErrors {
-  double scale = 1.0;    ///< errors over the given sigmas, at least 1
-  double shown = 1.0;    ///< the same as the stations show it, above or below 1
-  double shared = 0.0;   ///< arc within which neighbours share errors; 0: not beyond what the surveys say [rad]
-  double freedom = 0.0;  ///< degrees of freedom that the scale is known by; 0: the given sigmas stand
+  double scale = 1.0;          ///< errors over the given sigmas, at least 1
+  double shown = 1.0;          ///< the same as the stations show it, above or below 1
+  double shared = 0.0;         ///< arc within which neighbours share errors; 0: not beyond what the surveys say [rad]
+  double freedom = 0.0;        ///< degrees of freedom that the scale is known by; 0: the given sigmas stand
+  double freedom_whole = 0.0;  ///< those of settlement and tilt of the whole, which scale and arc both carry; 0: none
 };
 
 /// Scatter and autocorrelation of dz about a robust plane, by biweight and medians: a movement of less than half of the

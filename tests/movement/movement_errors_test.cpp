@@ -112,6 +112,17 @@ TEST(ShownErrors, AScaleFromResidualsIsKnownByAsManyAsTheBiweightUses) {
   EXPECT_EQ(shownErrors(scattered(8, 2.0)).freedom, 0.87 * 5.0);
 }
 
+TEST(ShownErrors, AnArcThatIsLearntIsKnownByAsManyAsAreIndependent) {
+  const MovementErrors none = shownErrors(differences(360, 1, 3));
+  EXPECT_EQ(none.shared, 0.0);
+  EXPECT_EQ(none.freedom_whole, 0.0);
+  const MovementErrors learnt = shownErrors(differences(360, 20, 3));
+  ASSERT_GT(learnt.shared, 10.0 * kDegree);
+  EXPECT_NEAR(learnt.freedom_whole, 0.87 * (kTwoPi / learnt.shared - 3.0), 1e-9);
+  const MovementErrors scaled = shownErrors(scattered(28, 1.35));
+  EXPECT_EQ(scaled.freedom_whole, scaled.freedom) << "the scale is learnt, and no arc";
+}
+
 TEST(ShownErrors, ThirtyTwoStationsTellTheArcThatNeighboursShare) {
   int told = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
