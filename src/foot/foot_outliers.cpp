@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "core/statistics.h"
+#include "foot/foot_banks.h"
 #include "foot/foot_check.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
@@ -53,22 +54,6 @@ std::vector<bool> findSupport(const Foot& foot, const FootPass& pass) {
   return supported;
 }
 
-/// Whether the shell is seen to go on below the station's datum, as it does behind a kerb that stands before it.
-bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
-  constexpr double kLeast = 0.002, kHigh = 0.04;  // of the reach
-  constexpr std::size_t kStray = 3;
-  constexpr double kShare = 0.25;  // of the points that as much of the shell has above
-  const double least = kLeast * foot.reach + 3.0 * std::hypot(fit.sigma, fit.noise), high = kHigh * foot.reach + least;
-  std::size_t below = 0, above = 0;
-  foot.ring.visitAround(foot.directions[station], fit.half_width, fit.z, 2.0 * high, [&](const FootPoint& p) {
-    if (std::abs(p.d) > 2.0 * foot.scales.shell_noise) return;
-    const double height = p.z - fit.z - fit.along * p.t - fit.bend * p.t * p.t;
-    below += height < -least && height > -high;
-    above += height > least && height < high;
-  });
-  return below > kStray && static_cast<double>(below) > kShare * static_cast<double>(above);
-}
-
 /// Whether the points of a station and its neighbours rise to the shell as no foundation does, which a fit that is told
 /// the slope does not show: a heap of soil. (They fall to it where few rows of the scan cross the lip: range noise
 /// moves a row's points along their rays.)
@@ -82,6 +67,12 @@ bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
   const auto points = foot.ring.around(foot.directions[station], 3.0 * foot.half_step, fit.z, foot.reach);
   const FootFit own = fitFoundation(points, profile, fit.z + profile.offset, usual, prior);
   return own.valid() && own.slope < std::min(usual, pass.priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
+}
+
+std::vector<double> levelsOf(const std::vector<FootFit>& fits) {
+  std::vector<double> levels;
+  for (const FootFit& fit : fits) levels.push_back(fit.z);
+  return levels;
 }
 
 }  // namespace
@@ -110,9 +101,13 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (reasons[i] != Unmeasured::None) kept[i] = {};
   }
+  const std::vector<double> levels = levelsOf(kept);
+  const std::vector<bool> banks = findBanks(foot, levels);
+  const std::vector<bool> hanging = findHangingRuns(foot, levels);
   const std::vector<bool> steps = findSteps(kept, 2.0 * foot.half_step * foot.radius);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (reasons[i] == Unmeasured::None && (none || steps[i])) reasons[i] = Unmeasured::OtherSurface;
+    if (reasons[i] == Unmeasured::None && (none || steps[i] || banks[i] || hanging[i]))
+      reasons[i] = Unmeasured::OtherSurface;
   }
   return reasons;
 }

@@ -1,0 +1,232 @@
+#include "foot/foot_banks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/parallel.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kNear = 5.0 * kDegree;  ///< within which a datum does little
+constexpr std::size_t kBins = 25;        ///< of the section beside a station, to the end of the reach
+
+std::size_t nearStations(const Foot& foot) {
+  return static_cast<std::size_t>(std::max(1.0, std::round(0.5 * kNear / foot.half_step)));
+}
+
+/// Heights above the station's elevation against the distance from the shell; NaN where too few points lie [m].
+using Section = std::vector<double>;
+
+/// The section of a station and its neighbours, each relative to its own elevation.
+Section sectionAround(const Foot& foot, const std::vector<double>& levels, std::size_t station) {
+  constexpr std::size_t kBeside = 3, kFewest = 3,
+                        kMost = 300;  // stations to either side, points of a bin, of a station
+  constexpr double kHigh = 0.3;       // of the reach
+  const std::size_t count = levels.size();
+  std::vector<std::vector<double>> heights(kBins);
+  for (std::size_t k = 0; k <= 2 * kBeside; ++k) {
+    const std::size_t i = (station + count + k - kBeside) % count;
+    if (!std::isfinite(levels[i])) continue;
+    const std::vector<FootPoint>& points = foot.points[i];
+    for (std::size_t p = 0; p < points.size(); p += points.size() / kMost + 1) {
+      const double height = points[p].z - levels[i], bin = points[p].d / foot.reach * static_cast<double>(kBins);
+      if (bin < 0.0 || bin >= static_cast<double>(kBins) || std::abs(height) > kHigh * foot.reach) continue;
+      heights[static_cast<std::size_t>(bin)].push_back(height);
+    }
+  }
+  Section section;
+  for (const auto& bin : heights) section.push_back(bin.size() < kFewest ? kUnknown : median(bin));
+  return section;
+}
+
+/// What sections show round the ring, bin by bin: their median, and how far they usually lie below it.
+struct UsualSection {
+  Section height, spread;
+};
+
+UsualSection usualOf(const std::vector<Section>& sections, double noise) {
+  constexpr std::size_t kFirst = 3;     // the bins before it hold the surface itself, or a lip
+  constexpr std::size_t kFewest = 10;   // sections of a bin
+  constexpr double kShare = 0.25;       // and of those there are
+  constexpr double kQuartile = 0.6745;  // of a normal distribution
+  const auto known =
+      static_cast<double>(std::count_if(sections.begin(), sections.end(), [](const Section& s) { return !s.empty(); }));
+  UsualSection usual{Section(kBins, kUnknown), Section(kBins, kUnknown)};
+  for (std::size_t b = kFirst; b < kBins; ++b) {
+    std::vector<double> heights;
+    for (const Section& s : sections) {
+      if (!s.empty() && std::isfinite(s[b])) heights.push_back(s[b]);
+    }
+    if (static_cast<double>(heights.size()) < std::max<double>(kFewest, kShare * known)) continue;
+    usual.height[b] = median(heights);
+    usual.spread[b] = std::hypot(noise, (usual.height[b] - quantile(heights, 0.25)) / kQuartile);
+  }
+  return usual;
+}
+
+/// How far a section lies below the usual one, where that is more than chance explains; 0 elsewhere [m].
+double depthBelow(const Section& section, const UsualSection& usual, double least) {
+  constexpr double kStands = 3.0;
+  constexpr int kFewest = 2;  // bins
+  double weights = 0.0, below = 0.0, spread = 0.0;
+  int bins = 0;
+  for (std::size_t b = 0; b < section.size(); ++b) {
+    if (!std::isfinite(section[b]) || !std::isfinite(usual.height[b])) continue;
+    const double weight = 1.0 / (usual.spread[b] * usual.spread[b]);
+    weights += weight, below += weight * (usual.height[b] - section[b]), spread += weight * usual.spread[b];
+    ++bins;
+  }
+  return bins >= kFewest && below > std::max(kStands * spread, least * weights) ? below / weights : 0.0;
+}
+
+/// Stations in a row, first and last included; `last` may pass the end of the ring.
+struct Run {
+  std::size_t first, last;
+};
+
+/// Runs of stations for which `is` holds, over gaps of up to `gap` others.
+std::vector<Run> runsOf(const std::vector<char>& is, std::size_t gap) {
+  const std::size_t count = is.size();
+  std::vector<Run> runs;
+  const auto start = static_cast<std::size_t>(std::find(is.begin(), is.end(), 0) - is.begin());
+  for (std::size_t k = start; k < start + count; ++k) {
+    if (!is[k % count]) continue;
+    if (!runs.empty() && k - runs.back().last <= gap + 1) {
+      runs.back().last = k;
+    } else {
+      runs.push_back({k, k});
+    }
+  }
+  const bool joined = runs.size() > 1 && runs.front().first + count - runs.back().last <= gap + 1;
+  if (joined) {
+    runs.back().last = runs.front().last + count;
+    runs.erase(runs.begin());
+  }
+  return runs;
+}
+
+/// The elevation nearest to a station, up to `near` stations on in steps of +1 or -1, of those that do not lie lower.
+struct Beside {
+  double level = kUnknown;
+  std::size_t away = 0;
+};
+
+Beside besideOf(std::size_t station, int step, const std::vector<double>& levels, const std::vector<char>& leave_out,
+                std::size_t near) {
+  const std::size_t count = levels.size();
+  for (std::size_t away = 1; away <= near; ++away) {
+    const std::size_t i = (station + (step > 0 ? away : count - away)) % count;
+    if (leave_out[i] == 0 && std::isfinite(levels[i])) return {levels[i], away};
+  }
+  return {};
+}
+
+/// How far a run of stations rises above the line between those beside it [m]; infinite where none is near.
+double riseOf(const Run& run, const std::vector<double>& levels, const std::vector<char>& in_runs, std::size_t near) {
+  const std::size_t count = levels.size();
+  Beside before = besideOf(run.first % count, -1, levels, in_runs, near);
+  Beside after = besideOf(run.last % count, +1, levels, in_runs, near);
+  if (before.away == 0 && after.away == 0) return std::numeric_limits<double>::infinity();
+  if (before.away == 0) before = {after.level, 1};
+  if (after.away == 0) after = {before.level, 1};
+  const double length = static_cast<double>(run.last - run.first + before.away + after.away);
+  double rise = 0.0;
+  for (std::size_t i = run.first; i <= run.last; ++i) {
+    if (!std::isfinite(levels[i % count])) continue;
+    const double along = static_cast<double>(i - run.first + before.away) / length;
+    rise = std::max(rise, levels[i % count] - before.level - along * (after.level - before.level));
+  }
+  return rise;
+}
+
+/// The same of a station that has no fit, at a level that is known to a part of the reach.
+bool isShellBelow(const Foot& foot, std::size_t station, double level) {
+  constexpr double kAllowed = 0.01;  // of the reach
+  FootFit fit;
+  fit.z = level - kAllowed * foot.reach, fit.sigma = fit.along = fit.bend = 0.0;
+  fit.noise = foot.scales.shell_noise, fit.half_width = foot.half_step;
+  return goesOnBelow(foot, station, fit);
+}
+
+/// What the shell beside the end of a run says: whether it is seen to go on below the run's elevation.
+enum class Says { Nothing, GoesOn, Ends };
+
+Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<double>& levels) {
+  constexpr std::size_t kFewest = 3;  // stations whose shell is seen
+  const std::size_t count = levels.size(), near = nearStations(foot);
+  std::size_t seen = 0, below = 0;
+  for (std::size_t away = 1; away <= near; ++away) {
+    const std::size_t i = (end + (step > 0 ? away : count - away)) % count;
+    if (!foot.shell_seen[i] || std::isfinite(levels[i])) continue;
+    ++seen;
+    below += isShellBelow(foot, i, levels[end]) ? 1 : 0;
+  }
+  return seen < kFewest ? Says::Nothing : 2 * below > seen ? Says::GoesOn : Says::Ends;
+}
+
+}  // namespace
+
+bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
+  constexpr double kLeast = 0.002, kHigh = 0.04;  // of the reach
+  constexpr std::size_t kStray = 3;
+  constexpr double kShare = 0.25;  // of the points that as much of the shell has above
+  const double least = kLeast * foot.reach + 3.0 * std::hypot(fit.sigma, fit.noise), high = kHigh * foot.reach + least;
+  std::size_t below = 0, above = 0;
+  foot.ring.visitAround(foot.directions[station], fit.half_width, fit.z, 2.0 * high, [&](const FootPoint& p) {
+    if (std::abs(p.d) > 2.0 * foot.scales.shell_noise) return;
+    const double height = p.z - fit.z - fit.along * p.t - fit.bend * p.t * p.t;
+    below += height < -least && height > -high;
+    above += height > least && height < high;
+  });
+  return below > kStray && static_cast<double>(below) > kShare * static_cast<double>(above);
+}
+
+std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels) {
+  constexpr double kLeast = 0.008;  // of the reach
+  constexpr double kNoise = 0.002;  // of the reach: what medians of bins scatter by at least
+  constexpr double kShareUp = 0.5;  // of what it hides is what a bank rises by
+  const std::size_t count = levels.size(), near = 2 * nearStations(foot);
+  std::vector<Section> sections(count);
+  forEachIndex(count, 0, [&](std::size_t i) {
+    if (std::isfinite(levels[i])) sections[i] = sectionAround(foot, levels, i);
+  });
+  const UsualSection usual = usualOf(sections, kNoise * foot.reach);
+  std::vector<double> depths(count, 0.0);
+  std::vector<char> lower(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    depths[i] = depthBelow(sections[i], usual, kLeast * foot.reach);
+    lower[i] = depths[i] > 0.0 ? 1 : 0;
+  }
+  std::vector<bool> banks(count, false);
+  for (const Run& run : runsOf(lower, near)) {
+    double depth = 0.0;
+    for (std::size_t i = run.first; i <= run.last; ++i) depth = std::max(depth, depths[i % count]);
+    if (riseOf(run, levels, lower, near) < kShareUp * depth) continue;
+    for (std::size_t i = run.first; i <= run.last; ++i) banks[i % count] = std::isfinite(levels[i % count]);
+  }
+  return banks;
+}
+
+std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& levels) {
+  constexpr std::size_t kShortest = 6;  // a longer part of the ring is no bank whose other end fades
+  const std::size_t count = levels.size();
+  std::vector<char> known(count);
+  for (std::size_t i = 0; i < count; ++i) known[i] = std::isfinite(levels[i]) ? 1 : 0;
+  std::vector<bool> hanging(count, false);
+  for (const Run& run : runsOf(known, nearStations(foot))) {
+    const Says before = shellBeside(foot, run.first % count, -1, levels);
+    const Says after = shellBeside(foot, run.last % count, +1, levels);
+    const bool either = before == Says::GoesOn || after == Says::GoesOn;
+    const bool neither = before != Says::Ends && after != Says::Ends;
+    if (!either || !(neither || run.last - run.first < count / kShortest)) continue;
+    for (std::size_t i = run.first; i <= run.last; ++i) hanging[i % count] = known[i % count] != 0;
+  }
+  return hanging;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,153 @@
+#include "foot/foot_banks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+constexpr int kFirst = 40, kLast = 60;
+
+bool isInArc(int station) { return station >= kFirst && station <= kLast; }
+
+/// A lip with a ringwall 15 mm lower, and an arc of stations that rise above the others.
+struct Banked {
+  double rise = 0.020;   ///< of the arc's stations [m]
+  double depth = 0.010;  ///< how much lower than elsewhere the section lies below them [m]
+  double from = 0.0605, to = 0.2995;
+  double spread = 0.0;  ///< of the sections, as their lower quartile shows it [m]
+  int every = 1;        ///< stations to one whose ringwall is seen, the arc's apart
+  int missing = 0;      ///< stations that do not stand on either side of the arc
+};
+
+std::vector<bool> banksOf(const Banked& given) {
+  constexpr double kQuartile = 0.6745;
+  MadeFoot made;
+  std::vector<double> levels;
+  for (int s = 0; s < 360; ++s) {
+    const bool in = isInArc(s), beside = s >= kFirst - given.missing && s <= kLast + given.missing;
+    const double level = in ? given.rise : 0.0;
+    levels.push_back(in || !beside ? level : kUnknown);
+    const double off = kQuartile * given.spread * (s / 7 % 3 - 1);
+    const double ringwall = level - 0.015 - (in ? given.depth : off);
+    if (in || s % given.every == 0) made.addStation(s, 120, given.from, given.to, [&](double) { return ringwall; });
+  }
+  return findBanks(made.foot(), levels);
+}
+
+bool isBank(const Banked& given) { return banksOf(given)[(kFirst + kLast) / 2]; }
+
+TEST(FindBanks, WhatRisesAboveItsNeighboursAsTheFoundationSinksBelowItIsABank) {
+  const std::vector<bool> banks = banksOf({});
+  for (int s = 0; s < 360; ++s) EXPECT_EQ(banks[static_cast<std::size_t>(s)], isInArc(s)) << s;
+}
+
+TEST(FindBanks, AnArcOverTheFirstAzimuthIsOneArc) {
+  MadeFoot made;
+  std::vector<double> levels;
+  for (int s = 0; s < 360; ++s) {
+    const bool in = s < 10 || s >= 350;
+    levels.push_back(in ? 0.02 : 0.0);
+    made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return in ? -0.005 : -0.015; });
+  }
+  const std::vector<bool> banks = findBanks(made.foot(), levels);
+  EXPECT_EQ(std::count(banks.begin(), banks.end(), true), 20);
+  EXPECT_TRUE(banks[0] && banks[9] && banks[350]);
+}
+
+TEST(FindBanks, APlateOnAFoundationThatIsLowerInASectorStands) {
+  EXPECT_FALSE(isBank({0.0, 0.010}));
+  EXPECT_FALSE(isBank({0.004, 0.010}));  // rises by less than half of it
+  EXPECT_TRUE(isBank({0.006, 0.010}));
+}
+
+TEST(FindBanks, AFoundationThatRisesWithItsStationsIsADatum) { EXPECT_FALSE(isBank({0.020, 0.0})); }
+
+TEST(FindBanks, EightThousandthsOfTheReachAreTheLeast) {
+  EXPECT_FALSE(isBank({0.020, 0.0035}));
+  EXPECT_TRUE(isBank({0.020, 0.0055}));
+}
+
+TEST(FindBanks, ThreeTimesWhatSectionsUsuallyScatterByStands) {
+  Banked given;  // 3 times the root of 1 and 4 is 6.7 mm
+  given.spread = 0.002;
+  given.depth = 0.0064;
+  EXPECT_FALSE(isBank(given));
+  given.depth = 0.0072;
+  EXPECT_TRUE(isBank(given));
+}
+
+TEST(FindBanks, AQuarterOfTheSectionsSaysWhatIsUsual) {
+  Banked given;
+  given.every = 40;  // one is part of seven sections
+  EXPECT_FALSE(isBank(given));
+  given.every = 24;
+  EXPECT_TRUE(isBank(given));
+}
+
+TEST(FindBanks, TwoBinsFromTwelveHundredthsOfTheReachOnAreLookedAt) {
+  EXPECT_TRUE(isBank({0.020, 0.010, 0.0605, 0.0995}));
+  EXPECT_FALSE(isBank({0.020, 0.010, 0.0605, 0.0795}));
+  EXPECT_FALSE(isBank({0.020, 0.010, 0.0205, 0.0595}));
+}
+
+TEST(FindBanks, NeighboursAreLookedForWithinTenDegrees) {
+  Banked sector{0.0, 0.010};
+  sector.missing = 8;
+  EXPECT_FALSE(isBank(sector));
+  sector.missing = 12;  // nobody can tell
+  EXPECT_TRUE(isBank(sector));
+}
+
+/// Whether stations 40 to `last` hang, 30 mm high, where the shell beside them is seen down to so far below them.
+bool hangs(double before, double after, int last = kLast, int seen = 10) {
+  MadeFoot made;
+  std::vector<double> levels(360, kUnknown);
+  for (int s = kFirst; s <= last; ++s) levels[static_cast<std::size_t>(s)] = 0.030;
+  const auto add = [&](int station, double below) {
+    for (int i = 0; i < 40; ++i) {
+      made.add((station + 0.4 - 0.02 * i) * made.step(), 0.0, 0.050 - (0.020 + below) * (i + 0.5) / 40);
+    }
+  };
+  for (int k = 1; k <= 10; ++k) add(kFirst - k, before), add(last + k, after);
+  Foot& foot = made.foot();
+  for (int s = 0; s < 360; ++s)
+    foot.shell_seen[static_cast<std::size_t>(s)] = s > kFirst - 1 - seen && s <= last + seen;
+  return findHangingRuns(foot, levels)[kFirst + 1];
+}
+
+TEST(FindHangingRuns, TheShellCannotGoOnBelowWhatItStandsOn) {
+  EXPECT_TRUE(hangs(0.020, 0.020));
+  EXPECT_FALSE(hangs(0.0, 0.0));
+}
+
+TEST(FindHangingRuns, AHundredthOfTheReachAndTheNoiseAreAllowed) {
+  EXPECT_FALSE(hangs(0.0105, 0.0105));  // 5 mm, 1 mm and three noises of 1 mm, then a fifth of the shell above
+  EXPECT_TRUE(hangs(0.0165, 0.0165));
+}
+
+TEST(FindHangingRuns, OneEndIsEnoughForASixthOfTheRing) {
+  EXPECT_TRUE(hangs(0.020, 0.0, kFirst + 55));
+  EXPECT_FALSE(hangs(0.020, 0.0, kFirst + 65));
+  EXPECT_TRUE(hangs(0.020, 0.020, kFirst + 65));
+}
+
+TEST(FindHangingRuns, ThreeStationsBesideAnEndSaySo) {
+  EXPECT_FALSE(hangs(0.020, 0.020, kLast, 2));
+  EXPECT_TRUE(hangs(0.020, 0.020, kLast, 3));
+}
+
+TEST(FindHangingRuns, AWholeRingHasNoEnds) {
+  MadeFoot made;
+  made.addAll(40, -0.001, 0.001, [](double) { return -0.01; });
+  const std::vector<bool> hanging = findHangingRuns(made.foot(), std::vector<double>(360, 0.0));
+  EXPECT_EQ(std::count(hanging.begin(), hanging.end(), true), 0);
+}
+
+}  // namespace
+}  // namespace tank_datum
