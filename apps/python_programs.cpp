@@ -18,7 +18,9 @@
 #include "python/result.h"
 #include "python/values.h"
 #include "results/manifest.h"
+#include "results/output_file.h"
 #include "results/result_folder.h"
+#include "results/stop_signals.h"
 #include "synth/output.h"
 #include "synth/scanner.h"
 #include "synth/scene_file.h"
@@ -30,8 +32,9 @@ namespace py = pybind11;
 namespace tank_datum::python {
 namespace {
 
-/// Writes files into a result folder, whole or not at all.
+/// Writes files into a result folder, whole or not at all; signals that end the process wait for that.
 void saveFiles(const std::string& folder, const std::map<std::string, py::bytes>& files, const std::string& program) {
+  const results::SignalsWait waiting;
   ResultFolder to(folder, program);
   for (const auto& [name, content] : files) {
     const std::string path = to.stage("") + "/" + name;
@@ -41,6 +44,14 @@ void saveFiles(const std::string& folder, const std::map<std::string, py::bytes>
     if (!out) throw Error(Error::Kind::File, "report", path, "not written", "a writable folder with room");
   }
   to.commit();
+}
+
+/// Writes a report's page, whole or not at all.
+void savePage(const std::string& path, const std::string& page) {
+  const results::SignalsWait waiting;
+  OutputFile file(path, isReportPage(), results::kDatumProgram);
+  file.write(page);
+  file.commit();
 }
 
 /// A survey in memory: its name, the text of its datum.json and the text's SHA-256.
@@ -77,6 +88,7 @@ class Compared {
     return all;
   }
   void save(const std::string& folder) const {
+    const results::SignalsWait waiting;
     ResultFolder to(folder, results::kCompareProgram);
     writeMovement(to, comparison_);
     to.commit();
@@ -136,6 +148,7 @@ void addPrograms(py::module_& module) {
   module.def("save_files", [](const std::string& folder, const std::map<std::string, py::bytes>& files) {
     saveFiles(folder, files, results::kDatumProgram);
   });
+  module.def("save_page", [](const std::string& path, const py::bytes& page) { savePage(path, page); });
   module.def("settle", [](const std::string& path) { settleToRead(path, results::kDatumProgram); });
   module.def("simulate", &simulate);
 }

@@ -61,7 +61,7 @@ void print(const ReportCommand& command, const std::string& page) {
 }
 
 void write(const ReportCommand& command, const std::string& page) {
-  OutputFile html(command.html, isFileWith("<!DOCTYPE html>", "<title>tank_datum</title>"), kProgram);
+  OutputFile html(command.html, isReportPage(), kProgram);
   html.write(page);
   html.commit();
 }

@@ -52,6 +52,8 @@ IsOwn isFileWith(std::string beginning, std::string mark) {
   };
 }
 
+IsOwn isReportPage() { return isFileWith("<!DOCTYPE html>", "<title>tank_datum</title>"); }
+
 OutputFile::OutputFile(const std::string& path, IsOwn own, std::string program)
     : path_(path), program_(std::move(program)), own_(std::move(own)) {
   const fs::path target = targetOf(path);
@@ -64,7 +66,7 @@ OutputFile::OutputFile(const std::string& path, IsOwn own, std::string program)
     sayLines(program_, settle(folder_));
     staging_ = std::make_unique<Staging>(folder_);
   } catch (const Error& error) {
-    throw Error(Error::Kind::File, "report", path, error.what(), "a file in a folder that can be written to");
+    throw Error(Error::Kind::File, "report", path, error.refused().value, "a file in a folder that can be written to");
   }
   on_stop_ = std::make_unique<OnStop>([this] { staging_->remove(); });
 }

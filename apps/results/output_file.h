@@ -17,6 +17,8 @@ using IsOwn = std::function<bool(const std::string& path)>;
 IsOwn isJsonWith(std::vector<std::string> keys);
 /// A file that begins with a text, and holds another one near its beginning.
 IsOwn isFileWith(std::string beginning, std::string mark);
+/// A report's page.
+IsOwn isReportPage();
 
 /// A file that a person named on the command line, which appears whole or not at all. A file of the same name that the
 /// program wrote before is replaced; one of somebody else is kept under another name, with a line on stderr. A symbolic

@@ -34,7 +34,7 @@ std::vector<std::string> makeAll(const std::string& path) {
     }
   } catch (const Error& error) {
     removeAll(made);
-    throw Error(Error::Kind::File, "report", path, error.what(), "a folder that can be made");
+    throw Error(Error::Kind::File, "report", path, error.refused().value, "a folder that can be made");
   }
   return made;
 }

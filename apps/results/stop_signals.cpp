@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 #include <thread>
+#include <vector>
 
 namespace tank_datum::results {
 namespace {
@@ -17,6 +18,20 @@ struct Shared {
   std::map<unsigned, std::function<void()>> actions;
   unsigned next = 0;
 };
+
+volatile sig_atomic_t came_meanwhile = 0;  // the latest signal, for SignalsWait
+
+void keepForLater(int number) { came_meanwhile = number; }
+
+/// Those that would end the process by default.
+std::vector<int> endingSignals() {
+  std::vector<int> ending;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_DFL) ending.push_back(number);
+  }
+  return ending;
+}
 
 /// Never destroyed, since the thread that waits for signals outlives main().
 Shared& shared() {
@@ -52,14 +67,9 @@ void stopBy(int signal_number, const std::string& program) {
 void stopCleanly(const std::string& program) {
   sigset_t signals;
   sigemptyset(&signals);
-  bool any = false;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
-    sigaddset(&signals, number);
-    any = true;
-  }
-  if (!any) return;
+  const std::vector<int> ending = endingSignals();
+  for (const int number : ending) sigaddset(&signals, number);
+  if (ending.empty()) return;
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals, program] { waitAndEnd(signals, program); }).detach();
 }
@@ -76,5 +86,18 @@ OnStop::~OnStop() {
 }
 
 NoStop::NoStop() : held_(shared().busy) {}
+
+SignalsWait::SignalsWait() : held_(endingSignals()) {
+  came_meanwhile = 0;
+  struct sigaction later {};
+  later.sa_handler = keepForLater;
+  later.sa_flags = SA_RESTART;
+  for (const int number : held_) sigaction(number, &later, nullptr);
+}
+
+SignalsWait::~SignalsWait() {
+  for (const int number : held_) signal(number, SIG_DFL);
+  if (came_meanwhile != 0) raise(came_meanwhile);
+}
 
 }  // namespace tank_datum::results

@@ -3,6 +3,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace tank_datum::results {
 
@@ -36,6 +37,19 @@ class NoStop {
 
  private:
   std::unique_lock<std::recursive_mutex> held_;
+};
+
+/// As long as this lives, a SIGINT, SIGTERM or SIGHUP that would end the process at once waits, and ends it behind; for
+/// a process that is not the program's own, whose other handlers stay. One at a time.
+class SignalsWait {
+ public:
+  SignalsWait();
+  ~SignalsWait();
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+
+ private:
+  std::vector<int> held_;
 };
 
 }  // namespace tank_datum::results

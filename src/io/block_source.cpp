@@ -52,11 +52,18 @@ void tell(const Scan::Source::ChosenVisitor& told, const ScanCounts& read, const
 }  // namespace
 
 ScanCounts BlockSource::visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const {
+  constexpr std::uint64_t kRound = 16;  // blocks decoded at once
+  const std::uint64_t count = blockCount();
   ScanCounts counts;
-  BlockBuffer buffer;
-  for (std::uint64_t block = 0; block < blockCount(); ++block) {
-    counts += decode(origin, {block}, buffer);
-    if (!buffer.points.empty() && !visit(buffer.points, buffer.labels)) break;
+  std::vector<BlockBuffer> buffers(kRound);
+  std::vector<ScanCounts> read(kRound);
+  for (std::uint64_t begin = 0, end = 0; begin < count; begin = end) {
+    end = std::min(count, begin == 0 ? 1 : begin + kRound);  // the first alone: many look at no more
+    forEachIndex(end - begin, 0, [&](std::size_t i) { read[i] = decode(origin, {begin + i}, buffers[i]); });
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      counts += read[i];
+      if (!buffers[i].points.empty() && !visit(buffers[i].points, buffers[i].labels)) return counts;
+    }
   }
   return counts;
 }

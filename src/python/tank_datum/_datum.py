@@ -124,12 +124,17 @@ class Datum(Figures):
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Writes these files into a folder as the command does: whole or not at all.
 
-        What the folder holds of others is kept. Raises FileError.
+        What the folder holds of others is kept. A signal that ends the process meanwhile ends it
+        behind. Raises FileError.
         """
         _core.save_files(os.fspath(folder), self.files())
 
     def report(self, path: str | os.PathLike[str]) -> None:
-        """Writes the page report.html. Raises FileError; OptionError when it was not loaded."""
+        """Writes the page report.html, whole or not at all.
+
+        A file of the same name that is no report is kept under another name. Raises FileError;
+        OptionError when the result was loaded without its page.
+        """
         page = self.files().get("report.html")
         if page is None:
             raise option_error(
@@ -138,7 +143,7 @@ class Datum(Figures):
                 "not with the result loaded",
                 "a folder that holds it",
             )
-        Path(path).write_bytes(page)
+        _core.save_page(os.fspath(path), page)
 
     def plot(self, kind: str = "elevation", axes: Axes | None = None) -> Axes:
         """One of the report's charts with matplotlib (the extra `plot`).
