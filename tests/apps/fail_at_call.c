@@ -4,7 +4,8 @@
  *   TANK_DATUM_FAIL_AT      N, from 1; the call returns an error
  *   TANK_DATUM_FAIL_WITH    its errno, a number
  *   TANK_DATUM_KILL_AT      N; SIGKILL comes before the call
- *   TANK_DATUM_STOP_AT      N; SIGTERM is sent to the process before the call, which then goes on
+ *   TANK_DATUM_STOP_AT      N; a signal is sent to the process before the call, which then goes on
+ *   TANK_DATUM_STOP_WITH    its number; SIGTERM when it is not set
  *   TANK_DATUM_COUNT_FILE   where the number of calls is written at the end of the process, outside of the folder */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -45,7 +46,7 @@ static int below_descriptor(int descriptor) {
 static int fails(void) {
   const int now = __atomic_add_fetch(&calls, 1, __ATOMIC_SEQ_CST);
   if (now == number("TANK_DATUM_KILL_AT")) kill(getpid(), SIGKILL);
-  if (now == number("TANK_DATUM_STOP_AT")) kill(getpid(), SIGTERM);
+  if (now == number("TANK_DATUM_STOP_AT")) kill(getpid(), number("TANK_DATUM_STOP_WITH") ? number("TANK_DATUM_STOP_WITH") : SIGTERM);
   if (now != number("TANK_DATUM_FAIL_AT")) return 0;
   errno = number("TANK_DATUM_FAIL_WITH");
   return 1;

@@ -1,4 +1,4 @@
-"""The table of interfaces in src/doc/python.md names what there is, and leaves no gap unexplained."""
+"""The table of interfaces in src/doc/python.md names what there is; a gap has its reason there."""
 
 from __future__ import annotations
 

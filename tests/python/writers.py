@@ -141,4 +141,14 @@ def pictures(root: Path) -> Writer:
     return Writer("pictures", [*words, "cloud.png=2", "cloud.svg=2"], before)
 
 
+def saved(root: Path) -> Writer:
+    """Datum.save from Python, on what the program wrote."""
+    made = levelling(root)
+    other = root / "other"
+    made.fresh(other)
+    assert Writer("", made.words, root / "none").run(other).returncode == 0
+    words = ["python", ROOT / "tests" / "python" / "save_datum.py", other / "datum.json", "{out}"]
+    return Writer("saved", words, made.before)
+
+
 WRITERS = (levelling, first, compare, tanks, scan, pictures)
