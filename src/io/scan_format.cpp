@@ -10,6 +10,7 @@
 #include "io/pcd_source.h"
 #include "io/ply_source.h"
 #include "io/record_source.h"
+#include "io/text_format.h"
 #include "io/text_layout.h"
 #include "io/text_number.h"
 #include "io/words.h"
@@ -35,6 +36,12 @@ bool isCompressedLas(std::string_view head) {
 
 bool isControl(char c) { return c >= '\0' && c < ' ' && c != '\t' && c != '\r' && c != '\n' && c != '\f'; }
 
+/// Whether the columns of a header line are named, the first of them too: "height easting northing".
+bool namesColumnsFromTheFirst(std::string_view line) {
+  const auto columns = columnsNamed(line, separatorOf(line));
+  return columns && columns->meaning.front() != TextColumns::kPassedOver;
+}
+
 /// Whether a line is one of a PCD header: of those that hold something the first, or the comment that PCL begins with.
 bool beginsLikePcd(std::string_view head) {
   head.remove_prefix(byteOrderMarkOf(head));
@@ -43,7 +50,7 @@ bool beginsLikePcd(std::string_view head) {
     head.remove_prefix(std::min(head.size(), line.size() + 1));
     const std::size_t first = line.find_first_not_of(" \t\r\v\f");
     if (first == line.npos) continue;
-    if (line[first] != '#') return beginsWithPcdKeyword(line);
+    if (line[first] != '#') return beginsWithPcdKeyword(line) && !namesColumnsFromTheFirst(line);
     if (line.find(".PCD") != line.npos) return true;
   }
   return false;

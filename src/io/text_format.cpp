@@ -108,7 +108,7 @@ std::optional<TextColumns> columnsNamed(std::string_view line, char separator) {
   std::transform(cells.begin(), cells.end(), std::back_inserter(names), plainName);
   const std::array<std::optional<std::size_t>, 3> xyz = {findOnce(names, {"x", "easting", "east", "e"}),
                                                          findOnce(names, {"y", "northing", "north", "n"}),
-                                                         findOnce(names, {"z", "elevation", "height", "h"})};
+                                                         findOnce(names, {"z", "elevation", "elev", "height", "h"})};
   if (!xyz[0] || !xyz[1] || !xyz[2]) return std::nullopt;
   TextColumns columns{separator, {}};
   const auto name_at = [&columns](std::size_t at, int meaning) {

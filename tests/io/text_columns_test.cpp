@@ -55,6 +55,9 @@ TEST(TextColumns, HeadersNameColumns) {
   expectTwo("\"X\",\"Y\",\"Z\",\"I\"\n1.5,-2.5,3.25,8\n4e2,5.125,0.006,8\n");
   expectTwo("name,Z,Y,X\np,3.25,-2.5,1.5\n\"q, r\",0.006,5.125,4e2\n");
   expectTwo("Point Name;Northing [m];Easting (m);Elevation\na b;-2.5;1.5;3.25\nc;5.125;4e2;0.006\n");
+  expectTwo("height easting northing\n3.25 1.5 -2.5\n0.006 4e2 5.125\n");  // the first is a word of PCD too
+  expectTwo("HEIGHT\tN\tE\n3.25\t-2.5\t1.5\n0.006\t5.125\t4e2\n");
+  expectTwo("Nr North East Elev\n7 -2.5 1.5 3.25\n8 5.125 4e2 0.006\n");
   expectTwo("E\tN\tH\n1.5\t-2.5\t3.25\n4e2\t5.125\t0.006\n");
   expectTwo("//Z,X,Y\n3.25,1.5,-2.5\n0.006,4e2,5.125\n");
   expectTwo("# z x y\n3.25 1.5 -2.5\n0.006 4e2 5.125\n");
@@ -129,6 +132,7 @@ TEST(TextColumns, ATextThatBeginsLikePcdIsOne) {
   expectRefusal("VERSION 0.7\nx y z\n", "header line 2 of ");
   expectRefusal("# .PCD v0.7\nVERSIO 0.7\n1 2 3\n", "header line 2 of ");
   expectRefusal("columns x y z\n1 2 3\n", "header line 2 of ");
+  expectRefusal("HEIGHT 1\nx y z\n", "header line 2 of ");
 }
 
 TEST(TextColumns, ChunksAreReadInAnyThreadAndKeepTheirOrder) {
