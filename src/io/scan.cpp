@@ -157,6 +157,11 @@ ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const Visitor
 }
 
 ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n) const {
+  return this->choose(choose, threads, visit, n, false);
+}
+
+ScanCounts Scan::choose(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n,
+                        bool of_parts) const {
   if (n < 1) throw Error(Error::Kind::Option, "io", "n of the rows looked at", "0", "at least 1");
   const Chooser from_turned = [&](std::uint64_t at, const Points& points, Points& chosen) {
     thread_local Points turned;
@@ -171,7 +176,7 @@ ScanCounts Scan::forEachChosen(const Chooser& choose, int threads, const SetupVi
       if (progress_) progress_(total.points);
     };
     File::passOver(files_, i, [&] {
-      sources_[i]->choose(stored_origin_, {rotation_ ? from_turned : choose, n}, threads, block, told);
+      sources_[i]->choose(stored_origin_, {rotation_ ? from_turned : choose, n, of_parts}, threads, block, told);
     });
   }
   return total;
@@ -210,8 +215,8 @@ Points Scan::everyNth(std::uint64_t n, int threads) const {
   all.reserve(std::min<std::uint64_t>(size() / std::max<std::uint64_t>(1, n) + 1,
                                       4'000'000));  // a header may promise more than there is
   const auto choose = [](std::uint64_t, const Points& points, Points& chosen) { chosen = points; };
-  forEachChosen(
-      choose, threads, [&all](const Points& chosen) { all.insert(all.end(), chosen.begin(), chosen.end()); }, n);
+  const auto keep = [&all](const Points& chosen, SetupKey) { all.insert(all.end(), chosen.begin(), chosen.end()); };
+  this->choose(choose, threads, keep, n, true);
   return all;
 }
 

@@ -26,6 +26,7 @@ class Scan::Source {
   struct Choice {
     const Chooser& choose;
     std::uint64_t n = 1;
+    bool of_parts = false;  ///< parts may be left unread, their rows told as left out
   };
   /// Told the rows read since the last call, and what was chosen of them, all of one label.
   using ChosenVisitor = std::function<void(const ScanCounts& read, const Points& chosen, std::uint32_t label)>;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "io/block_source.h"
@@ -7,6 +8,8 @@
 
 namespace tank_datum {
 namespace {
+
+constexpr std::uint64_t kPartsLookedAt = 400;  // a scanner's round is seen every few degrees, of several setups too
 
 /// Blocks of any size are handed on in blocks of kBlockRows, as those of a file: what every n-th row is does not depend
 /// on how they come.
@@ -71,7 +74,11 @@ class BlockStream : public Scan::Source {
 
   void choose(const Eigen::Vector3d& origin, const Choice& choice, int, std::uint64_t& block,
               const ChosenVisitor& told) const override {
-    chooseInOrder(*this, origin, choice, block, told);
+    const std::uint64_t every = choice.of_parts ? std::min(choice.n, blocks_.parts / kPartsLookedAt) : 0;
+    if (every < 2 || !blocks_.start_every) return chooseInOrder(*this, origin, choice, block, told);
+    BlockStream some(*this);
+    some.blocks_.start = [start = blocks_.start_every, every] { return start(every); };
+    chooseInOrder(some, origin, {choice.choose, choice.n / every | 1U}, block, told);
   }
 
  private:

@@ -35,6 +35,13 @@ Shared shared(py::object object, const std::shared_ptr<PythonGate>& gate) {
   throw Error(Error::Kind::File, "io", "a reader in Python", raised.what(), "no such failure: please report it");
 }
 
+/// An object of Python's that gives blocks.
+struct Reader {
+  std::shared_ptr<PythonGate> gate;
+  Shared object;
+  double metres_per_unit;
+};
+
 Eigen::Vector3d vectorOf(const std::array<double, 3>& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
 
 /// Fills a block with the next that an iterator of Python's yields: points, setups, invalid, left_out.
@@ -64,36 +71,37 @@ bool fetch(PyObject* iterator, double metres_per_unit, ScanBlocks::Block& block)
   return true;
 }
 
-/// A pass over the blocks of a reader.
-ScanBlocks::Next begin(const std::shared_ptr<PythonGate>& gate, const Shared& reader, double metres_per_unit,
-                       const std::optional<std::vector<std::uint32_t>>& wanted) {
+/// A pass over what a method of a reader yields.
+template <class Argument>
+ScanBlocks::Next begin(const Reader& reader, const char* method, const Argument& argument) {
   Shared iterator;
-  gate->enter([&] { iterator = shared(py::handle(reader.get()).attr("blocks")(wanted), gate); });
-  return [gate, iterator, metres_per_unit](ScanBlocks::Block& block) {
+  reader.gate->enter([&] { iterator = shared(py::handle(reader.object.get()).attr(method)(argument), reader.gate); });
+  return [reader, iterator](ScanBlocks::Block& block) {
     bool more = false;
-    gate->enter([&] { more = fetch(iterator.get(), metres_per_unit, block); });
+    reader.gate->enter([&] { more = fetch(iterator.get(), reader.metres_per_unit, block); });
     return more;
   };
 }
 
-ScanBlocks blocksOf(const std::shared_ptr<PythonGate>& gate, const Shared& reader, double metres_per_unit) {
-  const py::handle given(reader.get());
+ScanBlocks blocksOf(const Reader& reader) {
+  const py::handle given(reader.object.get());
   ScanBlocks blocks;
   blocks.size = given.attr("size").cast<std::uint64_t>();
-  blocks.coordinate_step = given.attr("step").cast<double>() * metres_per_unit;
+  blocks.coordinate_step = given.attr("step").cast<double>() * reader.metres_per_unit;
   blocks.tells_setups = given.attr("tells_setups").cast<bool>();
   for (const auto& [number, setup] : given.attr("setups").cast<std::map<std::uint32_t, Setup>>()) {
     const auto& [name, place] = setup;
     ScanBlocks::Setup& known = blocks.setups[number];
     known.name = name;
-    if (place) known.viewpoint = vectorOf(*place) * metres_per_unit;
+    if (place) known.viewpoint = vectorOf(*place) * reader.metres_per_unit;
   }
-  blocks.start = [gate, reader, metres_per_unit] { return begin(gate, reader, metres_per_unit, std::nullopt); };
+  using Numbers = std::vector<std::uint32_t>;
+  blocks.start = [reader] { return begin(reader, "blocks", std::optional<Numbers>()); };
   if (given.attr("lists_setups").cast<bool>()) {
-    blocks.start_some = [gate, reader, metres_per_unit](const std::vector<std::uint32_t>& wanted) {
-      return begin(gate, reader, metres_per_unit, wanted);
-    };
+    blocks.start_some = [reader](const Numbers& wanted) { return begin(reader, "blocks", wanted); };
   }
+  blocks.parts = given.attr("parts").cast<std::uint64_t>();
+  blocks.start_every = [reader](std::uint64_t n) { return begin(reader, "every", n); };
   return blocks;
 }
 
@@ -129,8 +137,9 @@ void PythonGate::drop(PyObject* object) {
 
 ScanBlocks blocksFrom(const std::shared_ptr<PythonGate>& gate, const py::handle& reader, double metres_per_unit) {
   ScanBlocks blocks;
-  gate->enter(
-      [&] { blocks = blocksOf(gate, shared(py::reinterpret_borrow<py::object>(reader), gate), metres_per_unit); });
+  gate->enter([&] {
+    blocks = blocksOf({gate, shared(py::reinterpret_borrow<py::object>(reader), gate), metres_per_unit});
+  });
   return blocks;
 }
 
@@ -140,7 +149,7 @@ std::function<ScanBlocks(const ForeignScan&)> foreignReader(const std::shared_pt
     ScanBlocks blocks;
     gate->enter([&] {
       const py::object made = py::handle(open.get())(scan.path, scan.format, scan.las_classes);
-      blocks = blocksOf(gate, shared(made, gate), scan.metres_per_unit);
+      blocks = blocksOf({gate, shared(made, gate), scan.metres_per_unit});
     });
     return blocks;
   };

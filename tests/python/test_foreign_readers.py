@@ -73,3 +73,31 @@ def test_blocks_of_a_large_scan(tmp_path: Path) -> None:
     assert left_out[0] == (0, rows)
     assert sum(n for n, _ in left_out) == len(kept)
     assert max(n for n, _ in left_out) <= _foreign.BLOCK
+
+
+def test_every_nth_chunk_of_laz(tmp_path: Path) -> None:
+    """The rows of those chunks, the last and shorter one among them; the others are left out."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales = [0.001] * 3
+    cloud = laspy.LasData(header)
+    rows = 2 * _foreign.BLOCK + 70_000  # of chunks of 50 000
+    cloud.x, cloud.y, cloud.z = (np.arange(rows) * 0.01 + i for i in range(3))
+    cloud.classification = np.where(np.arange(rows) % 10 == 3, 7, 2)
+    cloud.write(tmp_path / "cloud.laz")
+    reader: Any = _foreign.open_blocks(str(tmp_path / "cloud.laz"), "LAZ", [2])
+    assert reader.parts == -(-rows // 50_000)
+    kept = np.asarray(cloud.classification) == 2
+    for n in (1, 2, 5, 1000):
+        blocks = list(reader.every(n))
+        assert max(len(block) for block, *_ in blocks) <= _foreign.BLOCK
+        wanted = kept & (np.arange(rows) // 50_000 % n == 0)
+        np.testing.assert_array_equal(np.concatenate([b for b, *_ in blocks]), cloud.xyz[wanted])
+        assert sum(len(block) + left_out for block, _, _, left_out in blocks) == rows
+
+
+def test_chunks_of_other_sizes_are_all_read(data: Path) -> None:
+    """Of COPC they are places, of which none may be left out."""
+    files = [p for p in (data / "formats" / "laz").glob("*.laz") if "copc" in p.name]
+    assert files
+    for path in files:
+        assert _foreign.open_blocks(str(path), "LAZ", []).parts == 0, path.name

@@ -68,6 +68,11 @@ struct ScanBlocks {
   /// Begins a pass over the blocks of some setups; rows of the others are told as left out. May be set where `setups`
   /// has them all; where it is not set all are read.
   std::function<Next(const std::vector<std::uint32_t>& wanted)> start_some;
+
+  /// Parts of the scan that a pass can leave unread, such as chunks of a compressed file; 0: it cannot.
+  std::uint64_t parts = 0;
+  /// Begins a pass over every n-th part; rows of the others are told as left out. Set where `parts` is.
+  std::function<Next(std::uint64_t n)> start_every;
 };
 
 /// A file of a format that is recognised, and read by somebody else.
@@ -180,7 +185,8 @@ class Scan {
   /// does not.
   std::optional<Eigen::Vector3d> setupOrigin(SetupKey setup) const;
 
-  /// Of about every n-th row the point, if it is finite, in file order.
+  /// Of about every n-th row the point, if it is finite, in file order. Where ScanBlocks can leave parts unread, as
+  /// many rows of some hundred parts, spread over the scan.
   /// @param n,threads  as for forEachChosen
   /// @throws as forEachBlock
   Points everyNth(std::uint64_t n, int threads = 0) const;
@@ -213,6 +219,9 @@ class Scan {
   class Source;  ///< one file or one array, see scan.cpp
 
  private:
+  /// forEachChosen of all rows, or everyNth of some parts of them.
+  ScanCounts choose(const Chooser& choose, int threads, const SetupVisitor& visit, std::uint64_t n,
+                    bool of_parts) const;
   void pickSetups(const std::vector<std::string>& names);
 
   std::vector<std::shared_ptr<const Source>> sources_;

@@ -150,7 +150,7 @@ class E57Scan:
         return max(steps[0], largest[0] * max(steps[1:])) if spherical else max(steps)
 
     def _read(self, capacity: int) -> Iterator[tuple[list[Array], int]]:
-        """Columns of the points that are valid, and how many are not."""
+        """Columns of the points that are valid, which the next ones replace, and how many are not."""
         buffers, columns, states = libe57.VectorSourceDestBuffer(), [], None
         if capacity == 0:
             return
@@ -166,12 +166,11 @@ class E57Scan:
             while rows := reader.read():
                 done += rows
                 read = [column[:rows] for column in columns]
-                valid = np.ones(rows, bool) if states is None else states[:rows] == 0
-                all_valid = bool(valid.all())
-                yield (
-                    [c.copy() if all_valid else c[valid] for c in read],
-                    rows - int(valid.sum()),
-                )
+                if states is None:
+                    yield read, 0
+                    continue
+                valid = states[:rows] == 0
+                yield [c[valid] for c in read], rows - int(valid.sum())
         finally:
             reader.close()
         if done != self.size:
@@ -198,6 +197,7 @@ class E57File:
     """The scans of a file, each a setup."""
 
     lists_setups = True
+    parts = 0
 
     def __init__(self, path: str) -> None:
         self.path = path

@@ -36,11 +36,16 @@ class Blocks(Protocol):
     tells_setups: bool
     setups: dict[int, tuple[str, Place | None]]  # name, and where the scanner stood
     lists_setups: bool  # `setups` has them all, and blocks() can pass over some
+    parts: int  # of the file that every() can leave unread; 0: there is no every()
 
     def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
         """A pass: points (n, 3) in the file's units, their setup or setups, rows without a point,
         rows that are not wanted. Rows of setups that are not wanted are among the last.
         """
+        ...
+
+    def every(self, n: int) -> Iterator[Block]:
+        """A pass over every n-th part; rows of the others are not wanted."""
         ...
 
 

@@ -6,13 +6,23 @@ import logging
 import os
 import struct
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import accumulate
 from typing import BinaryIO
 
 import laspy
 import lazrs
 import numpy as np
 
-from tank_datum._foreign import FORMATS, Block, Place, Unreadable, refusing, sizes
+from tank_datum._foreign import (
+    BLOCK,
+    FORMATS,
+    Block,
+    Place,
+    Unreadable,
+    refusing,
+    sizes,
+)
 
 # What laspy logs it raises too.
 logging.getLogger("laspy").addHandler(logging.NullHandler())
@@ -61,10 +71,28 @@ def check_scales(header: laspy.LasHeader, path: str) -> None:
             )
 
 
-def check_chunks(source: BinaryIO, header: laspy.LasHeader, path: str) -> None:
-    """Refuses a table of chunks that is not the file's: lazrs claims what memory it says."""
+@dataclass(frozen=True)
+class Chunks:
+    """Where the chunks of a file are that all have so many rows, but for the last."""
+
+    record: bytes  # of LASzip
+    rows: int
+    offsets: list[int]  # of their bytes in the file, and of the end of the last
+
+    def of(self, i: int, points: int) -> int:
+        """Rows of the i-th, of so many points in all."""
+        return min(self.rows, points - i * self.rows)
+
+
+def checked_chunks(
+    source: BinaryIO, header: laspy.LasHeader, path: str
+) -> Chunks | None:
+    """The chunks, if they are of one size. Refuses a table that is not the file's: lazrs claims
+    what memory it says.
+    """
     size = os.fstat(source.fileno()).st_size
-    record = lazrs.LazVlr(header.vlrs[header.vlrs.index("LasZipVlr")].record_data)
+    record_data = header.vlrs[header.vlrs.index("LasZipVlr")].record_data
+    record = lazrs.LazVlr(record_data)
     if record.item_size() != header.point_format.size:
         expected = f"{header.point_format.size}, the bytes of a point"
         raise Unreadable(
@@ -98,6 +126,11 @@ def check_chunks(source: BinaryIO, header: laspy.LasHeader, path: str) -> None:
         raise Unreadable(
             f"LASzip chunks of {path}", f"{points} in {held} bytes", expected
         )
+    rows = 0 if record.uses_variable_size_chunks() else record.chunk_size()
+    if not 0 < rows <= BLOCK or len(listed) != -(-header.point_count // rows):
+        return None
+    sizes_held = (size_held for _, size_held in listed)
+    return Chunks(record_data, rows, list(accumulate(sizes_held, initial=begin + 8)))
 
 
 def read_at(source: BinaryIO, offset: int, count: int, path: str) -> bytes:
@@ -123,8 +156,10 @@ class LazFile:
         check_records(self._source.read(HEADER), size, path)
         header = self._begin().header
         check_scales(header, path)
+        self._chunks = None
         if header.point_count > 0:
-            check_chunks(self._source, header, path)
+            self._chunks = checked_chunks(self._source, header, path)
+        self.parts = len(self._chunks.offsets) - 1 if self._chunks else 0
         self.size = int(header.point_count)
         self.step = float(max(header.scales))
         self.setups: dict[int, tuple[str, Place | None]] = {0: ("", None)}
@@ -151,6 +186,39 @@ class LazFile:
                         f"points of {self._path}", done, f"{self.size} of the header"
                     )
                 yield self._block(points, reader.header)
+
+    def every(self, n: int) -> Iterator[Block]:
+        """Every n-th chunk, as many at once as make a block."""
+        assert self._chunks is not None
+        header = self._begin().header
+        at_once = n * max(1, BLOCK // self._chunks.rows)
+        for first in range(0, self.parts, at_once):
+            behind = min(self.parts, first + at_once)
+            with refusing(self._path, "LAZ"):
+                points = self._decompressed(
+                    self._chunks, header, range(first, behind, n)
+                )
+            xyz, labels, invalid, left_out = self._block(points, header)
+            rows = (
+                min(self.size, behind * self._chunks.rows) - first * self._chunks.rows
+            )
+            yield xyz, labels, invalid, left_out + rows - len(points)
+
+    def _decompressed(
+        self, chunks: Chunks, header: laspy.LasHeader, wanted: Sequence[int]
+    ) -> laspy.ScaleAwarePointRecord:
+        compressed, table = bytearray(), []
+        for i in wanted:
+            begin, end = chunks.offsets[i : i + 2]
+            compressed += read_at(self._source, begin, end - begin, self._path)
+            table.append((chunks.of(i, self.size), end - begin))
+        points = np.zeros(sum(rows for rows, _ in table), header.point_format.dtype())
+        lazrs.decompress_points_with_chunk_table(
+            compressed, chunks.record, points.view(np.uint8), table, NEEDED.to_lazrs()
+        )
+        return laspy.ScaleAwarePointRecord(
+            points, header.point_format, header.scales, header.offsets
+        )
 
     def _block(
         self, points: laspy.ScaleAwarePointRecord, header: laspy.LasHeader

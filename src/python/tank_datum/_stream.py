@@ -24,6 +24,7 @@ class Stream:
 
     size = 0  # not known: the library counts
     lists_setups = False
+    parts = 0
 
     def __init__(self, source: Callable[[], Iterable[Any]]) -> None:
         self._source = source

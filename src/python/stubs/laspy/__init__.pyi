@@ -2,6 +2,7 @@
 from enum import IntFlag
 from typing import Any, BinaryIO
 
+import lazrs
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,10 +12,12 @@ class DecompressionSelection(IntFlag):
     CLASSIFICATION = ...
     FLAGS = ...
     POINT_SOURCE_ID = ...
+    def to_lazrs(self) -> lazrs.DecompressionSelection: ...
 
 class PointFormat:
     @property
     def size(self) -> int: ...
+    def dtype(self) -> np.dtype[np.void]: ...
 
 class VLR:
     @property
@@ -38,6 +41,13 @@ class LasHeader:
 
 class ScaleAwarePointRecord:
     array: NDArray[np.void]
+    def __init__(
+        self,
+        array: NDArray[np.void],
+        point_format: PointFormat,
+        scales: NDArray[np.float64],
+        offsets: NDArray[np.float64],
+    ) -> None: ...
     def __len__(self) -> int: ...
     @property
     def classification(self) -> Any: ...
