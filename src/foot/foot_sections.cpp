@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "core/statistics.h"
+#include "fit/circular_series.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
 
@@ -63,6 +64,24 @@ const FootProfile& FootSections::at(std::size_t station) const {
 bool isOfLevel(const FootProfile& section, double reach) {
   constexpr double kLevel = 0.01;  // of the reach; plate, ringwall and crown are further apart
   return section.valid() && std::abs(section.offset) < kLevel * reach;
+}
+
+FootElevations alignedElevations(const Foot& foot, FootElevations elevations) {
+  const FootProfile section = stackProfile(foot.points, elevations.known, foot.scales);
+  if (!isResolved(foot) || !section.valid() || isOfLevel(section, foot.reach)) return elevations;
+  forEachIndex(elevations.known.size(), 0, [&](std::size_t i) {
+    if (!std::isfinite(elevations.known[i])) return;
+    std::vector<double> off;
+    for (const FootPoint& p : foot.points[i]) {
+      const double bin = p.d / section.bin;
+      if (bin < 0.0 || bin >= static_cast<double>(section.height.size())) continue;
+      const double height = section.height[static_cast<std::size_t>(bin)];
+      if (std::isfinite(height)) off.push_back(p.z - elevations.known[i] - height);
+    }
+    if (!off.empty()) elevations.known[i] += median(off);
+  });
+  elevations.filled = filledUp(elevations.known);
+  return elevations;
 }
 
 FootSections stackSections(const Foot& foot, const std::vector<double>& elevations) {

@@ -58,6 +58,10 @@ FootSections stackSections(const Foot& foot, const std::vector<double>& elevatio
 /// Whether a section shows the surface that the elevations it was stacked with lie on.
 bool isOfLevel(const FootProfile& section, double reach);
 
+/// First elevations that disagree among themselves blur the surfaces of a section, which then is of none of them. Where
+/// it is so, each station is moved to where its own points lie on the section of all; else none is.
+FootElevations alignedElevations(const Foot& foot, FootElevations elevations);
+
 /// What is known of the surface's slope at every station before its own points are looked at.
 struct FootPriors {
   std::vector<double> slope, sigma_slope;  ///< [m/m]

@@ -98,6 +98,7 @@ FootElevations whereShellIsSeen(FootElevations elevations, const Foot& foot) {
 FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   constexpr int kPasses = 3;  // the section sharpens as the elevations do; the third moves a few stations by 0.1 mm
   FootPass pass;
+  elevations = alignedElevations(foot, std::move(elevations));
   for (int i = 0; i < kPasses; ++i) {
     pass = runPass(foot, elevations, pass.sections);
     if (pass.sections.whole.unseen > 0.0) return pass;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "support/made_feet.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -95,6 +96,40 @@ TEST(StackSections, ASectionAHundredthOfTheReachOffItsElevationsIsOfAnotherSurfa
   EXPECT_TRUE(is_of_level(0.0045) && is_of_level(-0.0045));
   EXPECT_FALSE(is_of_level(0.0055) || is_of_level(-0.0055));
   EXPECT_FALSE(isOfLevel({}, 0.5)) << "shows none";
+}
+
+/// How far elevations that are off by `off`, from station to station up and down, are from a datum of zero that is
+/// hidden at every tenth station.
+double scatterAfter(double off, const Sections::Section& section) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  MadeFoot made;
+  FootElevations elevations;
+  for (int s = 0; s < 360; ++s) {
+    made.addStation(s, 60, 0.015, 0.3, [&](double d) { return section(d) + 0.0005 * normal(random); });
+    elevations.known.push_back(s % 10 == 0 ? kUnknown : off * std::sin(2.4 * s));
+  }
+  elevations.filled = elevations.known;
+  const FootElevations moved = alignedElevations(made.foot(), elevations);
+  double mean = 0.0, squares = 0.0;
+  for (int s = 0; s < 360; ++s) {
+    const double z = moved.known[static_cast<std::size_t>(s)];
+    EXPECT_EQ(std::isfinite(z), s % 10 != 0);
+    if (!std::isfinite(z)) continue;
+    EXPECT_TRUE(std::isfinite(moved.filled[static_cast<std::size_t>(s)]));
+    mean += z / 324.0, squares += z * z / 324.0;
+  }
+  return std::sqrt(squares - mean * mean);
+}
+
+TEST(AlignedElevations, StationsMoveTogetherWhereTheirSectionIsOfNoSurface) {
+  const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.0125; };
+  EXPECT_LT(scatterAfter(0.006, leaning), 0.0012);
+}
+
+TEST(AlignedElevations, StationsStayWhereTheirSectionIsTheirs) {
+  const double off = 0.001;
+  EXPECT_NEAR(scatterAfter(off, [](double) { return 0.0; }), off / std::sqrt(2.0), 0.0001);
 }
 
 }  // namespace
