@@ -1,5 +1,5 @@
-"""Every number of every option at 0, negative, beyond all sizes, no number at all: a result, or a line
-that names the option."""
+"""Every number of every option at 0, negative, beyond all sizes or none: a result, or a line that
+names the option."""
 
 from __future__ import annotations
 
