@@ -52,18 +52,18 @@ build() {
   cmake --build "$build" --target "$@" >&2
 }
 
-# python_environment: .venv/ with what the Python tests and scripts need.
+# python_environment: .venv/ with what the Python tests and scripts need, each file by its hash (scripts/pin).
 python_environment() {
-  local wanted="$root/tests/python/requirements.txt" stamp="$root/.venv/requirements.installed"
+  local wanted="$root/tests/python/requirements.lock" stamp="$root/.venv/requirements.installed"
   cmp -s "$wanted" "$stamp" && return
   apt_install python3 python3-venv
   say "making .venv/ for the Python tests"
   /usr/bin/python3 -m venv "$root/.venv"
-  "$root/.venv/bin/pip" install --quiet --disable-pip-version-check -r "$wanted" >&2
+  "$root/.venv/bin/pip" install --quiet --disable-pip-version-check --require-hashes -r "$wanted" >&2
   cp "$wanted" "$stamp"
 }
 
-# python_module: the package tank_datum in .venv/, built anew when a source is newer than the last one.
+# python_module: the package tank_datum in .venv/, built anew when a source is newer than the last one, by what .venv/ has.
 python_module() {
   local stamp="$root/.venv/tank_datum.installed" sources=(CMakeLists.txt src include apps scripts/pyproject.toml)
   [ -f "$stamp" ] && [ -z "$(cd "$root" && find "${sources[@]}" -newer "$stamp" -print -quit)" ] && return
@@ -74,6 +74,6 @@ python_module() {
   local options=()
   case "${TANK_DATUM_CMAKE_OPTIONS:-}" in *WERROR=ON*) options=(--config-settings=cmake.define.TANK_DATUM_WERROR=ON) ;; esac
   CC=cc CXX=c++ "$root/.venv/bin/pip" install --quiet --disable-pip-version-check --force-reinstall --no-deps \
-    "${options[@]}" "$root/scripts" >&2
+    --no-build-isolation "${options[@]}" "$root/scripts" >&2
   mv "$stamp.begun" "$stamp"
 }
