@@ -55,7 +55,8 @@ Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool
           {"units", provenance.units},
           {"origin", {origin.x(), origin.y(), origin.z()}},
           {"invalid_points", provenance.invalid_points},
-          {"left_out_points", provenance.left_out_points}};
+          {"left_out_points", provenance.left_out_points},
+          {"far_points", provenance.far_points}};
 }
 
 Json tankJson(const Datum& datum) {
