@@ -26,8 +26,14 @@ std::string known() {
   return all + "logo";
 }
 
+/// TOML has none of them, and the parser fails at some.
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r'; }
+
 toml::table tableOf(const std::string& path) {
   const std::string text = smallFile(path);
+  if (std::any_of(text.begin(), text.end(), isControl)) {
+    throw refusedAbout(path, {}, "a control character", "TOML: key = \"value\"");
+  }
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
