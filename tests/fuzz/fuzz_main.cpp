@@ -1,5 +1,5 @@
-// libFuzzer's way in: one kind of input, TANK_DATUM_FUZZ_READER, is given bytes as libFuzzer makes them. It may be refused
-// as an Error; what else is thrown, every wrong access and every overflow is a finding.
+// libFuzzer's way in: one kind of input, TANK_DATUM_FUZZ_READER, is given bytes as libFuzzer makes them. It may be
+// refused as an Error; what else is thrown, every wrong access and every overflow is a finding.
 #include <unistd.h>
 
 #include <cstdint>

@@ -123,9 +123,7 @@ def test_the_page_of_several_surveys_says_the_same(
     with opened(browser, tmp_path / "m/report.html") as page:
         assert page.text("h1") == "Movement of the datum of tank T-12 <b>"
         assert "Example & Co" in page.text(".identity")
-        assert (
-            page.page.locator(".identity img").get_attribute("src").startswith("data:image/svg")
-        )
+        assert page.page.locator(".identity img").get_attribute("src").startswith("data:image/svg")
         for chart in ("trend-chart", "trend-plan", "rate-chart"):
             assert "stairs" in page.page.locator(f"#{chart}").text_content(), chart
 
