@@ -1,5 +1,5 @@
-// The C library's functions in the place of which the linker puts those of SLEEF (cmake/portable_math.cmake). The C library
-// chooses by the processor how it computes them, and the last bit of a result follows the choice: with fused
+// The C library's functions in the place of which the linker puts those of SLEEF (cmake/portable_math.cmake). The C
+// library chooses by the processor how it computes them, and the last bit of a result follows the choice: with fused
 // multiply-add it is another. These compute alike on every processor.
 #include <sleef.h>
 
