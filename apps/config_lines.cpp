@@ -57,7 +57,14 @@ std::optional<std::string> refusalOf(const std::string& line) {
 
 void requireConfigLines(const std::string& path) {
   if (path.empty()) return;
-  std::istringstream text(wholeFile(path, "command line"));
+  constexpr std::ptrdiff_t kMostLines = 1000;  // many times the options there are; each takes a millisecond
+  const std::string whole = wholeFile(path, "command line");
+  const std::ptrdiff_t lines = std::count(whole.begin(), whole.end(), '\n');
+  if (lines > kMostLines) {
+    throw Error(Error::Kind::Option, "command line", path, std::to_string(lines) + " lines",
+                "at most " + std::to_string(kMostLines));
+  }
+  std::istringstream text(whole);
   std::string line;
   for (std::size_t number = 1; std::getline(text, line); ++number) {
     line = trimmed(line);

@@ -12,6 +12,7 @@
 #include "io/json_file.h"
 #include "movement/movement.h"
 #include "movement/trend.h"
+#include "report/datum_record.h"
 #include "report/movement_json.h"
 #include "report/report_page.h"
 #include "tank_datum/core/error.h"
@@ -113,8 +114,7 @@ std::string movementsJson(const Comparison& comparison) {
                {"movements", surveys},
                {"trend", {{"unit", trendUnit(comparison)}, {"stations", stations}}},
                {"limits", limitRatesSection(comparison.limit_rates)}};
-  if (comparison.readers.display_units != "mm") json["display_units"] = comparison.readers.display_units;
-  if (comparison.readers.language != "en") json["language"] = comparison.readers.language;
+  addTold(json, comparison.readers);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -124,7 +124,7 @@ void writeMovement(const ResultFolder& folder, const Comparison& comparison) {
   write(to / "movement.json", json);
   const std::string csv = movementCsv(comparison.histories);
   write(to / "movement.csv", csv);
-  write(to / "report.html", trendPage(json, csv));
+  write(to / "report.html", trendPage(json, csv, comparison.readers.logo));
 }
 
 }  // namespace tank_datum

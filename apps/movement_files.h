@@ -19,7 +19,7 @@ struct Comparison {
   std::vector<StationHistory> histories;
   LimitRates limit_rates;
   MovementOptions options;
-  Identity readers = {};  ///< units and language of what people read
+  Identity readers = {};  ///< units and language of what people read, and what they are told of the tank
 };
 
 /// Adds what the surveys show together: the stations' trends, and when limits are reached; by its dates, where it has

@@ -14,8 +14,11 @@
 #include "movement/trend.h"
 #include "movement_files.h"
 #include "option_flags.h"
+#include "options/option_table.h"
+#include "options/run_options.h"
 #include "parsed.h"
 #include "report/check_text.h"
+#include "report/identity.h"
 #include "report/movement_text.h"
 #include "report/words.h"
 #include "results/manifest.h"
@@ -34,7 +37,7 @@ struct CompareCommand {
   std::string output = "movement";
   std::vector<std::string> dates;  ///< one per epoch, or none
   MovementOptions options;
-  Identity readers;  ///< units and language
+  RunOptions told;  ///< of it units and language, and what readers are told of the tank
 };
 
 bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& status) {
@@ -46,13 +49,18 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
   app.add_option("-o,--output", command.output, "folder for movement.json, movement.csv and report.html");
   app.add_option("--dates", command.dates, "of each survey, 2024-05-31 or 2024.41: trends become metres per year")
       ->delimiter(',');
-  app.add_option("--display-units", command.readers.display_units, "lengths in report and summary; files hold metres")
+  app.add_option("--display-units", command.told.display_units, "lengths in report and summary; files hold metres")
       ->check(CLI::IsMember({"mm", "in", "ft"}));
-  app.add_option("--language", command.readers.language, "of the report")->check(CLI::IsMember(languages()));
-  const OptionFlags flags(app, movementOptionsOf(command.options));
+  app.add_option("--language", command.told.language, "of the report")->check(CLI::IsMember(languages()));
+  std::vector<Option> options = movementOptionsOf(command.options);
+  for (const Option& option : optionsOf(command.told)) {
+    if (option.name == "about" || option.name == "mark") options.push_back(option);
+  }
+  const OptionFlags flags(app, options);
   app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
   if (!parsed(app, argc, argv, status)) return false;
   flags.putTyped();
+  readIdentity(command.told);
   return true;
 }
 
@@ -89,13 +97,14 @@ int run(const CompareCommand& command) {
   for (const std::string& epoch : command.epochs) {
     for (const NamedPath& input : inputsOf("survey", epoch)) inputs.push_back(input);
   }
+  if (!command.told.about.empty()) inputs.push_back({"file about the tank", command.told.about});
   requireApart(inputs, outputsOf(command.output, kProgram));
   for (const std::string& epoch : command.epochs) settleToRead(epoch, kProgram);
   ResultFolder folder(command.output, kProgram);
   requireValid(command.options);
   timesOf(command.dates, command.epochs.size());  // refuses bad ones before anything is read
   std::vector<Epoch> epochs;
-  Comparison comparison{command.epochs, {}, command.dates, {}, {}, {}, command.options, command.readers};
+  Comparison comparison{command.epochs, {}, command.dates, {}, {}, {}, command.options, *command.told.identity};
   for (const std::string& path : command.epochs) {
     const InputFile file(epochFile(path));
     epochs.push_back(readEpoch(path));

@@ -27,10 +27,46 @@ from results import write_pcd
 
 ROOT = Path(__file__).resolve().parents[1]
 BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build/bin"))
+KINDS = (
+    "pcd las ply pts ptx xyz table origins limits json scene"
+    " config about levelling baseline options campaign cases"
+)
 TABLES = {
     "origins": 'name,x,y,z\nscan_1,1.5,-2,3\n"scan, 2",1e3,0,.5\n',
     "table": 'azimuth_deg,z,flag\n0,1.5,measured\n1,,missing\n2,-1e-3,"measured"\n',
 }
+
+
+# What an option's value may be that somebody mistyped, or a script worked out wrongly.
+NUMBERS = [
+    "",
+    "0",
+    "-0.0",
+    "-1",
+    "1",
+    "7",
+    "1e-300",
+    "1e9",
+    "1e300",
+    "99999999999999999999",
+    "nan",
+    "inf",
+    "-inf",
+]
+KINDS_OF_NUMBERS = ("number", "integer", "length", "fact", "numbers", "integers")
+CONFIGS = {
+    "usual": "method = paper\nstations = 24\nclockwise = true\n# a note\nheights = 0.3,1\n",
+    "strange": '[datum]\nk=1e300\nheight="26 ft"\ntank=[0,0,4]\nmark=stairs=75\n',
+}
+ABOUT = """tank = "T-1"
+product = 'crude'
+site = "Hafen Süd"
+survey_date = 2026-11-03
+inspector = \"\"\"A
+B\"\"\"
+report_number = 12
+notes = "\\u00b5"
+"""
 
 
 def run(program: str, *words: object) -> str:
@@ -84,13 +120,46 @@ def make_texts(folder: Path) -> None:
     (folder / "json/a.json").write_text(json.dumps(whole))
 
 
+def option_lines() -> dict[str, list[str]]:
+    """Words of command lines: each option with each value."""
+    lines: dict[str, list[str]] = {}
+    for option in json.loads(run("tank_datum", "--print-options")):
+        flag = "--" + option["name"].replace("_", "-")
+        values = NUMBERS if option["kind"] in KINDS_OF_NUMBERS else option.get("words", [])
+        if option["kind"] == "circle":
+            values = [f"0,0,{number}" for number in NUMBERS] + [
+                f"{number},0,4" for number in NUMBERS
+            ]
+        for i, value in enumerate(values):
+            lines[f"{option['name']}_{i}"] = [flag, value]
+        if option["kind"] == "flag" and not option["name"].startswith("print"):
+            lines[option["name"]] = [flag]
+    return lines
+
+
+def make_words(folder: Path) -> None:
+    for name, text in CONFIGS.items():
+        (folder / "config" / name).write_text(text)
+    config = run("tank_datum", ROOT / "tests/data/sample.pcd", "--print-config")
+    (folder / "config/all").write_text(config)
+    (folder / "about/a.toml").write_text(ABOUT)
+    for table in (ROOT / "tests/data/levelling").glob("*.csv"):
+        shutil.copy(table, folder / "levelling" / table.name)
+    shutil.copy(folder / "json/a.json", folder / "baseline/a.json")
+    for name, words in option_lines().items():
+        (folder / "options" / name).write_text("\n".join(words) + "\n")
+    shutil.copy(ROOT / "scripts/farm_example.toml", folder / "campaign/a.toml")
+    shutil.copy(ROOT / "tests/data/qa/cases.toml", folder / "cases/a.toml")
+
+
 def main(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
-    for kind in "pcd las ply pts ptx xyz table origins limits json scene".split():
+    for kind in KINDS.split():
         (folder / kind).mkdir(parents=True)
     make_scans(folder)
     make_compressed(folder)
     make_texts(folder)
+    make_words(folder)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,8 @@ build="$root/build"
 configure() {
   compile_once
   apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
-    libfast-float-dev libxxhash-dev libtomlplusplus-dev libgtest-dev locales python3 libvtk9-dev libx11-dev node-d3
+    libfast-float-dev libxxhash-dev libsleef-dev libtomlplusplus-dev libgtest-dev locales python3 libvtk9-dev libx11-dev \
+    node-d3
   [ ! -f "$build/build.ninja" ] || return 0
   say "configuring ${build#"$root/"}/"
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release ${TANK_DATUM_CMAKE_OPTIONS:-} >&2
@@ -51,18 +52,18 @@ build() {
   cmake --build "$build" --target "$@" >&2
 }
 
-# python_environment: .venv/ with what the Python tests and scripts need.
+# python_environment: .venv/ with what the Python tests and scripts need, each file by its hash (scripts/pin).
 python_environment() {
-  local wanted="$root/tests/python/requirements.txt" stamp="$root/.venv/requirements.installed"
+  local wanted="$root/tests/python/requirements.lock" stamp="$root/.venv/requirements.installed"
   cmp -s "$wanted" "$stamp" && return
   apt_install python3 python3-venv
   say "making .venv/ for the Python tests"
   /usr/bin/python3 -m venv "$root/.venv"
-  "$root/.venv/bin/pip" install --quiet --disable-pip-version-check -r "$wanted" >&2
+  "$root/.venv/bin/pip" install --quiet --disable-pip-version-check --require-hashes -r "$wanted" >&2
   cp "$wanted" "$stamp"
 }
 
-# python_module: the package tank_datum in .venv/, built anew when a source is newer than the last one.
+# python_module: the package tank_datum in .venv/, built anew when a source is newer than the last one, by what .venv/ has.
 python_module() {
   local stamp="$root/.venv/tank_datum.installed" sources=(CMakeLists.txt src include apps scripts/pyproject.toml)
   [ -f "$stamp" ] && [ -z "$(cd "$root" && find "${sources[@]}" -newer "$stamp" -print -quit)" ] && return
@@ -73,6 +74,6 @@ python_module() {
   local options=()
   case "${TANK_DATUM_CMAKE_OPTIONS:-}" in *WERROR=ON*) options=(--config-settings=cmake.define.TANK_DATUM_WERROR=ON) ;; esac
   CC=cc CXX=c++ "$root/.venv/bin/pip" install --quiet --disable-pip-version-check --force-reinstall --no-deps \
-    "${options[@]}" "$root/scripts" >&2
+    --no-build-isolation "${options[@]}" "$root/scripts" >&2
   mv "$stamp.begun" "$stamp"
 }

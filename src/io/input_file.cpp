@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,19 @@
 #include "io/read_hash.h"
 
 namespace tank_datum {
+namespace {
+
+/// File systems stamp times by a clock that ticks every few milliseconds. A file written to within the last tick is
+/// waited for: whatever is written from then on has another time.
+void waitOutTick(const struct timespec& written) {
+  using Clock = std::chrono::system_clock;
+  constexpr std::chrono::milliseconds kTick(10);
+  const auto since_epoch = std::chrono::seconds(written.tv_sec) + std::chrono::nanoseconds(written.tv_nsec);
+  const Clock::duration age = Clock::now().time_since_epoch() - since_epoch;
+  if (age >= Clock::duration::zero() && age < kTick) std::this_thread::sleep_for(kTick - age);
+}
+
+}  // namespace
 
 bool InputFile::State::operator==(const State& other) const {
   return device == other.device && number == other.number && size == other.size && seconds == other.seconds &&
@@ -38,6 +53,7 @@ InputFile::InputFile(std::string path, bool hashed)
                     "a file that can be read");
   }
   opened_ = stateOf(status);
+  waitOutTick(status.st_mtim);
 }
 
 InputFile::~InputFile() { ::close(descriptor_); }

@@ -1,6 +1,7 @@
 #include "locate/crop.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -76,6 +77,30 @@ class EvenShare {
 
 namespace {
 
+/// Counts rows that cannot be of the tank, from several threads.
+class FarRows {
+ public:
+  FarRows(const Tank& tank, const Eigen::Vector3d& zero)
+      : centre_(tank.circle.center.x(), tank.circle.center.y(), tank.foot.coefficients[0]),
+        furthest_(kRadii * tank.circle.radius),
+        zero_(zero) {}
+
+  void look(const Points& points) {
+    const auto is_far = [this](const Eigen::Vector3d& p) {
+      return !((p - centre_).cwiseAbs().maxCoeff() <= furthest_) || p == zero_;
+    };
+    count_ += static_cast<std::uint64_t>(std::count_if(points.begin(), points.end(), is_far));
+  }
+  std::uint64_t count() const { return count_; }
+
+ private:
+  static constexpr double kRadii = 100.0;
+  Eigen::Vector3d centre_;
+  double furthest_;
+  Eigen::Vector3d zero_;
+  std::atomic<std::uint64_t> count_{0};
+};
+
 double reachOf(const Tank& tank, const CropOptions& options) {
   return std::min(options.reach, 0.5 * tank.circle.radius);
 }
@@ -118,10 +143,12 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   const RingShape shape(tank, reach);
   EvenShare share(options.fit_points, scan.tellsSetups());
   SetupNumbers numbers;
+  FarRows far(tank, -scan.origin());
   const auto choose = [&](std::uint64_t block, const Points& points, Points& chosen) {
     thread_local std::vector<char> wanted;
     wanted.assign(points.size(), 0);
     if (also.mark) also.mark(block, points, wanted);
+    far.look(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (wanted[i] || (shape.holds(points[i]) && share.wants(points[i]))) chosen.push_back(points[i]);
     }
@@ -133,6 +160,7 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
     }
   };
   ring.counts = scan.forEachChosen(choose, threads, keep, rowStride(scan, tank, options));
+  ring.counts.far = far.count();
   ring.points = share.takePoints();
   ring.setups = numbers.take();
   if (ring.setups.size() > 1 && ring.setups.size() <= kMostSetups) ring.point_setups = share.takeSetups();

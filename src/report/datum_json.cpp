@@ -55,7 +55,8 @@ Json inputJson(const Provenance& provenance, const Eigen::Vector3d& origin, bool
           {"units", provenance.units},
           {"origin", {origin.x(), origin.y(), origin.z()}},
           {"invalid_points", provenance.invalid_points},
-          {"left_out_points", provenance.left_out_points}};
+          {"left_out_points", provenance.left_out_points},
+          {"far_points", provenance.far_points}};
 }
 
 Json tankJson(const Datum& datum) {
@@ -148,16 +149,11 @@ Json pointJson(const SurveyPoint& point, double z) {
           {"u", number(point.u)}};
 }
 
-/// What the user says of the tank, and the survey's points: keys for what was given.
+/// What the user says of the tank, and the survey's points.
 void addIdentity(Json& json, const Datum& datum, const Provenance& provenance) {
   const Identity& identity = provenance.identity;
   const StationOptions& stations = provenance.options.stations;
-  for (const auto& [key, words] : identity.about) json["about"][key] = words;
-  for (const ReferenceMark& mark : identity.marks) {
-    json["marks"].push_back({{"name", mark.name}, {"azimuth_deg", toDegrees(mark.azimuth)}});
-  }
-  if (identity.display_units != "mm") json["display_units"] = identity.display_units;
-  if (identity.language != "en") json["language"] = identity.language;
+  addTold(json, identity);
   if (std::isfinite(identity.north)) json["north_azimuth_deg"] = toDegrees(azimuthOf(identity.north, stations));
   for (const SurveyPoint& point : surveyPointsOf(identity, datum.stations, stations)) {
     json["survey_points"].push_back(pointJson(point, datum.origin.z()));
@@ -165,6 +161,15 @@ void addIdentity(Json& json, const Datum& datum, const Provenance& provenance) {
 }
 
 }  // namespace
+
+void addTold(Json& json, const Identity& identity) {
+  for (const auto& [key, words] : identity.about) json["about"][key] = words;
+  for (const ReferenceMark& mark : identity.marks) {
+    json["marks"].push_back({{"name", mark.name}, {"azimuth_deg", toDegrees(mark.azimuth)}});
+  }
+  if (identity.display_units != "mm") json["display_units"] = identity.display_units;
+  if (identity.language != "en") json["language"] = identity.language;
+}
 
 Json datumRecord(const Datum& datum, const Provenance& provenance) {
   Json json;

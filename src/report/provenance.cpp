@@ -61,6 +61,7 @@ Provenance provenanceOf(std::vector<InputRecord> files, const std::string& units
   provenance.units = units;
   provenance.invalid_points = datum.counts.invalid;
   provenance.left_out_points = datum.counts.left_out;
+  provenance.far_points = datum.counts.far;
   provenance.options = options;
   return provenance;
 }

@@ -56,12 +56,18 @@ std::string pageWith(const std::vector<PageData>& data) {
   return page + std::string(kPageAfterData);
 }
 
+namespace {
+
+void addLogo(std::vector<PageData>& data, const std::string& logo) {
+  if (!logo.empty()) data.push_back({"logo", "application/json", nlohmann::json(logo).dump()});
+}
+
+}  // namespace
+
 std::string reportPage(const Datum& datum, const Provenance& provenance) {
   std::vector<PageData> data = {{"datum", "application/json", datumJson(datum, provenance)},
                                 {"stations", "text/csv", stationsCsv(datum)}};
-  if (!provenance.identity.logo.empty()) {
-    data.push_back({"logo", "application/json", nlohmann::json(provenance.identity.logo).dump()});
-  }
+  addLogo(data, provenance.identity.logo);
   if (!datum.sighting.points.empty()) data.push_back({"sighting", "application/json", sightingJson(datum)});
   if (datum.shell.valid()) data.push_back({"shell", "text/csv", shellCsv(datum.shell)});
   if (!datum.refined.sections.empty() && datum.hasStations()) {
@@ -70,8 +76,10 @@ std::string reportPage(const Datum& datum, const Provenance& provenance) {
   return pageWith(data);
 }
 
-std::string trendPage(const std::string& movement_json, const std::string& movement_csv) {
-  return pageWith({{"trend", "application/json", movement_json}, {"movements", "text/csv", movement_csv}});
+std::string trendPage(const std::string& movement_json, const std::string& movement_csv, const std::string& logo) {
+  std::vector<PageData> data = {{"trend", "application/json", movement_json}, {"movements", "text/csv", movement_csv}};
+  addLogo(data, logo);
+  return pageWith(data);
 }
 
 std::string indexPage(const std::vector<IndexEntry>& tanks) {

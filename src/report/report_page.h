@@ -24,6 +24,7 @@ std::string escapedForScript(const std::string& json);
 std::string pageWith(const std::vector<PageData>& data);
 
 /// The page of several surveys of one tank, from movement.json and movement.csv.
-std::string trendPage(const std::string& movement_json, const std::string& movement_csv);
+/// @param logo  an image as a data URI, or empty
+std::string trendPage(const std::string& movement_json, const std::string& movement_csv, const std::string& logo);
 
 }  // namespace tank_datum

@@ -51,6 +51,19 @@ std::string tankLine(const Datum& datum, const Display& display) {
               display.longFigure(datum.circle.center.y() + datum.origin.y()).c_str(), toDegrees(datum.tank.coverage));
 }
 
+/// The rows that hold nothing to measure, where there are any.
+std::string passedOverLine(const ScanCounts& counts) {
+  std::string text;
+  const auto add = [&text](std::uint64_t rows, const char* what) {
+    if (rows > 0) text += (text.empty() ? "" : ", ") + std::to_string(rows) + " " + what;
+  };
+  add(counts.invalid, "without coordinates");
+  add(counts.left_out, "withheld or not asked for");
+  add(counts.far, "far from the tank or at zero of the scan's frame");
+  if (text.empty()) return {};
+  return line("passed over", "%s of %s rows", text.c_str(), std::to_string(counts.points).c_str());
+}
+
 std::string stationsLine(const Datum& datum) {
   const Level& level = datum.level;
   const std::string density = std::isfinite(datum.foot_density) ? "; " + footDensityText(datum.foot_density) : "";
@@ -189,7 +202,7 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   const Level& level = datum.level;
   const double z = datum.origin.z();
   text += tankLine(datum, display);
-  text += stationsLine(datum);
+  text += passedOverLine(datum.counts) + stationsLine(datum);
   const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",

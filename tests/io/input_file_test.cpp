@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -64,6 +66,37 @@ TEST(InputFile, TellsThatItChanged) {
                   "during the run")
         << name;
   }
+}
+
+TEST(InputFile, TellsThatItChangedWithinATickOfTheFileSystemsClock) {
+  const TestFolder folder;
+  const std::string path = folder.file("a", "");
+  for (int i = 0; i < 20; ++i) {
+    std::ofstream(path) << "old";
+    const InputFile file(path);
+    writeOver(path, "new");
+    EXPECT_NE(refusalOf(Error::Kind::File, [&] { file.requireUnchanged(); }), "");
+  }
+}
+
+TEST(InputFile, WaitsForATickAfterAWriteAndNoLonger) {
+  const TestFolder folder;
+  const std::string path = folder.file("a", "");
+  using Clock = std::chrono::system_clock;
+  auto fastest = std::chrono::nanoseconds::max();
+  for (int i = 0; i < 20; ++i) {
+    const Clock::time_point begun = Clock::now();
+    const auto written = begun.time_since_epoch();
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(written);
+    std::ofstream(path) << "x";
+    const struct timespec time { seconds.count(), std::chrono::nanoseconds(written - seconds).count() };
+    const struct timespec times[2] = {time, time};
+    ASSERT_EQ(::utimensat(AT_FDCWD, path.c_str(), times, 0), 0);
+    const InputFile file(path);
+    fastest = std::min<std::chrono::nanoseconds>(fastest, Clock::now() - begun);
+  }
+  EXPECT_GE(fastest, std::chrono::milliseconds(10));
+  EXPECT_LT(fastest, std::chrono::milliseconds(18));
 }
 
 TEST(InputFile, RefusesAPipeWithoutWaiting) {

@@ -17,6 +17,7 @@ KEYS: dict[str, Any] = {
         "origin": LIST,
         "invalid_points": int,
         "left_out_points": int,
+        "far_points": int,
     },
     "options": dict,
     "status": TEXT,

@@ -106,3 +106,16 @@ def test_json_is_no_input_and_no_result(run: Runner, tmp_path: Path) -> None:
         result = run(*words, "--json", path)
         assert result.returncode == 2 and "--json" in result.stderr, result.stderr
     assert table.read_bytes() == LEVELLING.read_bytes()
+
+
+@pytest.mark.parametrize(("lines", "status"), [(1000, 0), (1001, 2)])
+def test_a_file_of_options_has_at_most_1000_lines(
+    run: Runner, tmp_path: Path, lines: int, status: int
+) -> None:
+    config = tmp_path / "options.toml"
+    config.write_text("# a remark\n" * (lines - 1) + "k = 30\n")
+    result = run(SAMPLE, "-o", tmp_path / "out", "--config", config, "--quiet")
+    assert result.returncode == status, result.stderr
+    if status:
+        reason = f"{config}, 1001 lines, expected at most 1000"
+        assert result.stderr == f"tank_datum: command line: {reason}\n"

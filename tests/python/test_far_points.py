@@ -90,3 +90,28 @@ def test_neither_datum_nor_memory_follows(
     expected, least = plain[tank]
     assert mean - shift[2] == pytest.approx(expected, abs=max(apart, 1e-12))
     assert peak < 1.1 * least + 4096  # kB; what the allocator rounds up
+
+
+@pytest.mark.parametrize(
+    ("made", "far", "invalid"),
+    [
+        pytest.param(lambda: with_rows(9000, [[1e9, 0, 0], [0, 400, 0]]), 1, 0, id="far"),
+        pytest.param(lambda: with_rows(9000, [[0, 0, 600], [0, 0, 0]]), 2, 0, id="high_and_zero"),
+        pytest.param(lambda: with_rows(9000, [[np.nan, 0, 0]]), 0, 1, id="not_finite"),
+        pytest.param(points, 0, 0, id="none"),
+    ],
+)
+def test_rows_passed_over_are_counted(
+    tmp_path: Path, made: Callable[[], Array], far: int, invalid: int
+) -> None:
+    """The sample's radius is 5 m: 500 m from it is far."""
+    scan = write_xyz(tmp_path / "scan.pcd", made())
+    words = [executable("tank_datum"), scan, "-o", tmp_path / "out"]
+    said = subprocess.check_output([*map(str, words)], text=True)
+    given = read_datum(tmp_path / "out")["input"]
+    assert (given["far_points"], given["invalid_points"]) == (far, invalid)
+    lines = [line for line in said.splitlines() if line.startswith("passed over")]
+    assert len(lines) == (far + invalid > 0)
+    if lines:
+        assert f"{max(far, invalid)} " in lines[0]
+        assert lines[0].endswith(f"of {given['files'][0]['points']} rows")

@@ -11,6 +11,7 @@ import pytest
 
 from report_pages import SAMPLE, opened
 from results import Run, read_datum, read_stations
+from test_compare import compare
 
 Runner = Callable[..., Run]
 
@@ -110,3 +111,26 @@ def test_a_bad_mark_is_refused(run: Runner, tmp_path: Path, mark: str) -> None:
     assert done.returncode == 2
     assert "mark" in done.stderr
     assert "stairs=75" in done.stderr
+
+
+def test_the_page_of_several_surveys_says_the_same(
+    browser: Any, told: Path, tmp_path: Path
+) -> None:
+    """Heading, logo and marks, as in the report of one survey."""
+    about = told.parent / "about.toml"
+    done = compare(told, told, "-o", tmp_path / "m", "--about", about, *GIVEN[:2])
+    assert done.returncode == 0, done.stderr
+    with opened(browser, tmp_path / "m/report.html") as page:
+        assert page.text("h1") == "Movement of the datum of tank T-12 <b>"
+        assert "Example & Co" in page.text(".identity")
+        assert page.page.locator(".identity img").get_attribute("src").startswith("data:image/svg")
+        for chart in ("trend-chart", "trend-plan", "rate-chart"):
+            assert "stairs" in page.page.locator(f"#{chart}").text_content(), chart
+
+
+def test_a_bad_file_about_the_tank_is_refused_of_surveys_too(told: Path, tmp_path: Path) -> None:
+    (tmp_path / "about.toml").write_text("owner = 'x'\n")
+    done = compare(told, told, "-o", tmp_path / "m", "--about", tmp_path / "about.toml")
+    assert done.returncode == 3
+    assert "about.toml:1, key owner" in done.stderr
+    assert not (tmp_path / "m").exists()

@@ -20,6 +20,7 @@ from results import FOLDER, Array, read_pcd, read_stations, write_xyz
 
 SEEDS = range(int(os.environ.get("TANK_DATUM_PROPERTY_SEEDS", "1")))
 STATIONS = 360
+RADIUS = 5.0  # of the sample [m]
 Random = np.random.Generator
 
 
@@ -93,6 +94,17 @@ def scaled(_: Random) -> Changed:
     return Changed([points() * 1.001], z=lambda z: z * 1.001)
 
 
+def tilted(random: Random) -> Changed:
+    """The whole scan, as by a scanner that is not level: by a milliradian, towards anywhere."""
+    slope, towards = 1e-3, random.uniform(0, 2 * np.pi)
+    axis = np.array([-np.sin(towards), np.cos(towards), 0.0])
+    made = points()
+    made = made - np.sin(slope) * np.cross(axis, made)
+    azimuths = 2 * np.pi * np.arange(STATIONS) / STATIONS
+    rise = RADIUS * np.sin(slope) * np.cos(azimuths - towards)
+    return Changed([made], z=lambda z: z + rise)
+
+
 CHANGES = [
     turned,
     shifted,
@@ -105,6 +117,7 @@ CHANGES = [
     with_outliers,
     twice,
     scaled,
+    tilted,
 ]
 
 

@@ -90,9 +90,10 @@ TEST(ReportPage, HoldsSectionsInTheScansFrame) {
 }
 
 TEST(TrendPage, HoldsTheMovementsAlone) {
-  const std::string page = trendPage("{\"movements\": []}", "azimuth_deg,trend\n0,1\n");
+  const std::string page = trendPage("{\"movements\": []}", "azimuth_deg,trend\n0,1\n", "data:image/png;base64,AAAA");
   EXPECT_EQ(dataOf(page, "movements"), "azimuth_deg,trend\n0,1\n");
   EXPECT_EQ(dataOf(page, "trend"), "{\"movements\": []}");
+  EXPECT_EQ(dataOf(page, "logo"), "\"data:image/png;base64,AAAA\"");
   EXPECT_EQ(page.find("id=\"data-datum\""), std::string::npos);
 }
 

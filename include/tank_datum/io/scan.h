@@ -23,12 +23,17 @@ struct ScanCounts {
   std::uint64_t invalid = 0;   ///< rows dropped because x, y or z is not finite, or is a beam of PTX without return
   std::uint64_t left_out = 0;  ///< rows dropped that LAS marks as withheld, or whose class or setup is not asked for
 
+  /// Rows looked at that cannot be of the tank that was measured: at zero of the scan's own frame, as beams without a
+  /// return are often written, or more than 100 of its radii away.
+  std::uint64_t far = 0;
+
   std::uint64_t kept() const { return points - invalid - left_out; }
 
   ScanCounts& operator+=(const ScanCounts& other) {
     points += other.points;
     invalid += other.invalid;
     left_out += other.left_out;
+    far += other.far;
     return *this;
   }
 };

@@ -45,6 +45,7 @@ struct Provenance {
   std::string up = "z";  ///< the axis of the scan's frame that is vertical
   std::uint64_t invalid_points = 0;
   std::uint64_t left_out_points = 0;  ///< withheld, or not of reading.las_classes or reading.setups
+  std::uint64_t far_points = 0;       ///< of those looked at, see ScanCounts
   ScanOptions reading;                ///< how the files were read
   DatumOptions options;
   std::string baseline;  ///< the earlier survey compared with, or empty

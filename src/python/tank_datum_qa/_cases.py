@@ -94,8 +94,11 @@ def _rules(where: str, table: Any) -> tuple[tuple[str, float | None], ...]:
 
 
 def _is_below(root: Path, path: Path) -> bool:
-    """Also when links are followed; the folder itself is not."""
-    return root.resolve() in path.resolve().parents
+    """Also when links are followed; the folder itself is not, nor what no file can be called."""
+    try:
+        return root.resolve() in path.resolve().parents
+    except (ValueError, OSError, RuntimeError):
+        return False
 
 
 def _texts(where: str, value: Any, least: int) -> tuple[str, ...]:
@@ -170,12 +173,19 @@ def read_cases(path: Path) -> list[Case]:
 
     Raises CasesError when the file cannot be read or does not say what it must.
     """
-    path = Path(os.path.abspath(path))
+    try:
+        return _checked(Path(os.path.abspath(path)))
+    except RecursionError:
+        deep = "values too deep in each other"
+        raise _refuse(str(path), deep, "a cases file (TOML)") from None
+
+
+def _checked(path: Path) -> list[Case]:
     try:
         table = tomllib.loads(read_regular_text(path))
     except OSError as error:
         raise _refuse(str(path), error.strerror, "a readable file") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except ValueError as error:
         raise _refuse(str(path), str(error), "TOML") from error
     for key in table:
         if key not in ("case", "tolerance"):

@@ -23,21 +23,29 @@ WORST, STEEPEST = 0.1, 3600.0  # 1 sigma of heights [m], and of tilts [arcsec]
 
 def read_campaign(path: str | os.PathLike[str]) -> Campaign:
     """Reads and checks a campaign. Raises CampaignError with every reason."""
-    file, content, text = Path(path), b"", ""
+    try:
+        return _checked(Path(path))
+    except RecursionError:
+        reason = "values too deep in each other, expected a campaign (TOML)"
+        raise CampaignError([Problem(str(path), 0, reason)]) from None
+
+
+def _checked(file: Path) -> Campaign:
+    path, content, text = str(file), b"", ""
     try:
         content = read_regular(file)
         text = text_of(content, encoding="utf-8-sig")
         given = tomllib.loads(text)
     except OSError as error:
         reason = f"{error.strerror}, expected a campaign (TOML)"
-        raise CampaignError([Problem(str(path), 0, reason)]) from None
+        raise CampaignError([Problem(path, 0, reason)]) from None
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
         reason = f"{error.reason}, expected UTF-8"
-        raise CampaignError([Problem(str(path), line, reason)]) from None
-    except tomllib.TOMLDecodeError as error:
-        raise CampaignError([_syntax(str(path), text, error)]) from None
-    reader = Reader(str(path), line_numbers(text))
+        raise CampaignError([Problem(path, line, reason)]) from None
+    except ValueError as error:  # of TOML; of Python, for thousands of digits
+        raise CampaignError([_syntax(path, text, error)]) from None
+    reader = Reader(path, line_numbers(text))
     campaign = _inherited(_campaign(reader, file.resolve(), given))
     check_whole(reader, campaign)
     if reader.problems:
@@ -45,7 +53,7 @@ def read_campaign(path: str | os.PathLike[str]) -> Campaign:
     return campaign
 
 
-def _syntax(path: str, text: str, error: tomllib.TOMLDecodeError) -> Problem:
+def _syntax(path: str, text: str, error: ValueError) -> Problem:
     """tomllib says "... (at line 3, column 7)" or "... (at end of document)"."""
     said, _, place = str(error).rpartition(" (at ")
     number = place.removeprefix("line ").partition(",")[0]

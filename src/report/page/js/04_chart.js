@@ -2,7 +2,7 @@
 
 const charts = [];
 const kPaperHeight = 227;  // 60 mm [px]
-const kPairedHeight = 160;  // of two beside each other, 42 mm [px]
+const kPairedHeight = 227;  // of two beside each other, too [px]
 
 /**
  * @param section  where it stands

@@ -4,8 +4,8 @@ const kAboutNames = {
   tank: say("common.tank"), product: say("identity.product"), site: say("identity.site"), client: say("identity.client"), company: say("identity.company"), survey_date: say("identity.surveyed_on"),
   instrument: say("identity.instrument"), inspector: say("common.inspector"), report_number: say("identity.report"), revision: say("identity.revision"), notes: say("common.notes"),
 };
-const about = (datum && datum.about) || {};
-const referenceMarks = (datum && datum.marks) || [];
+const about = (datum || trend || {}).about || {};
+const referenceMarks = (datum || trend || {}).marks || [];
 const surveyPoints = (datum && datum.survey_points) || [];
 
 /** The words of the heading, and the company's logo beside them. */

@@ -63,10 +63,8 @@ function drawMovementPlan(svg, width, height, m, power) {
     return [middle[0] + radius * Math.cos(turn), middle[1] - radius * Math.sin(turn)];
   };
   drawPlanFrame(svg, middle, ring, place);
-  if (datum !== null) {
-    drawPlanMarks(svg, place, ring, false);
-    drawNorth(svg, width);
-  }
+  drawPlanMarks(svg, place, ring, false);
+  if (datum !== null) drawNorth(svg, width);
   const seen = closed(m.stations), at = (s) => place(s.azimuth_deg, ring * (1 + power * s.rest));
   svg.append("path").attr("class", "line datum").attr("d", d3.line().defined((s) => known(s.rest)).x((s) => at(s)[0]).y((s) => at(s)[1])(seen));
   for (const s of m.stations.filter((one) => one.significant && known(one.rest))) {

@@ -5,7 +5,8 @@ const kPaperWidth = 680;  // of A4 between its margins [px]
 function addHeading() {
   document.documentElement.lang = kLanguages[(datum || trend || index).language] ? (datum || trend || index).language : "en";
   const tank = about.tank ? say("main.datum_of_tank", { tank: about.tank }) : say("main.datum_of_a_storage_tank");
-  const title = index ? say("main.storage_tanks_of_a_scan") : trend ? say("main.movement_of_a_storage_tanks") : tank;
+  const moved = about.tank ? say("main.movement_of_tank", { tank: about.tank }) : say("main.movement_of_a_storage_tanks");
+  const title = index ? say("main.storage_tanks_of_a_scan") : trend ? moved : tank;
   document.getElementById("title").textContent = title;
   const names = trend ? trend.surveys.map((s) => dated(s.path, s.date)) : (index ? index.files : datum.input.files).map((file) => file.path);
   document.querySelector(".skip").textContent = say("page.skip");
