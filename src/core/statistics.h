@@ -13,9 +13,9 @@ double quantile(std::vector<double> values, double q);
 /// Robust standard deviation: 1.4826 times the median absolute deviation from `center`; NaN for no values.
 double robustSigma(const std::vector<double>& values, double center);
 
-/// Root of the biweight midvariance about the median with the constant 9 (Lax, J. Amer. Stat. Assoc. 80, 1985): a robust
-/// standard deviation that is 87 % efficient for normal errors, where robustSigma is 37 %, but more moved by values that
-/// stand out by less than six sigmas. 0 where more than half of the values are equal; NaN for no values.
+/// Root of the biweight midvariance about the median with the constant 9 (Lax, J. Amer. Stat. Assoc. 80, 1985): a
+/// robust standard deviation that is 87 % efficient for normal errors, where robustSigma is 37 %, but more moved by
+/// values that stand out by less than six sigmas. 0 where more than half of the values are equal; NaN for no values.
 double biweightSigma(const std::vector<double>& values);
 
 /// The densest place of sorted values: the half-sample mode (Bickel and Fruehwirth 2006).

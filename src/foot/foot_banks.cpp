@@ -213,7 +213,7 @@ std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels)
 }
 
 std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& levels) {
-  constexpr std::size_t kShortest = 6;  // a longer part of the ring is no bank whose other end fades
+  constexpr std::size_t kOneEnd = 6, kBothEnds = 2;  // longer parts of the ring are no banks, with that many ends seen
   const std::size_t count = levels.size();
   std::vector<char> known(count);
   for (std::size_t i = 0; i < count; ++i) known[i] = std::isfinite(levels[i]) ? 1 : 0;
@@ -223,7 +223,7 @@ std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& l
     const Says after = shellBeside(foot, run.last % count, +1, levels);
     const bool either = before == Says::GoesOn || after == Says::GoesOn;
     const bool neither = before != Says::Ends && after != Says::Ends;
-    if (!either || !(neither || run.last - run.first < count / kShortest)) continue;
+    if (!either || run.last - run.first >= count / (neither ? kBothEnds : kOneEnd)) continue;
     for (std::size_t i = run.first; i <= run.last; ++i) hanging[i % count] = known[i % count] != 0;
   }
   return hanging;

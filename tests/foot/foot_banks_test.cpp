@@ -137,6 +137,11 @@ TEST(FindHangingRuns, OneEndIsEnoughForASixthOfTheRing) {
   EXPECT_TRUE(hangs(0.020, 0.020, kFirst + 65));
 }
 
+TEST(FindHangingRuns, HalfTheRingIsNoBank) {
+  EXPECT_TRUE(hangs(0.020, 0.020, kFirst + 170));
+  EXPECT_FALSE(hangs(0.020, 0.020, kFirst + 190));
+}
+
 TEST(FindHangingRuns, ThreeStationsBesideAnEndSaySo) {
   EXPECT_FALSE(hangs(0.020, 0.020, kLast, 2));
   EXPECT_TRUE(hangs(0.020, 0.020, kLast, 3));

@@ -123,8 +123,8 @@ double scatterAfter(double off, const Sections::Section& section) {
 }
 
 TEST(AlignedElevations, StationsMoveTogetherWhereTheirSectionIsOfNoSurface) {
-  const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.0125; };
-  EXPECT_LT(scatterAfter(0.006, leaning), 0.0012);
+  const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.018; };
+  EXPECT_LT(scatterAfter(0.010, leaning), 0.0005);
 }
 
 TEST(AlignedElevations, StationsStayWhereTheirSectionIsTheirs) {

@@ -22,7 +22,7 @@ TEST(CompareEpochs, AnUnmovedTankRaisesAFalseAlarmInAtMostFivePerCent) {
         0;
   }
   EXPECT_LE(alarms, 9);  // binomial(80, 0.05) exceeds it once in 150
-  EXPECT_GE(alarms, 1);  // and has none once in 60: a threshold far too high
+  // a threshold far too high would not find the dips of the tests below
 }
 
 TEST(CompareEpochs, FindsADipOfTwoMillimetresWhereItIs) {
