@@ -14,6 +14,7 @@
 #include <cstring>
 #include <regex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "results/file_calls.h"
@@ -118,28 +119,27 @@ Staging::Staging(const std::string& folder) : folder_(folder) {
 }
 
 bool Staging::begin(const std::string& path) {
+  std::string here = path, own = path;  // what may fail for want of memory comes before what would be left over
   if (!makeFolder(path)) return false;
-  lock_ = ::open(LockFile::nameIn(path).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (lock_ < 0) {
-    const int reason = errno;
-    removeEmptyFolder(path);
-    if (reason == ENOENT) return false;  // another run took the empty folder for a stale one
-    throw failure(path, std::strerror(reason), "a folder that can be written to");
-  }
-  const bool taken = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  if (taken || !isLockOf(lock_, path)) {  // the same, a moment later
-    ::close(lock_);
-    lock_ = -1;
-    return false;
-  }
-  own_name_ = path_ = path;
+  path_ = std::move(here), own_name_ = std::move(own);
   try {
+    lock_ = ::open(LockFile::nameIn(path).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (lock_ < 0 && errno != ENOENT) {
+      const int reason = errno;
+      removeEmptyFolder(path);
+      throw failure(path, std::strerror(reason), "a folder that can be written to");
+    }
+    const bool taken = lock_ < 0 || (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK);
+    if (taken || !isLockOf(lock_, path)) {  // another run took the folder for a stale one
+      abandon();
+      return false;
+    }
     const std::string process = std::to_string(::getpid()) + "\n";
     if (::write(lock_, process.data(), process.size()) < 0) {
       throw failure(path, std::strerror(errno), "a folder with room for the results");
     }
     makeFolder(newFiles());
-  } catch (const Error&) {
+  } catch (...) {
     remove();
     throw;
   }
@@ -160,9 +160,11 @@ void Staging::abandon() {
 
 void Staging::remove() noexcept {
   constexpr int kTries = 50;
-  if (path_ != own_name_) {  // the commit folder: its name is the next run's as soon as this one's folder has left it
+  // the commit folder: its name is the next run's as soon as this one's folder has left it
+  if (!path_.empty() && !own_name_.empty() && path_ != own_name_) {
     if (::rename(path_.c_str(), own_name_.c_str()) != 0) return abandon();
-    path_ = own_name_;
+    path_ = std::move(own_name_);
+    own_name_.clear();
   }
   for (int i = 0; i < kTries && !path_.empty(); ++i) {
     try {
@@ -177,11 +179,10 @@ void Staging::remove() noexcept {
 }
 
 std::string Staging::enterCommit() {
-  const std::string commit = folder_ + "/" + kCommitFolder;
-  std::string said;
+  std::string commit = folder_ + "/" + kCommitFolder, said;
   for (int i = 0; i < kPatience; ++i) {
     if (::rename(path_.c_str(), commit.c_str()) == 0) {
-      path_ = commit;
+      path_ = std::move(commit);
       sync(folder_);
       return said;
     }

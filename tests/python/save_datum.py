@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 
 import tank_datum
 
 
 def main() -> int:
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in background jobs
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
     datum = tank_datum.load(sys.argv[1])
     try:
         datum.save(sys.argv[2])
