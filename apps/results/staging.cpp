@@ -42,12 +42,14 @@ Owner ownerByNumber(int descriptor) {
   return process > 0 && (::kill(process, 0) == 0 || errno != ESRCH) ? Owner::Lives : Owner::Gone;
 }
 
+std::string lockIn(const std::string& folder) { return folder + "/lock"; }
+
 /// Whether the folder's lock is the open file, and not that of another run whose folder has the name now.
 bool isLockOf(int descriptor, const std::string& folder) {
   struct stat mine {
   }, its{};
-  return ::fstat(descriptor, &mine) == 0 && ::stat((folder + "/lock").c_str(), &its) == 0 &&
-         mine.st_ino == its.st_ino && mine.st_dev == its.st_dev;
+  return ::fstat(descriptor, &mine) == 0 && ::stat(lockIn(folder).c_str(), &its) == 0 && mine.st_ino == its.st_ino &&
+         mine.st_dev == its.st_dev;
 }
 
 /// An open lock file, closed at the end.
@@ -55,9 +57,9 @@ class LockFile {
  public:
   /// @param how O_CREAT | O_EXCL to take over a folder whose lock is missing
   explicit LockFile(const std::string& folder, int how = 0)
-      : descriptor_(::open(nameIn(folder).c_str(), O_RDWR | O_CLOEXEC | how, 0666)) {
+      : descriptor_(::open(lockIn(folder).c_str(), O_RDWR | O_CLOEXEC | how, 0666)) {
     if (descriptor_ < 0) {
-      owner_ = errno == ENOENT ? Owner::Gone : Owner::Unknown;
+      owner_ = errno == ENOENT || errno == EEXIST ? Owner::Gone : Owner::Unknown;  // of none, then; isOf() says so
     } else if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       owner_ = errno == EWOULDBLOCK ? Owner::Lives : ownerByNumber(descriptor_);
     } else {
@@ -72,7 +74,6 @@ class LockFile {
 
   Owner owner() const { return owner_; }
   bool isOf(const std::string& folder) const { return descriptor_ >= 0 && isLockOf(descriptor_, folder); }
-  static std::string nameIn(const std::string& folder) { return folder + "/lock"; }
 
  private:
   int descriptor_;
@@ -123,7 +124,7 @@ bool Staging::begin(const std::string& path) {
   if (!makeFolder(path)) return false;
   path_ = std::move(here), own_name_ = std::move(own);
   try {
-    lock_ = ::open(LockFile::nameIn(path).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    lock_ = ::open(lockIn(path).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (lock_ < 0 && errno != ENOENT) {
       const int reason = errno;
       removeEmptyFolder(path);
@@ -207,7 +208,7 @@ void removeStale(const std::string& folder) {
   for (const std::string& name : found) {
     const std::string path = folder + "/" + name;
     if (kindOf(path) != Kind::Folder) continue;
-    if (!exists(LockFile::nameIn(path))) {
+    if (!exists(lockIn(path))) {
       removeEmptyFolder(path);  // of a run killed, or just about to make its lock: that one makes another folder
       continue;
     }
@@ -220,7 +221,7 @@ std::string settle(const std::string& folder) {
   const std::string commit = folder + "/" + kCommitFolder;
   for (int i = 0; i < kPatience; ++i) {
     if (kindOf(commit) != Kind::Folder) return {};
-    const bool unlocked = !exists(LockFile::nameIn(commit));
+    const bool unlocked = !exists(lockIn(commit));
     if (unlocked && removeEmptyFolder(commit)) continue;  // of a run that has just removed its lock
     const LockFile lock(commit, unlocked ? O_CREAT | O_EXCL : 0);
     if (lock.owner() == Owner::Gone && lock.isOf(commit)) return putRight(folder);

@@ -110,12 +110,13 @@ std::vector<Run> runsOf(const std::vector<char>& is, std::size_t gap) {
   return runs;
 }
 
-/// The elevation nearest to a station, up to `near` stations on in steps of +1 or -1, of those that do not lie lower.
+/// The elevation nearest to a station on one side, and how many stations away; 0: none is near.
 struct Beside {
   double level = kUnknown;
   std::size_t away = 0;
 };
 
+/// @param step  +1 or -1: the side that is looked at, up to `near` stations on
 Beside besideOf(std::size_t station, int step, const std::vector<double>& levels, const std::vector<char>& leave_out,
                 std::size_t near) {
   const std::size_t count = levels.size();
@@ -144,7 +145,7 @@ double riseOf(const Run& run, const std::vector<double>& levels, const std::vect
   return rise;
 }
 
-/// The same of a station that has no fit, at a level that is known to a part of the reach.
+/// goesOnBelow() of a station without a fit, for a level that is known to a part of the reach.
 bool isShellBelow(const Foot& foot, std::size_t station, double level) {
   constexpr double kAllowed = 0.01;  // of the reach
   FootFit fit;

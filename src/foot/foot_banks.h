@@ -17,7 +17,8 @@ bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit);
 std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels);
 
 /// Stations in runs beside whose ends the shell is seen to go on below them: what they lie on is not what the shell
-/// stands on. A run stands where the shell ends at its elevation beside either end.
+/// stands on. Of a run up to a sixth of the ring long one end says so, since a bank may fade at the other; of one up to
+/// half of it both do, or the one whose shell is seen.
 /// @param levels  elevations of the stations that stand, else NaN [m]
 std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& levels);
 

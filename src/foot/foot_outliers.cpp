@@ -69,12 +69,6 @@ bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
   return own.valid() && own.slope < std::min(usual, pass.priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
 }
 
-std::vector<double> levelsOf(const std::vector<FootFit>& fits) {
-  std::vector<double> levels;
-  for (const FootFit& fit : fits) levels.push_back(fit.z);
-  return levels;
-}
-
 }  // namespace
 
 std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
@@ -101,7 +95,7 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (reasons[i] != Unmeasured::None) kept[i] = {};
   }
-  const std::vector<double> levels = levelsOf(kept);
+  const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, levels);
   const std::vector<bool> hanging = findHangingRuns(foot, levels);
   const std::vector<bool> steps = findSteps(kept, 2.0 * foot.half_step * foot.radius);
@@ -110,6 +104,12 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
       reasons[i] = Unmeasured::OtherSurface;
   }
   return reasons;
+}
+
+std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {
+  std::vector<double> elevations;
+  for (const FootFit& fit : fits) elevations.push_back(fit.z);
+  return elevations;
 }
 
 std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<Unmeasured>& outliers) {

@@ -101,6 +101,9 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass);
 /// Why stations do not stand: their fit has no support of its own, lies on something else, or steps off its neighbours.
 std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass);
 
+/// Elevations of fits; NaN where one is not valid [m].
+std::vector<double> elevationsOf(const std::vector<FootFit>& fits);
+
 /// Elevations to stack the next section with: without outliers, unless they are most of what there is.
 std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<Unmeasured>& outliers);
 

@@ -80,8 +80,7 @@ FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootS
 
 /// What a pass leaves to the next one.
 FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& seen) {
-  std::vector<double> elevations;
-  for (const FootFit& fit : pass.fits) elevations.push_back(fit.z);
+  const std::vector<double> elevations = elevationsOf(pass.fits);
   return {withoutOutliers(elevations, pass.outliers), filledUp(elevations), seen};
 }
 

@@ -2,7 +2,6 @@
 
 const charts = [];
 const kPaperHeight = 227;  // 60 mm [px]
-const kPairedHeight = 227;  // of two beside each other, too [px]
 
 /**
  * @param section  where it stands
@@ -73,7 +72,7 @@ function drawCharts(width) {
   for (const chart of charts) {
     const paired = chart.canvas.closest(".paper-pair > :not(:only-child)") !== null;
     const place = paired || chart.canvas.closest(".pair") ? width / 2 - 10 : width;
-    chart.leastOnPaper = paired ? kPairedHeight : 0;
+    chart.leastOnPaper = paired ? kPaperHeight : 0;
     const wanted = width ? place : Math.floor(chart.canvas.clientWidth);
     chart.paper = width ? place : null;
     if (wanted !== chart.width) drawChart(chart, wanted);
