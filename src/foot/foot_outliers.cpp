@@ -8,6 +8,7 @@
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
 #include "foot/ring_slope.h"
+#include "foot/slanting_beams.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -54,6 +55,19 @@ std::vector<bool> findSupport(const Foot& foot, const FootPass& pass) {
   return supported;
 }
 
+/// Whether a surface falls outwards or rises as no foundation does at its shell: a bank.
+bool isSteep(const FootFit& fit) {
+  constexpr double kSteepest = 0.15;  // shoulders fall more steeply, but not at the shell [m/m]
+  return std::abs(fit.slope) > kSteepest + 3.0 * fit.sigma_slope;
+}
+
+/// isGrazed() of what a station's window shows.
+bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
+  const FootFit& fit = pass.fits[station];
+  const auto points = foot.ring.around(foot.directions[station], fit.half_width, fit.z, foot.reach);
+  return isGrazed(points, pass.sections.at(station), fit, foot.reach);
+}
+
 /// Whether the points of a station and its neighbours rise to the shell as no foundation does, which a fit that is told
 /// the slope does not show: a heap of soil. (They fall to it where few rows of the scan cross the lip: range noise
 /// moves a row's points along their rays.)
@@ -85,7 +99,8 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
     } else {
       before[i] = goesOnBelow(foot, i, fit);
       const bool same = isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
-      if (before[i] || !same || isHeap(foot, i, pass)) reasons[i] = Unmeasured::OtherSurface;
+      const bool soil = isSteep(fit) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass);
+      if (before[i] || !same || soil) reasons[i] = Unmeasured::OtherSurface;
     }
   });
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);

@@ -25,6 +25,7 @@ struct Slopes {
   std::size_t stride;
   std::vector<FootFit> fits;
   std::vector<double> steepness;  ///< tan of the rays' angle to the foundation
+  std::vector<BandPoints> bands;
 };
 
 /// The windows that slopes are fitted in, and what is known of a slope before.
@@ -41,6 +42,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   slopes.stride = std::max<std::size_t>(1, count / windows.count);
   slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
   slopes.steepness.resize(slopes.fits.size());
+  slopes.bands.resize(slopes.fits.size());
   FootPrior prior;
   prior.sigma_slope = windows.sigma_slope;
   prior.sigma_bend = sigma_bend;
@@ -52,6 +54,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
     const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
     slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, profile.slope, prior);
     slopes.steepness[k] = steepnessOf(points, profile, level + profile.offset, foot.reach);
+    slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
   });
   return slopes;
 }
@@ -80,13 +83,17 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   }
 }
 
-/// The most that range noise may make a surface seem to lean: it moves a point along its slanting ray, in d and z
-/// together, and so draws the slope to that of the ray where the points' density ends within the surface. How much of
-/// the scatter in z is range noise and how much is roughness, which does nothing of the kind, cannot be told.
-/// @param shell_noise  which is the range noise in d [m]
-double feignedLean(const FootFit& fit, double shell_noise) {
-  const double spread = fit.noise / fit.sigma_slope;  // square root of the sum of squares of d [m]
-  return shell_noise * fit.noise * static_cast<double>(fit.points) / (spread * spread);
+/// The slope that range noise may feign in the windows together.
+double feignedSlopeOf(const Slopes& found, double shell_noise) {
+  BandPoints all;
+  std::vector<double> steepness, scatter;
+  for (std::size_t k = 0; k < found.fits.size(); ++k) {
+    if (!found.fits[k].valid() || !(found.steepness[k] > 0.0)) continue;
+    all.add(found.bands[k]);
+    steepness.push_back(found.steepness[k]);
+    scatter.push_back(found.fits[k].noise);
+  }
+  return steepness.empty() ? 0.0 : feignedSlope(all, median(steepness), shell_noise, median(scatter));
 }
 
 /// Windows far off those beside them, at the end of what is seen or where another thing reaches in, are known no better
@@ -128,16 +135,17 @@ struct LipSlopes {
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
                     double sigma_bend) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
-  const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kLipSlope}, sigma_bend);
+  constexpr double kAnySlope = 0.5;  // of a window, which is to say what its own points do [m/m]
+  const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kAnySlope}, sigma_bend);
   LipSlopes lips;
-  std::vector<double> feigned;
+  bool any = false;
   for (const FootFit& fit : found.fits) {
     lips.series.push_back({kUnknown, kUnknown, 1.0});
     if (!fit.valid()) continue;
-    feigned.push_back(feignedLean(fit, 0.25 * sections.whole.blur));
+    any = true;
     lips.series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
   }
-  if (feigned.empty()) return {};
+  if (!any) return {};
   doubtStray(lips.series);
   addCommonSigma(lips.series);
   for (std::size_t k = 0; k < lips.series.size(); ++k) {
@@ -145,7 +153,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.series[k].sigma = std::hypot(lips.series[k].sigma, lips.lean.back());
   }
   lips.stride = found.stride;
-  lips.doubt = median(feigned);
+  lips.doubt = feignedSlopeOf(found, 0.25 * sections.whole.blur);
   return lips;
 }
 

@@ -16,26 +16,25 @@ double withPrior(double sigma) { return 1.0 / std::hypot(1.0 / sigma, 1.0 / kTan
 /// much as they can and no more than makes the lip parallel; and lips are parallel but for what a tank's usually lean.
 /// @param error  standard error of what the windows show
 MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
-  constexpr double kFeigned = 0.6;  // of the largest lean that range noise may feign
-  constexpr double kDoubt = 0.35;   // of what may feign a slope or hide one, where it seems to be as expected
+  constexpr double kDoubt = 0.35;  // of what may feign a slope or hide one, where it seems to be as expected
   constexpr double kOddDoubt = 0.6;
-  const double off = seen - expected.parallel, tolerance = kFeigned * expected.noise + error;
-  const double beams = kOddDoubt * expected.lean;
-  const double usual = withPrior(std::hypot(kDoubt * std::hypot(expected.noise, error), beams));
-  if (off < tolerance && off > -tolerance - expected.lean) return {seen, expected.parallel, usual};
-  if (expected.lean <= 0.0 && std::abs(seen - expected.section) < tolerance) return {seen, expected.section, usual};
+  const double off = seen - expected.parallel, doubt = std::hypot(expected.noise, error);
+  const double beams = kOddDoubt * expected.lean, feigned = std::clamp(-off, 0.0, expected.lean);
+  const double usual = withPrior(std::hypot(kDoubt * doubt, beams));
+  if (off < doubt && off > -doubt - expected.lean) return {seen, expected.parallel, usual};
+  if (expected.lean <= 0.0 && std::abs(seen - expected.section) < doubt) return {seen, expected.section, usual};
   if (std::abs(off) > kSteepestLip + expected.lean) return {seen, expected.parallel, kLipSlope};
-  const double odd = std::hypot(kOddDoubt * expected.noise, error, beams);
+  const double odd = std::hypot(doubt, beams);
   const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd);
-  const double own = off + 0.5 * std::clamp(-off, 0.0, expected.lean);
-  return {seen, expected.parallel + weight * own, withPrior(odd)};
+  return {seen, expected.parallel + weight * (off + 0.5 * feigned), withPrior(odd)};
 }
 
 }  // namespace
 
 MeanSlope drawTogether(const std::vector<SeriesValue>& series, const ExpectedSlope& expected,
                        std::vector<SeriesValue>& smooth) {
-  constexpr double kBest = 0.1;     // of the windows: those seen best tell the ring's own slope
+  constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
+  constexpr std::size_t kFewest = 6;
   constexpr double kDoubted = 0.5;  // of the standard error of their variance: so much they may differ unseen
   std::vector<double> values, variances, sigmas;
   for (const SeriesValue& v : series) {
@@ -47,17 +46,20 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& series, const ExpectedSlo
     values.push_back(v.value);
     variances.push_back(v.sigma * v.sigma);
   }
-  if (values.size() < 6) return {0.0, 0.0, withPrior(kLipSlope)};
-  const double seen = median(values), scatter = robustSigma(values, seen);
-  const auto count = static_cast<double>(values.size());
-  const double square = scatter * scatter, doubt = kDoubted * square * std::sqrt(2.0 / count);
-  const double own = std::max({1e-12, doubt, square - median(variances)});
-  const double mean = 1.2533 * std::sqrt((own + median(variances)) / count);
-  const MeanSlope ring = ringSlope(seen, mean, expected);
+  MeanSlope ring{expected.parallel, expected.parallel, withPrior(kLipSlope)};
+  double own = kLipSlope * kLipSlope;
+  if (values.size() >= kFewest) {
+    const double seen = median(values), scatter = robustSigma(values, seen);
+    const auto count = static_cast<double>(values.size());
+    const double square = scatter * scatter, doubt = kDoubted * square * std::sqrt(2.0 / count);
+    own = std::clamp(std::max(doubt, square - median(variances)), 1e-12, own);
+    const double mean = 1.2533 * std::sqrt((own + median(variances)) / count);
+    ring = ringSlope(seen, mean, expected);
+  }
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
     const double weight = own / (own + v.sigma * v.sigma);
-    v.value = weight * (v.value + ring.slope - seen) + (1.0 - weight) * ring.slope;
+    v.value = weight * (v.value + ring.slope - ring.seen) + (1.0 - weight) * ring.slope;
     v.sigma *= std::sqrt(weight);
   }
   return ring;

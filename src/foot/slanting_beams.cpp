@@ -7,6 +7,11 @@
 #include "foot/foot_profile.h"
 
 namespace tank_datum {
+namespace {
+
+constexpr double kFewestOnShell = 20.0;  // points, to tell how steeply it is seen
+
+}  // namespace
 
 double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
   const double within = heightTolerance(profile), from = 0.1 * reach, to = 0.5 * reach;
@@ -16,8 +21,64 @@ double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& prof
     if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(above) <= within) ++lip;
     if (std::abs(p.d) <= profile.blur && above >= from && above <= to) ++shell;
   }
-  if (shell < 20.0) return 0.0;  // not known: as if it grazed
+  if (shell < kFewestOnShell) return 0.0;  // not known: as if it grazed
   return lip / (profile.band_to - profile.band_from) * (to - from) / shell;
+}
+
+bool isGrazed(const std::vector<FootPoint>& points, const FootProfile& profile, const FootFit& fit, double reach) {
+  constexpr double kAlong = 0.25;     // of the beams' slope; lips rise by a tenth of it at most
+  constexpr double kRising = 0.25;    // of it: what lies farther out is seen from the shell's foot at such an angle
+  constexpr std::size_t kFewest = 4;  // points of a bin
+  const double width = reach / 30.0, from = 0.1 * reach, to = 0.5 * reach;
+  if (!(fit.slope > 3.0 * fit.sigma_slope)) return false;
+  std::vector<std::vector<double>> bins(30);
+  double shell = 0;
+  for (const FootPoint& p : points) {
+    const double above = p.z - fit.z;
+    if (std::abs(p.d) <= profile.blur && above >= from && above <= to) ++shell;
+    if (p.d <= profile.edge || p.d >= reach) continue;
+    bins[static_cast<std::size_t>(p.d / reach * 30.0)].push_back(above);
+  }
+  std::vector<double> counts;
+  double sight = 0;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (bins[i].empty()) continue;
+    counts.push_back(static_cast<double>(bins[i].size()));
+    if (bins[i].size() >= kFewest) sight = std::max(sight, median(bins[i]) / (width * (static_cast<double>(i) + 0.5)));
+  }
+  if (counts.empty() || shell < kFewestOnShell) return false;
+  const double beams = median(counts) / width * (to - from) / shell;
+  return fit.slope > kAlong * beams && sight > kRising * beams;
+}
+
+BandPoints bandPointsOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level) {
+  constexpr double kEnd = 0.1;  // of the band, to either side of an end: what counts as there
+  const double within = heightTolerance(profile), from = profile.band_from, to = profile.band_to;
+  const double near = kEnd * (to - from);
+  double count = 0, sum = 0, at_from = 0, at_to = 0;
+  std::vector<double> distances;
+  for (const FootPoint& p : points) {
+    if (std::abs(p.z - level - profile.slope * p.d) > within) continue;
+    at_from += std::abs(p.d - from) < near;
+    at_to += std::abs(p.d - to) < near;
+    if (p.d < from || p.d > to) continue;
+    count += 1.0, sum += p.d;
+    distances.push_back(p.d);
+  }
+  BandPoints band;
+  if (distances.empty()) return band;
+  const double mean = sum / count;
+  for (const double d : distances) band.squares += (d - mean) * (d - mean);
+  const double weight_from = (mean - from) / (2.0 * near), weight_to = (to - mean) / (2.0 * near);
+  band.short_of = count - weight_from * at_from - weight_to * at_to;
+  band.variance = count + weight_from * weight_from * at_from + weight_to * weight_to * at_to;
+  return band;
+}
+
+double feignedSlope(const BandPoints& points, double steepness, double noise, double scatter) {
+  if (!(points.squares > 0.0)) return 0.0;
+  const double moved = noise * std::min(steepness * noise, scatter);
+  return moved * std::hypot(points.short_of, std::sqrt(points.variance)) / points.squares;
 }
 
 double beamLean(double steepness, double lip) {

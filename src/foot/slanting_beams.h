@@ -25,6 +25,33 @@ double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& prof
 /// @return [m/m]
 double beamLean(double steepness, double lip);
 
+/// Whether a surface is none but the line along which beams that graze an edge farther out reach the shell, with points
+/// between the two by beams that meet both: it rises outwards at a good part of the beams' own slope, towards something
+/// higher. A surface that rises so would hardly be seen.
+/// @param points  of a window, about the fit's elevation
+bool isGrazed(const std::vector<FootPoint>& points, const FootProfile& profile, const FootFit& fit, double reach);
+
+/// How the points of a band lie across it; sums of many windows.
+struct BandPoints {
+  double squares = 0;   ///< of distances from their window's mean [m^2]
+  double short_of = 0;  ///< points fewer than even ones would be that are as dense as these at the band's ends
+  double variance = 0;  ///< of that, by chance
+
+  void add(const BandPoints& o) { squares += o.squares, short_of += o.short_of, variance += o.variance; }
+};
+
+/// @param points,level  as of steepnessOf()
+BandPoints bandPointsOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level);
+
+/// The slope that range noise feigns: it moves points along their rays, in distance and height together, and so draws a
+/// band's slope to that of the rays where the points are denser in its middle than at its ends. The mean displacement of
+/// points at a distance is minus the noise's variance times the logarithmic derivative of their density (Tweedie's
+/// formula); the slope is its regression.
+/// @param noise    of the distance from the shell [m]
+/// @param scatter  of heights about the surface, the most that the noise moves them by [m]
+/// @return the slope and its standard error, together [m/m]
+double feignedSlope(const BandPoints& points, double steepness, double noise, double scatter);
+
 /// How far points on what a plate lies on are lifted 9 mm beyond the plate's edge, where their beams meet its edge too:
 /// what beams at the shell's foot do as well. Zero where the edge is sharp, or what lies beyond is as uneven, or is not
 /// seen.

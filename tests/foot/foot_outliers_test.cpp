@@ -82,5 +82,18 @@ TEST(FindOutliers, WhatRisesToTheShellByOneInTenIsAHeap) {
   EXPECT_EQ(reasonOfSlope(0.15), Unmeasured::None);          // few rows
 }
 
+TEST(FindOutliers, WhatFallsFromTheShellByMoreThanThreeInTwentyIsNoFoundation) {
+  const auto reason = [](double slope) {
+    MadeFoot made;
+    made.addAll(40, 0.02, 0.28, [&](double d) { return slope * d; });
+    FootPass pass = levelPass(made.foot().half_step, 0.3);
+    pass.sections.whole.slope = slope, pass.priors.slope.assign(360, slope);
+    for (FootFit& fit : pass.fits) fit.slope = slope, fit.sigma_slope = 0.0001;
+    return reasonAt50(made.foot(), pass);
+  };
+  EXPECT_EQ(reason(-0.145), Unmeasured::None);
+  EXPECT_EQ(reason(-0.155), Unmeasured::OtherSurface);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -24,15 +24,16 @@ FootPriors learnt(MadeFoot& made, Surface surface, double blur = 0.004, double n
 }
 
 /// A foot whose foundation is seen at these azimuths alone [deg], sloping.
-FootPriors learntFrom(const std::vector<double>& azimuths, Surface surface) {
+FootPriors learntFrom(const std::vector<double>& azimuths, Surface surface, double noise = 0.0005) {
   MadeFoot made;
   for (const double azimuth : azimuths) {
     for (int i = 0; i < 200; ++i) {
       const double d = 0.016 + 0.28 * (i + 0.5) / 200.0 * (surface == Surface::AnnularPlate ? 0.15 : 1.0);
       made.add(toRadians(azimuth + 0.1 * (i % 5 - 2)), d, 0.02 * d);
+      made.add(toRadians(azimuth + 0.1 * (i % 5 - 2)), 0.0, 0.05 + 0.001 * i);
     }
   }
-  return learnt(made, surface);
+  return learnt(made, surface, 0.004, noise);
 }
 
 TEST(LearnPriors, ADatumBendsLikeEightWavesOfATwoThousandthOfTheRadius) {
@@ -114,24 +115,32 @@ TEST(LearnPriors, AQuietLipsSlopeIsKnownToAMillimetreAMetre) {
 }
 
 // Range noise of 4 mm and a scatter of 0.3 mm may feign a lean of their product over the variance of the distances,
-// those of the 28 mm of the lip that no blend reaches.
-constexpr double kBlur = 0.016, kNoise = 0.0003, kFeigned = 0.25 * kBlur * kNoise / (0.028 * 0.028 / 12.0);
+// less by what lies at the band's ends: of 4.5 mm to either side, 4 mm have points as within.
+constexpr double kBlur = 0.016, kNoise = 0.0003, kFeigned = 5.0 / 9.0 * 0.25 * kBlur * kNoise / (0.044 * 0.044 / 12.0);
 
 TEST(LearnPriors, ALeanThatRangeNoiseMayFeignIsNoneAndAThirdOfItIsDoubted) {
-  const FootPriors priors = leaningLip(0.45 * kFeigned, kBlur, kNoise);
+  const FootPriors priors = leaningLip(0.8 * kFeigned, kBlur, kNoise);
   EXPECT_NEAR(priors.slope[100], 0.0, 0.15 * kFeigned);
-  EXPECT_NEAR(priors.sigma_slope[100] / kFeigned, 0.35, 0.06);
+  EXPECT_NEAR(priors.sigma_slope[100], std::hypot(0.001, 0.35 * kFeigned), 0.08 * kFeigned);
+}
+
+TEST(LearnPriors, ALargerLeanIsTheLipsOwnAndDoubtedByAsMuch) {
+  const FootPriors priors = leaningLip(2.0 * kFeigned, kBlur, kNoise);
+  EXPECT_NEAR(priors.slope[100], 2.0 * kFeigned, 0.15 * kFeigned);
+  EXPECT_NEAR(priors.sigma_slope[100], std::hypot(0.001, kFeigned), 0.12 * kFeigned);
 }
 
 TEST(LearnPriors, LipsOfATankLeanByThreeHundredthsOnTheAverageWhateverWindowsTell) {
-  const FootPriors priors = leaningLip(0.0, kBlur, 0.003);  // may feign 0.18, a third of which would be doubted
+  const FootPriors priors = leaningLip(0.0, kBlur, 0.008);  // may feign 0.1, a third of which would be doubted
   EXPECT_NEAR(priors.sigma_slope[100], 0.03, 0.006);
 }
 
-TEST(LearnPriors, ALargerLeanIsTheLipsOwnAndDoubtedBySixTenths) {
-  const FootPriors priors = leaningLip(0.85 * kFeigned, kBlur, kNoise);
-  EXPECT_NEAR(priors.slope[100], 0.85 * kFeigned, 0.15 * kFeigned);
-  EXPECT_NEAR(priors.sigma_slope[100] / kFeigned, 0.6, 0.12);
+TEST(LearnPriors, OfFewWindowsEachIsWeighedAgainstLipsThatLeanByFiveHundredths) {
+  EXPECT_NEAR(learntFrom({102.0}, Surface::AnnularPlate).slope[100], 0.02, 0.001);
+  // the noise of the ring counts for ten points beside a window's own 181 to 4 mm before its end, which have none
+  const double sigma = 0.05 * std::sqrt(10.0 / 191.0) / (0.038 * std::sqrt(181.0 / 12.0));
+  const double weight = 0.0025 / (0.0025 + sigma * sigma);
+  EXPECT_NEAR(learntFrom({102.0}, Surface::AnnularPlate, 0.05).slope[100], 0.02 * weight, 0.001);
 }
 
 TEST(LearnPriors, ALipsWindowReachesTwoAndAHalfDegrees) {

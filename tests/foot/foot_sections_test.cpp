@@ -80,6 +80,18 @@ TEST(StackSections, ALipMayLeanByEightHundredthsMoreThanTheRings) {
   EXPECT_GT(slope(-0.092), -0.02);
 }
 
+TEST(StackSections, AnArcOnWhichALipGoesOnHalfAsFarAgainShowsWhatLiesBeyondIt) {
+  const auto band_to = [](double edge) {
+    return Sections(
+               plate, [=](double d) { return d < edge ? 0.0 : -0.010; }, 100)
+        .there()
+        .band_to;
+  };
+  EXPECT_GT(band_to(0.090), 0.072);
+  EXPECT_LT(band_to(0.110), 0.070);
+  EXPECT_LT(band_to(0.290), 0.070);
+}
+
 TEST(StackSections, OfAnArcWithFortyThousandPointsEverySecondIsTaken) {
   const FootProfile there = Sections(ringwall, ringwall, 60, 0.0005, 3800).there();
   // 11 stations of 3800 points over 295 mm, in bins of 3 mm

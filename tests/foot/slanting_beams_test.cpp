@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "foot/foot_profile.h"
 #include "tank_datum/core/unknown.h"
@@ -108,6 +109,90 @@ TEST(LiftOf, IsThatOfTheMiddleWhereTheLiftFallsOffWithTheSquareOfTheDistance) {
   EXPECT_EQ(liftOf(seen, 0.0, 0.0), 0.0);
   EXPECT_EQ(liftOf(kUnknown, 0.0, 0.05), 0.0);
   EXPECT_EQ(liftOf(0.02, kUnknown, 0.05), 0.0);
+}
+
+/// What a level surface between two distances shows whose points range noise moves along rays of some steepness.
+std::vector<FootPoint> movedAlongRays(double from, double to, double steepness, double noise) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 400000; ++i) {
+    const double along = noise * normal(random);
+    FootPoint p{};
+    p.d = from + (to - from) * (i + 0.5) / 400000.0 + along, p.z = steepness * along;
+    points.push_back(p);
+  }
+  return points;
+}
+
+/// The slope of the points in the lip's band, by least squares.
+double slopeInBand(const std::vector<FootPoint>& points) {
+  double count = 0, d = 0, z = 0, dd = 0, dz = 0;
+  for (const FootPoint& p : points) {
+    if (p.d < lip().band_from || p.d > lip().band_to) continue;
+    count += 1, d += p.d, z += p.z, dd += p.d * p.d, dz += p.d * p.z;
+  }
+  return (dz - d * z / count) / (dd - d * d / count);
+}
+
+constexpr double kRange = 0.002, kSteep = 0.3;
+
+TEST(FeignedSlope, IsWhatRangeNoiseDoesWherePointsEndWithinTheBand) {
+  const auto points = movedAlongRays(0.02, 0.05, kSteep, kRange);
+  const double seen = slopeInBand(points);
+  EXPECT_GT(seen, 0.005);
+  const double feigned = feignedSlope(bandPointsOf(points, lip(), 0.0), kSteep, kRange, 1.0);
+  EXPECT_NEAR(feigned, seen, 0.1 * seen);
+}
+
+TEST(FeignedSlope, IsNoneWherePointsGoOnBeyondTheBandsEnds) {
+  const auto points = movedAlongRays(-0.02, 0.09, kSteep, kRange);
+  EXPECT_NEAR(slopeInBand(points), 0.0, 1e-3);
+  EXPECT_NEAR(feignedSlope(bandPointsOf(points, lip(), 0.0), kSteep, kRange, 1.0), 0.0, 1e-3);
+}
+
+TEST(FeignedSlope, OfFewPointsIsAsUncertainAsTheirCounts) {
+  auto points = movedAlongRays(-0.02, 0.09, kSteep, kRange);
+  std::vector<FootPoint> few;
+  for (std::size_t i = 0; i < points.size(); i += 10000) few.push_back(points[i]);
+  const BandPoints band = bandPointsOf(few, lip(), 0.0);
+  EXPECT_GT(band.variance, 15.0);  // as many as lie in the band
+  EXPECT_GT(feignedSlope(band, kSteep, kRange, 1.0),
+            0.9 * kRange * kRange * kSteep * std::sqrt(band.variance) / band.squares);
+}
+
+TEST(FeignedSlope, MovesHeightsByNoMoreThanTheyScatter) {
+  const BandPoints band = bandPointsOf(movedAlongRays(0.02, 0.05, kSteep, kRange), lip(), 0.0);
+  const double quiet = 0.1 * kSteep * kRange;
+  EXPECT_NEAR(feignedSlope(band, kSteep, kRange, quiet), 0.1 * feignedSlope(band, kSteep, kRange, 1.0), 1e-9);
+  EXPECT_EQ(feignedSlope({}, kSteep, kRange, 1.0), 0.0);
+}
+
+/// Whether a surface that rises so is a line of blends: beams at one in five, and a crown that begins at the lip's
+/// edge.
+bool isGrazedBy(double slope, double crown, double sigma_slope = 0.001) {
+  const double reach = 0.5;
+  std::vector<FootPoint> points;
+  const auto add = [&](double d, double z) {
+    FootPoint p{};
+    p.d = d, p.z = z;
+    points.push_back(p);
+  };
+  for (int i = 0; i < 200; ++i) add(0.0, 0.051 + 0.198 * i / 200);  // one a millimetre
+  for (int i = 0; i < 88; ++i) add(0.06 + 0.005 * i, crown);        // one in five
+  FootProfile profile = lip();
+  profile.edge = 0.055;
+  FootFit fit;
+  fit.z = 0.0, fit.slope = slope, fit.sigma_slope = sigma_slope;
+  return isGrazed(points, profile, fit, reach);
+}
+
+TEST(IsGrazed, WhatRisesByAQuarterOfTheBeamsSlopeTowardsSomethingHigherIsNoSurface) {
+  EXPECT_TRUE(isGrazedBy(0.055, 0.008));
+  EXPECT_FALSE(isGrazedBy(0.045, 0.008));        // a lip that rises
+  EXPECT_FALSE(isGrazedBy(0.055, 0.002));        // the crown is seen over at less than a quarter of it
+  EXPECT_FALSE(isGrazedBy(0.055, -0.010));       // a lip upon a ringwall
+  EXPECT_FALSE(isGrazedBy(0.055, 0.008, 0.02));  // may be level
 }
 
 }  // namespace
