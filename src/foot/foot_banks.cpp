@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "core/ring_runs.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
@@ -84,32 +85,6 @@ double depthBelow(const Section& section, const UsualSection& usual, double leas
   return bins >= kFewest && below > std::max(kStands * spread, least * weights) ? below / weights : 0.0;
 }
 
-/// Stations in a row, first and last included; `last` may pass the end of the ring.
-struct Run {
-  std::size_t first, last;
-};
-
-/// Runs of stations for which `is` holds, over gaps of up to `gap` others.
-std::vector<Run> runsOf(const std::vector<char>& is, std::size_t gap) {
-  const std::size_t count = is.size();
-  std::vector<Run> runs;
-  const auto start = static_cast<std::size_t>(std::find(is.begin(), is.end(), 0) - is.begin());
-  for (std::size_t k = start; k < start + count; ++k) {
-    if (!is[k % count]) continue;
-    if (!runs.empty() && k - runs.back().last <= gap + 1) {
-      runs.back().last = k;
-    } else {
-      runs.push_back({k, k});
-    }
-  }
-  const bool joined = runs.size() > 1 && runs.front().first + count - runs.back().last <= gap + 1;
-  if (joined) {
-    runs.back().last = runs.front().last + count;
-    runs.erase(runs.begin());
-  }
-  return runs;
-}
-
 /// The elevation nearest to a station on one side, and how many stations away; 0: none is near.
 struct Beside {
   double level = kUnknown;
@@ -128,7 +103,8 @@ Beside besideOf(std::size_t station, int step, const std::vector<double>& levels
 }
 
 /// How far a run of stations rises above the line between those beside it [m]; infinite where none is near.
-double riseOf(const Run& run, const std::vector<double>& levels, const std::vector<char>& in_runs, std::size_t near) {
+double riseOf(const RingRun& run, const std::vector<double>& levels, const std::vector<char>& in_runs,
+              std::size_t near) {
   const std::size_t count = levels.size();
   Beside before = besideOf(run.first % count, -1, levels, in_runs, near);
   Beside after = besideOf(run.last % count, +1, levels, in_runs, near);
@@ -204,7 +180,7 @@ std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels)
     lower[i] = depths[i] > 0.0 ? 1 : 0;
   }
   std::vector<bool> banks(count, false);
-  for (const Run& run : runsOf(lower, near)) {
+  for (const RingRun& run : runsRound(lower, near)) {
     double depth = 0.0;
     for (std::size_t i = run.first; i <= run.last; ++i) depth = std::max(depth, depths[i % count]);
     if (riseOf(run, levels, lower, near) < kShareUp * depth) continue;
@@ -219,7 +195,7 @@ std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& l
   std::vector<char> known(count);
   for (std::size_t i = 0; i < count; ++i) known[i] = std::isfinite(levels[i]) ? 1 : 0;
   std::vector<bool> hanging(count, false);
-  for (const Run& run : runsOf(known, nearStations(foot))) {
+  for (const RingRun& run : runsRound(known, nearStations(foot))) {
     const Says before = shellBeside(foot, run.first % count, -1, levels);
     const Says after = shellBeside(foot, run.last % count, +1, levels);
     const bool either = before == Says::GoesOn || after == Says::GoesOn;

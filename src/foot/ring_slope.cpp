@@ -12,21 +12,24 @@ constexpr double kTankSlope = 0.03;  // of the lips of one tank, on the average 
 
 double withPrior(double sigma) { return 1.0 / std::hypot(1.0 / sigma, 1.0 / kTankSlope); }
 
-/// The ring's own slope for what its windows show. Where that is neither of those expected, beams may feign it, half as
-/// much as they can and no more than makes the lip parallel; and lips are parallel but for what a tank's usually lean.
+double density(double off, double sigma) { return std::exp(-0.5 * off * off / (sigma * sigma)) / sigma; }
+
+/// The ring's own slope for what its windows show: of two kinds of tanks, those whose lips are parallel to what they
+/// lie on and those whose lips lean as they like, as many of each, as likely as what is seen is of either. Of a slope
+/// that beams may feign, lips that lean have half.
 /// @param error  standard error of what the windows show
 MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
-  constexpr double kDoubt = 0.35;  // of what may feign a slope or hide one, where it seems to be as expected
-  constexpr double kOddDoubt = 0.6;
+  constexpr double kBeams = 0.6;  // standard deviation of what beams feign, of the most
   const double off = seen - expected.parallel, doubt = std::hypot(expected.noise, error);
-  const double beams = kOddDoubt * expected.lean, feigned = std::clamp(-off, 0.0, expected.lean);
-  const double usual = withPrior(std::hypot(kDoubt * doubt, beams));
-  if (off < doubt && off > -doubt - expected.lean) return {seen, expected.parallel, usual};
-  if (expected.lean <= 0.0 && std::abs(seen - expected.section) < doubt) return {seen, expected.section, usual};
   if (std::abs(off) > kSteepestLip + expected.lean) return {seen, expected.parallel, kLipSlope};
-  const double odd = std::hypot(doubt, beams);
-  const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd);
-  return {seen, expected.parallel + weight * (off + 0.5 * feigned), withPrior(odd)};
+  const double feigned = std::clamp(-off, 0.0, expected.lean), beams = kBeams * expected.lean;
+  const double odd = std::hypot(doubt, beams), own = off + 0.5 * feigned;
+  const double parallel = density((off + feigned) / doubt, 1.0) / odd,
+               leaning = density(own, std::hypot(odd, kTankSlope));
+  const double share = leaning / (parallel + leaning);
+  const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd), mean = weight * own;
+  const double variance = (1.0 - share) * beams * beams + share * (weight * odd * odd + (1.0 - share) * mean * mean);
+  return {seen, expected.parallel + share * mean, withPrior(std::sqrt(variance))};
 }
 
 }  // namespace

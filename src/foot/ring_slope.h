@@ -12,7 +12,6 @@ constexpr double kLipSlope = 0.05;    ///< of the lips of annular plates: bent b
 /// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do [m/m].
 struct ExpectedSlope {
   double parallel;  ///< to what the plate lies on: most are
-  double section;   ///< as the stacked section shows it
   double noise;     ///< what range noise may feign, up or down
   double lean;      ///< what beams that meet shell or edge too may feign, down only
 };

@@ -12,6 +12,7 @@
 #include "report/movement_json.h"
 #include "report/setups_json.h"
 #include "report/shell_report.h"
+#include "report/station_arcs.h"
 #include "shape/deformation.h"
 #include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
@@ -76,6 +77,7 @@ Json datumSection(const Datum& datum) {
   const double z = datum.origin.z();
   const bool refined = datum.refined.valid();
   return {{"surface", refined ? Json(nameOf(datum.refined.profile.surface)) : Json(nullptr)},
+          {"other_surface_deg", arcsJson(onOtherSurface(datum.stations), datum.stations)},
           {"measured", level.measured},
           {"interpolated", level.interpolated},
           {"missing", level.missing},

@@ -5,6 +5,7 @@
 
 #include "core/units.h"
 #include "report/json_number.h"
+#include "report/station_arcs.h"
 
 namespace tank_datum {
 namespace {
@@ -17,18 +18,9 @@ const char* sourceOf(bool estimated, double given) {
 
 /// From and to of every run of stations that it sees, as azimuths.
 Json seenArcs(const Setup& setup, const Datum& datum) {
-  Json arcs = Json::array();
-  const std::size_t count = datum.stations.size();
-  std::vector<char> seen(count, 0);
+  std::vector<char> seen(datum.stations.size(), 0);
   for (const std::size_t i : setup.seen) seen[i] = 1;
-  if (setup.seen.size() == count) return Json::array({{0.0, 360.0}});
-  for (const std::size_t i : setup.seen) {
-    if (seen[(i + count - 1) % count]) continue;
-    std::size_t last = i;
-    while (seen[(last + 1) % count]) last = (last + 1) % count;
-    arcs.push_back({toDegrees(datum.stations[i].azimuth), toDegrees(datum.stations[last].azimuth)});
-  }
-  return arcs;
+  return arcsJson(seen, datum.stations);
 }
 
 Json setupJson(const Setup& setup, const Datum& datum) {

@@ -11,6 +11,7 @@
 #include "report/movement_text.h"
 #include "report/shell_report.h"
 #include "report/sparkline.h"
+#include "report/station_arcs.h"
 #include "setups/setup_report.h"
 #include "tank_datum/limits/limits.h"
 #include "tank_datum/report/report.h"
@@ -69,6 +70,14 @@ std::string stationsLine(const Datum& datum) {
   const std::string density = std::isfinite(datum.foot_density) ? "; " + footDensityText(datum.foot_density) : "";
   return line("stations", "%zu measured, %zu interpolated, %zu missing%s", level.measured, level.interpolated,
               level.missing, density.c_str());
+}
+
+/// Where soil or a kerb lies at the shell, or a sector of the foundation stands off the rest.
+std::string otherSurfaceLine(const Datum& datum) {
+  const std::string arcs = arcsText(onOtherSurface(datum.stations), datum.stations);
+  if (arcs.empty() || !datum.refined.valid()) return {};
+  return line("other surface", "at %s something else than the %s meets the shell, soil or a kerb: not measured",
+              arcs.c_str(), nameOf(datum.refined.profile.surface));
 }
 
 std::string methodLines(const Datum& datum, const Display& display) {
@@ -202,7 +211,7 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   const Level& level = datum.level;
   const double z = datum.origin.z();
   text += tankLine(datum, display);
-  text += passedOverLine(datum.counts) + stationsLine(datum);
+  text += passedOverLine(datum.counts) + stationsLine(datum) + otherSurfaceLine(datum);
   const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",

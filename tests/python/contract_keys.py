@@ -36,6 +36,7 @@ KEYS: dict[str, Any] = {
     "lean": {"slope_x": NUMBER, "slope_y": NUMBER, "sigma": NUMBER, "sentence": TEXT},
     "datum": {
         "surface": TEXT,
+        "other_surface_deg": LIST,
         "measured": int,
         "interpolated": int,
         "missing": int,

@@ -1,0 +1,41 @@
+#include "core/ring_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace tank_datum {
+namespace {
+
+using Ends = std::vector<std::pair<std::size_t, std::size_t>>;
+
+Ends endsOf(const std::vector<char>& is, std::size_t gap = 0) {
+  Ends ends;
+  for (const RingRun& run : runsRound(is, gap)) ends.emplace_back(run.first, run.last);
+  return ends;
+}
+
+TEST(RunsRound, NeighboursAreOneRun) {
+  EXPECT_EQ(endsOf({0, 1, 1, 0, 1, 0}), (Ends{{1, 2}, {4, 4}}));
+  EXPECT_TRUE(endsOf({0, 0, 0}).empty());
+  EXPECT_TRUE(endsOf({}).empty());
+}
+
+TEST(RunsRound, ARunOverTheFirstPlaceIsOneAndEndsBeyondTheLast) {
+  EXPECT_EQ(endsOf({1, 0, 0, 1, 1}), (Ends{{3, 5}}));
+  EXPECT_EQ(endsOf({0, 1, 0, 0, 0, 1}, 1), (Ends{{5, 7}}));
+}
+
+TEST(RunsRound, SoManyOthersDivideNoRun) {
+  EXPECT_EQ(endsOf({0, 1, 0, 0, 1, 0, 0, 0}, 2), (Ends{{1, 4}}));
+  EXPECT_EQ(endsOf({0, 1, 0, 0, 1, 0, 0, 0}, 1), (Ends{{1, 1}, {4, 4}}));
+}
+
+TEST(RunsRound, AWholeRingIsOneRun) {
+  const auto runs = runsRound({1, 1, 1});
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs.front().last - runs.front().first, 2U);
+}
+
+}  // namespace
+}  // namespace tank_datum
