@@ -135,6 +135,8 @@ def scene_of(seed: int) -> Scene:
             "mixed_pixels": draw.random() < 0.3,
             "outliers": draw.choice([0.0, 0.0, 0.002]),
         },
+        "frame_tilt_deg": draw.choice([0.0, 0.0, 0.0, 0.0, draw.uniform(0.1, 2.0)]),
+        "frame_tilt_direction_deg": draw.uniform(0.0, 360.0),
     }
 
 

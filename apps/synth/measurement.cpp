@@ -83,7 +83,7 @@ void measure(const Scene& scene, const ScanStation& station, const Eigen::Vector
   if (o.quantum > 0.0) range = o.quantum * std::round(range / o.quantum);
   const Eigen::Vector3d point = station.position + range * direction;
   if (range <= 0.0 || !nearDatum(scene, point, station.inside) || thinnedAway(scene, point, random)) return;
-  const Eigen::Vector3d said = station.registered(point);
+  const Eigen::Vector3d said = scene.inFrame(station.registered(point));
   const bool lost = o.invalid > 0.0 && random.uniform() < o.invalid;
   for (Eigen::Index k = 0; k < 3; ++k)
     rows.push_back(lost ? std::nan("") : said[k] + scene.options().offset[static_cast<std::size_t>(k)]);

@@ -234,6 +234,8 @@ template <class Visitor>
 void fields(Visitor& v, SceneOptions& o) {
   v.unsignedInteger("seed", o.seed);
   v.triple("offset", o.offset);
+  v.angle("frame_tilt_deg", o.frame_tilt, within(0, 10));
+  v.angle("frame_tilt_direction_deg", o.frame_tilt_direction);
   v.number("near_datum", o.near_datum, atLeast(0));
   v.integer("truth_stations", o.truth_stations, within(1, 1000000));
   v.list("tanks", o.tanks);

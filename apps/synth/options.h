@@ -223,7 +223,9 @@ struct MeasurementOptions {
 struct SceneOptions {
   std::uint64_t seed = 1;
   std::array<double, 3> offset{0.0, 0.0, 0.0};  ///< added to every output coordinate [m]
-  double near_datum = 0.0;                      ///< keep only points this near to a datum line [m], 0 = all
+  double frame_tilt = 0.0;            ///< of the output's frame, about the middle of the first tank's base [rad]
+  double frame_tilt_direction = 0.0;  ///< azimuth that it raises [rad]
+  double near_datum = 0.0;            ///< keep only points this near to a datum line [m], 0 = all
   int truth_stations = 360;
   std::vector<TankOptions> tanks{TankOptions{}};
   GroundOptions ground;

@@ -27,7 +27,7 @@ const std::string kMark = std::string("made by ") + kProgram;
 
 /// Where the registration says that the scanner stood.
 std::array<double, 3> viewpointOf(const Scene& scene, const ScanStation& station) {
-  const Eigen::Vector3d at = station.registered(station.position);
+  const Eigen::Vector3d at = scene.inFrame(station.registered(station.position));
   const auto& offset = scene.options().offset;
   return {at.x() + offset[0], at.y() + offset[1], at.z() + offset[2]};
 }

@@ -35,6 +35,14 @@ Scene::Scene(const SceneOptions& options)
   ring_walls_ = std::move(things.ring_walls);
 }
 
+Eigen::Vector3d Scene::inFrame(const Eigen::Vector3d& place) const {
+  const double tilt = options_.frame_tilt, raised = options_.frame_tilt_direction;
+  if (tilt == 0.0) return place;
+  const TankOptions& first = options_.tanks.front();
+  const Eigen::Vector3d pivot(first.x, first.y, first.base_elevation), axis(std::sin(raised), -std::cos(raised), 0.0);
+  return pivot + Eigen::AngleAxisd(tilt, axis) * (place - pivot);
+}
+
 int Scene::tankAround(const Eigen::Vector3d& place) const {
   for (std::size_t i = 0; i < tanks_.size(); ++i)
     if (tanks_[i]->contains(place)) return static_cast<int>(i);

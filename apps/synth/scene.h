@@ -17,6 +17,9 @@ class Scene {
   const Tank& tank(int index) const { return *tanks_[static_cast<std::size_t>(index)]; }
   const Ground& ground() const { return ground_; }
 
+  /// Where the output's frame has a place, but for the offset: turned by the frame's tilt.
+  Eigen::Vector3d inFrame(const Eigen::Vector3d& place) const;
+
   /// Index of the tank a place is in, or -1.
   int tankAround(const Eigen::Vector3d& place) const;
 

@@ -29,24 +29,45 @@ bool sees(const Scene& scene, const ScanStation& from, int tank, const Eigen::Ve
   return !scene.cast({from.position, way / distance}, from.inside, distance).found();
 }
 
+/// The middle of a tank's base in the output's frame, without the offset.
+Eigen::Vector3d centreInFrame(const Scene& scene, const TankOptions& tank) {
+  return scene.inFrame({tank.x, tank.y, tank.base_elevation});
+}
+
+/// The azimuth about a tank at which its datum lies at some azimuth of the output's frame [rad].
+double azimuthOnTank(const Scene& scene, const Tank& tank, double azimuth, bool inside) {
+  constexpr int kSteps = 4;  // each leaves a thousandth: a tilt of some degrees moves azimuths by its square
+  const Eigen::Vector3d centre = centreInFrame(scene, tank.shape.options());
+  double own = azimuth;
+  for (int i = 0; i < kSteps; ++i) {
+    const Eigen::Vector3d arm = scene.inFrame(tank.datumPoint(own, inside)) - centre;
+    own -= std::remainder(std::atan2(arm.y(), arm.x()) - azimuth, 2.0 * kPi);
+  }
+  return own;
+}
+
 TruthTank truthOfTank(const Scene& scene, const std::vector<ScanStation>& scanners, int index, int stations) {
   const Tank& tank = scene.tank(index);
   TruthTank truth;
   truth.options = tank.shape.options();
   truth.inside = std::any_of(scanners.begin(), scanners.end(), [&](const auto& s) { return s.inside == index; });
   const auto& offset = scene.options().offset;
+  const bool tilted = scene.options().frame_tilt != 0.0;
+  const Eigen::Vector3d centre = centreInFrame(scene, truth.options);
+  truth.x = centre.x() + offset[0], truth.y = centre.y() + offset[1];
   for (int k = 0; k < stations; ++k) {
     TruthStation s;
     s.azimuth = 2.0 * kPi * k / stations;
-    const Eigen::Vector3d crease = tank.datumPoint(s.azimuth, truth.inside);
-    s.radius = std::hypot(crease.x() - truth.options.x, crease.y() - truth.options.y);
+    const double own = tilted ? azimuthOnTank(scene, tank, s.azimuth, truth.inside) : s.azimuth;
+    const Eigen::Vector3d crease = tank.datumPoint(own, truth.inside), said = scene.inFrame(crease);
+    s.radius = (said - centre).head<2>().norm();
     const bool ground =
         scene.options().ground.over_foundation && scene.ground().elevation(crease.x(), crease.y()) > crease.z();
-    s.covered = !truth.inside && (ground || tank.foundation.buried(s.azimuth));
+    s.covered = !truth.inside && (ground || tank.foundation.buried(own));
     const Eigen::Vector3d open = beforeCrease(tank, crease, truth.inside);
     s.visible =
         std::any_of(scanners.begin(), scanners.end(), [&](const auto& f) { return sees(scene, f, index, open); });
-    s.x = crease.x() + offset[0], s.y = crease.y() + offset[1], s.z = crease.z() + offset[2];
+    s.x = said.x() + offset[0], s.y = said.y() + offset[1], s.z = said.z() + offset[2];
     truth.stations.push_back(s);
   }
   addShellTruth(tank, stations, {offset[0], offset[1]}, truth);
@@ -82,7 +103,7 @@ Json tankJson(const TruthTank& tank, const std::array<double, 3>& offset) {
   for (const Soil& soil : o.soil)
     arcs.push_back({{"azimuth_deg", degrees(soil.azimuth)}, {"width_deg", degrees(soil.width)}, {"depth", soil.depth}});
   Json json;
-  json["center"] = {o.x + offset[0], o.y + offset[1]};
+  json["center"] = {tank.x, tank.y};
   json["radius"] = tank.inside ? o.radius - o.thickness : o.radius;
   json["side"] = tank.inside ? "inside" : "outside";
   json["surface"] = surfaceName(tank);
@@ -115,7 +136,7 @@ Truth truthOf(const Scene& scene, int stations) {
   const auto& offset = truth.options.offset;
   const std::vector<ScanStation> scanners = scanStations(scene);
   for (const ScanStation& s : scanners) {
-    truth.scanners.push_back(s.position + Eigen::Vector3d(offset[0], offset[1], offset[2]));
+    truth.scanners.push_back(scene.inFrame(s.position) + Eigen::Vector3d(offset[0], offset[1], offset[2]));
     truth.registration.push_back(s.registration);
   }
   for (int i = 0; i < static_cast<int>(scene.tanks().size()); ++i)

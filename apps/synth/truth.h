@@ -34,8 +34,10 @@ struct TruthPlumb {
 
 struct TruthTank {
   TankOptions options;
-  bool inside = false;  ///< scanned from inside: radius and x, y are those of the inner face
+  double x = 0.0, y = 0.0;  ///< middle of its base, in the frame of the output [m]
+  bool inside = false;      ///< scanned from inside: radius and x, y are those of the inner face
   std::vector<TruthStation> stations;
+  // of the shell as it stands, whatever the tilt of the output's frame
   Eigen::Vector2d lean = Eigen::Vector2d::Zero();  ///< of the axis, the tilt's share included [m/m]
   std::vector<TruthRound> rounds;                  ///< 0.3 m above the datum and every metre above that
   TruthPlumb plumb;

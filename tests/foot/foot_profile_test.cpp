@@ -99,6 +99,14 @@ TEST(StackProfile, ThePlateHasTheSlopeOfTheRingwallBelowIt) {
   EXPECT_EQ(Foot(soil).profile().slope, 0.0);
 }
 
+TEST(StackProfile, WhatFallsByMoreThanOneInTenBeyondThePlateDoesNotCarryIt) {
+  const auto beyond = [](double slope) {
+    return Foot([=](double d) { return d < 0.065 ? 0.0 : -0.002 + slope * (d - 0.065); }).profile().slope_beyond;
+  };
+  EXPECT_NEAR(beyond(-0.09), -0.09, 0.005);
+  EXPECT_EQ(beyond(-0.11), 0.0);
+}
+
 TEST(StackProfile, ThePlateMayEndBelowAHigherThing) {
   const FootProfile profile = Foot([](double d) { return d < 0.065 ? 0.0 : 0.012; }).profile();
   EXPECT_EQ(profile.surface, Surface::AnnularPlate);
