@@ -166,6 +166,21 @@ std::vector<std::pair<std::size_t, std::string>> namedStations(const ViewedResul
   return named;
 }
 
+std::vector<std::size_t> numberedStations(const ViewedResult& result, int every) {
+  constexpr double kTaken = 10.0 * kDegree;
+  std::vector<std::size_t> numbered;
+  const auto count = result.stations.size();
+  const auto named = namedStations(result);
+  for (std::size_t i = 0; every > 0 && i < count; i += static_cast<std::size_t>(every)) {
+    const bool taken = std::any_of(named.begin(), named.end(), [&](const auto& place) {
+      const std::size_t apart = i > place.first ? i - place.first : place.first - i;
+      return kTwoPi * static_cast<double>(std::min(apart, count - apart)) < kTaken * static_cast<double>(count);
+    });
+    if (!taken) numbered.push_back(i);
+  }
+  return numbered;
+}
+
 std::array<double, 6> boundsOf(const ViewedResult& result, const Points& cloud) {
   constexpr double kNear = 0.05, kMargin = 1.15;  // of the radius
   const double r = result.circle.radius, mean = levelOf(result.stations).mean;

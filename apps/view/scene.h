@@ -57,6 +57,9 @@ int worstStation(const ViewedResult& result);
 /// What is written beside single stations: the worst one, and the places that the result names.
 std::vector<std::pair<std::size_t, std::string>> namedStations(const ViewedResult& result);
 
+/// The stations that have their number beside them: every N-th, but those whose place a name takes, within 10 degrees.
+std::vector<std::size_t> numberedStations(const ViewedResult& result, int every);
+
 /// The ends of what must be in view, in the order of VTK: x, x, y, y, z, z; the shell as high as it is seen.
 std::array<double, 6> boundsOf(const ViewedResult& result, const Points& cloud);
 

@@ -109,8 +109,7 @@ void Window::drawDatum() {
 
 void Window::drawLabels() {
   std::vector<vtkSmartPointer<vtkProp>> labels;
-  const auto every = static_cast<std::size_t>(options_.label_every);
-  for (std::size_t i = 0; every > 0 && i < result_.stations.size(); i += every) {
+  for (const std::size_t i : numberedStations(result_, options_.label_every)) {
     Eigen::Vector3d at = markOf(result_, i, options_.exaggeration);
     if (!at.allFinite()) continue;
     at.head<2>() += 0.06 * (at.head<2>() - result_.circle.center);
@@ -216,6 +215,18 @@ void Window::run() {
   interactor->SetInteractorStyle(style);
   window_->Render();
   interactor->Start();
+}
+
+void Window::whiten() {
+  constexpr Rgb kDarkCurve = {0.0, 0.45, 0.2}, kPaper = {1.0, 1.0, 1.0};
+  renderer_->SetBackground(kPaper[0], kPaper[1], kPaper[2]);
+  for (auto* const props : {&curve_, &frame_}) {
+    for (const auto& prop : *props) paint(prop, props == &curve_ ? kDarkCurve : kInk);
+  }
+  for (vtkRenderer* const renderer : {renderer_.Get(), above_.Get()}) blackenWords(*renderer);
+  const std::string heading = heading_->GetInput();
+  heading_->SetInput(heading.substr(0, heading.rfind(", ")).c_str());
+  key_title_->SetPosition(0.015, 0.89);
 }
 
 void Window::screenshot(const std::string& path) {

@@ -145,6 +145,16 @@ TEST(NamedStations, AreTheWorstAndThePlacesOfTheResult) {
   EXPECT_EQ(worstStation(result), -1);
 }
 
+TEST(NumberedStations, LeaveRoomForNames) {
+  ViewedResult result;
+  result.stations.resize(360);
+  for (Station& s : result.stations) s.u = kUnknown;
+  EXPECT_EQ(numberedStations(result, 90), (std::vector<std::size_t>{0, 90, 180, 270}));
+  EXPECT_TRUE(numberedStations(result, 0).empty());
+  result.marks = {{"stairs", 351.0 * kDegree}, {"manhole", 190.0 * kDegree}};  // 9 and 10 degrees from a number
+  EXPECT_EQ(numberedStations(result, 90), (std::vector<std::size_t>{90, 180, 270}));
+}
+
 TEST(Bounds, HoldTheTankAsHighAsItsShellIsSeen) {
   const ViewedResult result = tilted();
   const Eigen::Vector2d& c = result.circle.center;

@@ -179,6 +179,52 @@ def test_a_picture_in_a_page_is_replaced(
     assert (tmp_path / "twice.html").read_bytes() == once.read_bytes()
 
 
+needs_viewer = pytest.mark.skipif(
+    not executable("tank_datum_view").exists(), reason="tank_datum_view is not built"
+)
+
+
+@needs_viewer
+def test_the_picture_is_drawn_without_being_asked_for(
+    browser: Any, failing: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On screen and on paper; not of the word none, and not of what has no datum to draw."""
+    monkeypatch.delenv("DISPLAY", raising=False)
+    done = written(failing, tmp_path / "drawn.html")
+    assert (done.returncode, done.stderr) == (0, "")
+    with opened(browser, tmp_path / "drawn.html") as page:
+        size = page.page.locator("#view img").evaluate("e => [e.naturalWidth, e.naturalHeight]")
+        assert size == [1280, 800] and page.slips() == []
+    assert to_pdf(failing, tmp_path / "report.pdf").stderr == ""
+    assert b"/Width 1280" in (tmp_path / "report.pdf").read_bytes()
+    written(failing, tmp_path / "without.html", "--picture", "none")
+    assert (tmp_path / "without.html").read_bytes() == (failing / "report.html").read_bytes()
+
+
+@needs_viewer
+def test_a_scan_that_has_gone_leaves_the_report_without_a_picture(
+    failing: Path, tmp_path: Path
+) -> None:
+    """Or another that stands in its place: a line says so, and the report is written."""
+    shutil.copytree(failing, tmp_path / "at" / "out")
+    datum = (tmp_path / "at" / "out" / "datum.json").read_text()
+    moved = datum.replace(str(failing.parent / "bent.pcd"), "/gone/bent.pcd")
+    (tmp_path / "at" / "out" / "datum.json").write_text(moved)
+    points = read_points(failing.parent / "bent.pcd")
+    for there, line in ((None, True), (points[1:], True), (points, False)):
+        if there is not None:
+            write_xyz(tmp_path / "at" / "bent.pcd", there)
+        done = written(tmp_path / "at" / "out", tmp_path / "sent.html")
+        assert done.returncode == 0 and ("no picture of the tank" in done.stderr) == line
+        assert ('id="data-view"' in (tmp_path / "sent.html").read_text()) != line
+
+
+def test_a_refusal_has_no_picture(no_tank_report: Path, tmp_path: Path) -> None:
+    done = written(no_tank_report, tmp_path / "sent.html")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "sent.html").read_bytes() == (no_tank_report / "report.html").read_bytes()
+
+
 @pytest.mark.parametrize(
     ("content", "words"),
     [
