@@ -97,6 +97,15 @@ def test_a_long_report_is_printed_smaller(
     assert most == 5 or sheets(tmp_path / "report.pdf") > 5
 
 
+def test_no_heading_is_left_at_the_foot_of_a_sheet(browser: Any, failing: Path) -> None:
+    """Neither is the line under it, as what the movement is since."""
+    after = "e => getComputedStyle(e).breakAfter"
+    with opened(browser, failing / "report.html") as page:
+        page.page.emulate_media(media="print")
+        for place in ("#movement h2", "#movement h2 + p", "#shell h3"):
+            assert page.page.locator(place).first.evaluate(after) == "avoid", place
+
+
 def test_a_refusal_takes_one(no_tank_report: Path, tmp_path: Path) -> None:
     assert to_pdf(no_tank_report, tmp_path / "report.pdf").returncode == 0
     assert sheets(tmp_path / "report.pdf") == 1

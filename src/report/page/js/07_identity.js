@@ -78,6 +78,12 @@ function drawPlanScale(svg, width, height, ring) {
   svg.append("text").attr("x", right).attr("y", y - 7).attr("text-anchor", "end").text(say("identity.diameter", { length: figure(length, 0), unit: kLongUnit, radius: longLength(2 * datum.tank.radius) }));
 }
 
+/** On paper, where the inspector signs. */
+function addSignature(section) {
+  const places = [say("common.inspector"), say("common.date"), say("summary.signature")];
+  section.append(make("div", { class: "paper-only signature" }, places.map((name) => make("span", {}, name))));
+}
+
 /** The elevations that the user's own points have. */
 function addSurveyPoints(section) {
   if (surveyPoints.length === 0) return;
