@@ -75,7 +75,7 @@ function drawNorth(svg, width) {
 function drawPlanScale(svg, width, height, ring) {
   const radius = toLong(datum.tank.radius), perUnit = ring / radius, length = d3.ticks(0, radius, 2)[1], right = width - 14, y = height - 14;
   svg.append("line").attr("class", "zero").attr("x1", right - length * perUnit).attr("x2", right).attr("y1", y).attr("y2", y).style("stroke-width", 3);
-  svg.append("text").attr("x", right).attr("y", y - 7).attr("text-anchor", "end").text(say("identity.diameter", { length: figure(length, 0), unit: kLongUnit, radius: longLength(2 * datum.tank.radius) }));
+  svg.append("text").attr("x", right).attr("y", y - 7).attr("text-anchor", "end").text(say("identity.diameter", { length: figure(length, Math.max(0, -Math.floor(Math.log10(length)))), unit: kLongUnit, radius: longLength(2 * datum.tank.radius) }));
 }
 
 /** On paper, where the inspector signs. */
