@@ -52,6 +52,7 @@ void fill(ViewedResult& result, const Json& json, const std::string& folder, con
     result.marks.emplace_back(mark.at("name").get<std::string>(), mark.at("azimuth_deg").get<double>() * kDegree);
   }
   if (json.contains("options")) result.up = json.at("options").value("up", result.up);
+  result.display_units = json.value("display_units", result.display_units);
   result.scans = scans;
   if (!scans.empty()) return;
   for (const Json& file : input.at("files")) {

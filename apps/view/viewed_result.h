@@ -19,9 +19,10 @@ struct ViewedResult {
   Points edge_points;
   std::vector<std::pair<std::string, double>> marks;  ///< places at the shell: name and azimuth [rad]
   std::vector<std::string> scans;
-  double metres_per_unit = 1.0;  ///< of the scans
-  std::string up = "z";          ///< which of their axes is up
-  std::uint64_t points = 0;      ///< how many they held when the datum was found; 0: not known
+  std::string display_units = "mm";  ///< mm, in or ft, of what people read
+  double metres_per_unit = 1.0;      ///< of the scans
+  std::string up = "z";              ///< which of their axes is up
+  std::uint64_t points = 0;          ///< how many they held when the datum was found; 0: not known
 };
 
 /// A folder of results as tank_datum writes it.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/display.h"
 #include "shape/deformation.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
@@ -128,12 +129,14 @@ void Window::drawLabels() {
 /// The axes of the scan's frame and a bar of a round length, beside the tank.
 void Window::drawFrame() {
   constexpr Rgb kFrame = {0.9, 0.9, 0.9};
-  const double r = result_.circle.radius, bar = barLength(r), mean = levelOf(result_.stations).mean;
+  const Display::Scale scale = Display(result_.display_units).lengths();
+  const double r = result_.circle.radius, round = barLength(scale.factor * r), bar = round / scale.factor;
+  const double mean = levelOf(result_.stations).mean;
   const Eigen::Vector3d centre(result_.circle.center.x(), result_.circle.center.y(), mean);
   const Eigen::Vector3d corner = centre - Eigen::Vector3d(1.1 * r, 1.25 * r, 0.0);
   std::vector<Points> lines = {{corner, corner + Eigen::Vector3d(bar, 0.0, 0.0)}};
   char length[32];
-  std::snprintf(length, sizeof length, "%g m", bar);
+  std::snprintf(length, sizeof length, "%g %s", round, scale.unit.c_str());
   std::vector<vtkSmartPointer<vtkProp>> words = {
       labelActor(corner + Eigen::Vector3d(0.5 * bar, -0.07 * r, 0.0), length)};
   const char* const names[] = {"x", "y", "z"};
