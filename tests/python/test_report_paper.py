@@ -17,6 +17,7 @@ from programs import executable
 from report_fixtures import JUDGED
 from report_pages import SAMPLE, opened, with_data
 from results import Run, read_datum, read_points, write_xyz
+from test_view import VIEWER
 
 Runner = Callable[..., Run]
 
@@ -188,9 +189,7 @@ def test_a_picture_in_a_page_is_replaced(
     assert (tmp_path / "twice.html").read_bytes() == once.read_bytes()
 
 
-needs_viewer = pytest.mark.skipif(
-    not executable("tank_datum_view").exists(), reason="tank_datum_view is not built"
-)
+needs_viewer = pytest.mark.skipif(not VIEWER.exists(), reason="tank_datum_view is not built")
 
 
 @needs_viewer
@@ -226,6 +225,18 @@ def test_a_scan_that_has_gone_leaves_the_report_without_a_picture(
         done = written(tmp_path / "at" / "out", tmp_path / "sent.html")
         assert done.returncode == 0 and ("no picture of the tank" in done.stderr) == line
         assert ('id="data-view"' in (tmp_path / "sent.html").read_text()) != line
+
+
+def test_without_a_viewer_the_report_is_as_it_is(
+    sample_report: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither beside the program nor in PATH, as the Python package has none."""
+    alone = shutil.copy(executable("tank_datum_report"), tmp_path)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    words = [alone, sample_report, "--html", tmp_path / "sent.html"]
+    done = subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "sent.html").read_bytes() == (sample_report / "report.html").read_bytes()
 
 
 def test_a_refusal_has_no_picture(no_tank_report: Path, tmp_path: Path) -> None:
