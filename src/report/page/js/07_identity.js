@@ -88,8 +88,10 @@ function addSignature(section) {
 function addSurveyPoints(section) {
   if (surveyPoints.length === 0) return;
   const from = known(datum.north_azimuth_deg) ? say("identity.north") : say("identity.y_of_the_scans_frame");
+  const listed = table([[say("identity.point"), "number"], [say("common.azimuth"), "number"], [say("common.elevation"), "number"], ["\u00b1", "number"], [say("common.out_of_plane"), "number"]],
+    surveyPoints.map((p) => [String(p.number), degrees(p.azimuth_deg, 1), known(p.z) ? longLength(p.z, 4) : say("common.not_seen"),
+      known(p.sigma_z) ? shortLength(2 * p.sigma_z) : "", known(p.u) ? shortLength(p.u) : ""]));
+  listed.firstChild.className = "";  // narrow enough for a phone as it is
   section.append(make("h3", {}, say("identity.survey_points")), make("p", { class: "quiet" }, say("identity.numbered_clockwise_from_settlement_out", { from })),
-    make("div", { class: "survey-points" }, table([[say("identity.point"), "number"], [say("common.azimuth"), "number"], [say("common.elevation"), "number"], ["\u00b1", "number"], [say("common.out_of_plane"), "number"]],
-      surveyPoints.map((p) => [String(p.number), degrees(p.azimuth_deg, 1), known(p.z) ? longLength(p.z, 4) : say("common.not_seen"),
-        known(p.sigma_z) ? shortLength(2 * p.sigma_z) : "", known(p.u) ? shortLength(p.u) : ""]))));
+    make("div", { class: "survey-points" }, listed));
 }
