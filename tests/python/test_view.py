@@ -222,8 +222,8 @@ def test_on_paper_it_is_light_and_of_the_tank_alone(
     assert run(scan, "-o", tmp_path / "out").returncode == 0
     paper, screen = shot("--paper", path=tmp_path / "out"), shot(path=tmp_path / "out")
     assert (paper.min(axis=2) > 0.99).mean() > 0.6 and (screen.min(axis=2) > 0.99).mean() < 0.05
-    top = paper[:100]  # the words there are of a colour, and of height
-    assert (top.max(axis=2) < 0.2).sum() > 1000
+    ink = (paper[:100].max(axis=2) < 0.2).sum()  # of the words there, which paper has larger
+    assert 1500 < ink < 5500
     colours = [(p.max(axis=2) - p.min(axis=2) > 0.3).sum() for p in (paper, screen)]
     assert colours[0] < 0.8 * colours[1]
 
