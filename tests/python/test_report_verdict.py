@@ -14,7 +14,8 @@ from report_fixtures import JUDGED
 from report_pages import PHONE, SAMPLE, WIDE, Opened, opened, plain, with_data
 from results import Run, read_datum, read_points, read_stations, write_xyz
 from test_compare import compare
-from test_report_paper import ABOUT, TOLD, written
+from test_report_paper import ABOUT, TOLD
+from test_report_picture import written
 
 Runner = Callable[..., Run]
 FIGURE = re.compile(r"\d+(?:\.\d+)?")

@@ -193,25 +193,6 @@ def test_without_a_display(folder: Path, name: str | None) -> None:
     assert result.stderr.count("\n") == 1
 
 
-@pytest.mark.parametrize("name", [None, ":987"], ids=["none", "dead"])
-def test_a_picture_needs_no_display(
-    folder: Path, plain: Pixels, tmp_path: Path, name: str | None
-) -> None:
-    """Xvfb is started for it, and ends with it."""
-    result = view(name, folder, "--screenshot", tmp_path / "a.png")
-    assert (result.returncode, result.stderr) == (0, "")
-    assert changed(matplotlib.image.imread(tmp_path / "a.png")[:, :, :3], plain) == 0
-
-
-def test_without_xvfb_a_line_says_so(
-    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("PATH", str(tmp_path))
-    result = view(None, folder, "--screenshot", tmp_path / "a.png")
-    assert (result.returncode, result.stderr.count("\n")) == (2, 1)
-    assert "Xvfb in PATH" in result.stderr and list(tmp_path.iterdir()) == []
-
-
 def test_on_paper_it_is_light_and_of_the_tank_alone(
     display: str, run: Callable[..., Run], shot: Callable[..., Pixels], tmp_path: Path
 ) -> None:
