@@ -7,6 +7,7 @@
 #include "print/browser.h"
 #include "print/pictured_page.h"
 #include "print/sheets.h"
+#include "print/viewer.h"
 #include "report/logo.h"
 #include "results/file_calls.h"
 #include "results/manifest.h"
@@ -21,6 +22,7 @@ namespace tank_datum {
 namespace {
 
 constexpr const char* kProgram = "tank_datum_report";
+constexpr const char* kNoPicture = "none";
 
 /// What the command line asks for.
 struct ReportCommand {
@@ -32,9 +34,16 @@ void addOptions(CLI::App& app, ReportCommand& command) {
       ->required();
   app.add_option("--pdf", command.pdf, "print the report to this file, on A4");
   app.add_option("--html", command.html, "write the report to this file, to be mailed with the picture in it");
-  app.add_option("--picture", command.picture, "an image of tank_datum_view that the report shows, at most 8 MB");
+  app.add_option("--picture", command.picture,
+                 "the image that the report shows, at most 8 MB; none: without (default: tank_datum_view draws one)");
   app.add_option("--browser", command.browser, "Chromium or Chrome that prints (default: the first in PATH)");
   app.set_version_flag("--version", std::string(kProgram) + " " + kVersion);
+}
+
+/// The picture that the page is to show; empty: none.
+std::string pictureFor(const ReportCommand& command) {
+  if (command.picture.empty()) return drawnPicture(command.folder);
+  return command.picture == kNoPicture ? "" : pictureOf(command.picture);
 }
 
 /// The page with what is to be put into it.
@@ -44,13 +53,13 @@ std::string pageOf(const ReportCommand& command) {
     throw Error(Error::Kind::File, "report", path, "not there", "a folder of results with a report");
   }
   const std::string page = results::contentOf(path);
-  return command.picture.empty() ? page : withPicture(page, pictureOf(command.picture));
+  const std::string picture = pictureFor(command);
+  return picture.empty() ? page : withPicture(page, picture);
 }
 
 /// On five sheets, smaller where it takes more; what takes more even so is printed as it is then.
-void print(const ReportCommand& command, const std::string& page) {
+void print(const ReportCommand& command, const std::string& browser, const std::string& page) {
   constexpr int kMostSheets = 5;
-  const std::string browser = findBrowser(command.browser);
   OutputFile pdf(command.pdf, isFileWith("%PDF", kPrintMark), kProgram);
   for (const char* share : {"1", "0.93", "0.86", "0.8"}) {
     std::filesystem::remove(pdf.place());
@@ -71,12 +80,13 @@ int run(const ReportCommand& command) {
     throw Error(Error::Kind::Option, "command line", "--pdf", "not given", "a file for the report: --pdf or --html");
   }
   std::vector<NamedPath> inputs = inputsOf("result", command.folder);
-  inputs.push_back({"picture", command.picture});
+  if (command.picture != kNoPicture) inputs.push_back({"picture", command.picture});
   requireApart(inputs, {{"--pdf", command.pdf}, {"--html", command.html}});
   settleToRead(command.folder, kProgram);
+  const std::string browser = command.pdf.empty() ? "" : findBrowser(command.browser);
   const std::string page = pageOf(command);
   if (!command.html.empty()) write(command, page);
-  if (!command.pdf.empty()) print(command, page);
+  if (!command.pdf.empty()) print(command, browser, page);
   return kUsable;
 }
 

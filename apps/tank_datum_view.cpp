@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
 
 #include "core/length_units.h"
@@ -31,6 +32,7 @@ struct ViewCommand {
   std::string path, colour = "height", units = "m", screenshot, keys;
   std::vector<std::string> scans;
   int station = -1;
+  bool paper = false;
   SceneOptions scene;
 };
 
@@ -47,7 +49,8 @@ void addOptions(CLI::App& app, ViewCommand& command) {
   app.add_option("--labels", command.scene.label_every, "label every N-th station; 0: none");
   app.add_option("--station", command.station, "pick this station at the start");
   app.add_option("--keys", command.keys, "keys pressed at the start, as in the window");
-  app.add_option("--screenshot", command.screenshot, "write this PNG and stop");
+  app.add_option("--screenshot", command.screenshot, "write this PNG and stop; without a display on Xvfb, if in PATH");
+  app.add_flag("--paper", command.paper, "the picture is light and of the tank alone, as in a report");
   app.set_version_flag("--version", std::string("tank_datum_view ") + kVersion);
   app.footer(std::string("Keys in the window:\n") + kKeys);
 }
@@ -62,11 +65,19 @@ void requireValid(const ViewCommand& command) {
     throw refused("--screenshot", command.screenshot, "a file name that ends in .png");
   }
   if (command.station < -1) throw refused("--station", std::to_string(command.station), "a station's number");
+  if (command.paper && command.screenshot.empty()) throw refused("--paper", "given", "--screenshot beside it");
+}
+
+/// A display that answers: the one there is or, for a picture, a virtual one.
+std::unique_ptr<VirtualDisplay> displayFor(const ViewCommand& command) {
+  if (displayAnswers()) return nullptr;
+  auto display = command.screenshot.empty() ? nullptr : std::make_unique<VirtualDisplay>();
   if (!displayAnswers()) {
     const char* name = std::getenv("DISPLAY");
     throw Error(Error::Kind::Option, "view", "DISPLAY", name == nullptr ? "not set" : name,
-                "an X display that answers (without a screen: xvfb-run tank_datum_view ...)");
+                "an X display that answers (without a screen: --screenshot, and Xvfb in PATH)");
   }
+  return display;
 }
 
 /// Refuses a picture in the place of what is shown.
@@ -79,6 +90,7 @@ void requireScansUntouched(const ViewCommand& command) {
 int run(const ViewCommand& command) {
   requireValid(command);
   requireScansUntouched(command);
+  const auto display = displayFor(command);
   const bool folder = std::filesystem::is_directory(command.path);
   if (folder) settleToRead(command.path, kProgram);
   std::optional<OutputFile> picture;
@@ -95,7 +107,8 @@ int run(const ViewCommand& command) {
     throw refused("--station", std::to_string(command.station),
                   "less than the " + std::to_string(result.stations.size()) + " stations");
   }
-  const Points cloud = thinnedCloud(result, command.scene.points);
+  const Points thinned = thinnedCloud(result, command.scene.points);
+  const Points cloud = command.paper ? nearTank(thinned, result) : thinned;
   Window window(result, cloud, command.scene, command.screenshot.empty());
   window.pick(command.station);
   for (const char key : command.keys) {
@@ -104,6 +117,7 @@ int run(const ViewCommand& command) {
   if (command.screenshot.empty()) {
     window.run();
   } else {
+    if (command.paper) window.whiten();
     window.screenshot(picture->place());
     picture->commit();
   }

@@ -7,6 +7,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkTextProperty.h>
@@ -17,6 +18,7 @@ namespace tank_datum::view {
 namespace {
 
 constexpr int kShades = 256;
+constexpr int kPrintedWords = 26;  ///< [pixels], of 800: 7 points in a picture of 70 mm
 
 vtkSmartPointer<vtkPoints> pointsOf(const Points& points) {
   auto result = vtkSmartPointer<vtkPoints>::New();
@@ -45,8 +47,6 @@ vtkSmartPointer<vtkActor> actorOf(vtkPolyData* data) {
   return actor;
 }
 
-void paint(vtkActor* actor, const Rgb& colour) { actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]); }
-
 vtkSmartPointer<vtkLookupTable> shades(double low, double high) {
   constexpr Rgb kLow = {0.23, 0.42, 0.85}, kMiddle = {0.86, 0.86, 0.82}, kHigh = {0.85, 0.22, 0.16},
                 kBeyond = {0.42, 0.42, 0.44};
@@ -68,7 +68,34 @@ vtkSmartPointer<vtkLookupTable> shades(double low, double high) {
   return table;
 }
 
+/// The words of a prop; none: nullptr.
+vtkTextProperty* wordsOf(vtkProp* prop) {
+  if (auto* const label = vtkBillboardTextActor3D::SafeDownCast(prop)) return label->GetTextProperty();
+  if (auto* const text = vtkTextActor::SafeDownCast(prop)) return text->GetTextProperty();
+  if (auto* const key = vtkScalarBarActor::SafeDownCast(prop)) return key->GetLabelTextProperty();
+  return nullptr;
+}
+
 }  // namespace
+
+void paint(vtkProp* prop, const Rgb& colour) {
+  if (auto* const actor = vtkActor::SafeDownCast(prop)) {
+    actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  }
+}
+
+void blackenWords(vtkRenderer& renderer) {
+  vtkPropCollection* const props = renderer.GetViewProps();
+  props->InitTraversal();
+  while (vtkProp* const prop = props->GetNextProp()) {
+    vtkTextProperty* const words = wordsOf(prop);
+    if (words == nullptr) continue;
+    words->SetColor(kInk[0], kInk[1], kInk[2]);
+    words->SetBackgroundColor(1.0, 1.0, 1.0);
+    words->SetBackgroundOpacity(0.6);
+    words->SetFontSize(kPrintedWords);
+  }
+}
 
 vtkSmartPointer<vtkActor> cloudActor(const Points& points, const Colouring& colouring) {
   auto values = vtkSmartPointer<vtkFloatArray>::New();

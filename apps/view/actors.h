@@ -29,6 +29,15 @@ vtkSmartPointer<vtkActor> curveActor(const std::vector<Points>& pieces, const Rg
 /// A translucent polygon.
 vtkSmartPointer<vtkActor> planeActor(const Points& polygon, const Rgb& colour);
 
+/// What dark words and lines are drawn in.
+constexpr Rgb kInk = {0.1, 0.1, 0.1};
+
+/// Gives points, lines and faces of one colour another; other props stay.
+void paint(vtkProp* prop, const Rgb& colour);
+
+/// Words and the key's figures in dark on white, in place of light on black, and as large as paper needs them.
+void blackenWords(vtkRenderer& renderer);
+
 /// A text that faces the camera.
 vtkSmartPointer<vtkBillboardTextActor3D> labelActor(const Eigen::Vector3d& at, const std::string& text);
 

@@ -1,14 +1,65 @@
 #include "view/display.h"
 
 #include <X11/Xlib.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
 
 namespace tank_datum::view {
+namespace {
+
+/// Becomes Xvfb, which writes its number into a pipe. It ends with the process that asks.
+[[noreturn]] void serve(int number) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int nothing = open("/dev/null", O_RDWR);
+  for (const int stream : {0, 1, 2}) dup2(nothing, stream);
+  const std::string pipe = std::to_string(number);
+  execlp("Xvfb", "Xvfb", "-displayfd", pipe.c_str(), "-nolisten", "tcp", "-screen", "0", "1280x800x24", nullptr);
+  _exit(127);
+}
+
+/// What the pipe says up to the line's end; empty when nobody writes.
+std::string lineOf(int pipe) {
+  std::string line;
+  for (char c = 0; read(pipe, &c, 1) == 1 && c != '\n';) line += c;
+  return line;
+}
+
+}  // namespace
 
 bool displayAnswers() {
   Display* display = XOpenDisplay(nullptr);
   if (display == nullptr) return false;
   XCloseDisplay(display);
   return true;
+}
+
+VirtualDisplay::VirtualDisplay() {
+  int ends[2];
+  if (pipe2(ends, 0) != 0) return;
+  server_ = fork();
+  if (server_ == 0) {
+    close(ends[0]);
+    serve(ends[1]);
+  }
+  close(ends[1]);
+  const std::string number = lineOf(ends[0]);
+  close(ends[0]);
+  if (!number.empty()) setenv("DISPLAY", (":" + number).c_str(), 1);
+}
+
+VirtualDisplay::~VirtualDisplay() {
+  if (server_ <= 0) return;
+  kill(server_, SIGTERM);  // upon which it removes its lock
+  waitpid(server_, nullptr, 0);
 }
 
 }  // namespace tank_datum::view

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/units.h"
+#include "report/display.h"
 #include "shape/deformation.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/stations/stations.h"
@@ -62,12 +63,26 @@ double share(std::vector<float> values, double part) {
 }
 
 Colouring heights(const Points& cloud, const ViewedResult& result, double range) {
-  Colouring colouring{"height above the datum's mean [m]", {}, -range, range};
+  Colouring colouring{"height above the datum's mean", {}, -range, range};
   const double mean = levelOf(result.stations).mean;
   for (const auto& p : cloud) colouring.values.push_back(static_cast<float>(p.z() - mean));
   if (range > 0.0 || cloud.empty()) return colouring;
   colouring.low = share(colouring.values, 0.01);
   colouring.high = share(colouring.values, 0.99);
+  return colouring;
+}
+
+Colouring distances(const Points& cloud, const ViewedResult& result, Colour colour, double range) {
+  const bool radial = colour == Colour::Radial;
+  const double end = range > 0.0 ? range : radial ? kRadialRange : kDistanceRange;
+  Colouring colouring{radial ? "distance from the shell's circle" : "distance from the datum", {}, 0.0, end};
+  if (radial) colouring.low = -end;
+  const DatumLine line(result);
+  for (const auto& p : cloud) {
+    const double residual = result.circle.residual(p.head<2>());
+    const double value = radial ? residual : std::hypot(residual, p.z() - line.at(p.x(), p.y()));
+    colouring.values.push_back(static_cast<float>(value));
+  }
   return colouring;
 }
 
@@ -89,17 +104,13 @@ std::optional<Refusal> firstError(const SceneOptions& options) {
 }
 
 Colouring colouringOf(const Points& cloud, const ViewedResult& result, Colour colour, double range) {
-  if (colour == Colour::Height) return heights(cloud, result, range);
-  const bool radial = colour == Colour::Radial;
-  const double end = range > 0.0 ? range : radial ? kRadialRange : kDistanceRange;
-  Colouring colouring{radial ? "distance from the shell's circle [m]" : "distance from the datum [m]", {}, 0.0, end};
-  if (radial) colouring.low = -end;
-  const DatumLine line(result);
-  for (const auto& p : cloud) {
-    const double residual = result.circle.residual(p.head<2>());
-    const double value = radial ? residual : std::hypot(residual, p.z() - line.at(p.x(), p.y()));
-    colouring.values.push_back(static_cast<float>(value));
-  }
+  Colouring colouring =
+      colour == Colour::Height ? heights(cloud, result, range) : distances(cloud, result, colour, range);
+  const Display::Scale scale = Display(result.display_units).lengths();
+  colouring.title += " [" + scale.unit + "]";
+  for (float& value : colouring.values) value *= static_cast<float>(scale.factor);
+  colouring.low *= scale.factor;
+  colouring.high *= scale.factor;
   return colouring;
 }
 
@@ -166,6 +177,21 @@ std::vector<std::pair<std::size_t, std::string>> namedStations(const ViewedResul
   return named;
 }
 
+std::vector<std::size_t> numberedStations(const ViewedResult& result, int every) {
+  constexpr double kTaken = 10.0 * kDegree;
+  std::vector<std::size_t> numbered;
+  const auto count = result.stations.size();
+  const auto named = namedStations(result);
+  for (std::size_t i = 0; every > 0 && i < count; i += static_cast<std::size_t>(every)) {
+    const bool taken = std::any_of(named.begin(), named.end(), [&](const auto& place) {
+      const std::size_t apart = i > place.first ? i - place.first : place.first - i;
+      return kTwoPi * static_cast<double>(std::min(apart, count - apart)) < kTaken * static_cast<double>(count);
+    });
+    if (!taken) numbered.push_back(i);
+  }
+  return numbered;
+}
+
 std::array<double, 6> boundsOf(const ViewedResult& result, const Points& cloud) {
   constexpr double kNear = 0.05, kMargin = 1.15;  // of the radius
   const double r = result.circle.radius, mean = levelOf(result.stations).mean;
@@ -196,10 +222,12 @@ std::string describe(const ViewedResult& result, std::size_t station) {
   };
   std::string text = in("station %zu, azimuth %.4g deg", station, s.azimuth * 360.0 / kTwoPi);
   if (!std::isfinite(s.z)) return text + "\nmissing";
-  text += in("\nz %.4f m +- %.2f mm", s.z + result.origin.z(), 1e3 * s.sigma_z);
-  text += in("\nx %.3f m, y %.3f m", s.x + result.origin.x(), s.y + result.origin.y());
-  text += in("\nradius %.4f m", s.radius);
-  if (std::isfinite(s.u)) text += in("\nout of plane %+.1f mm", 1e3 * s.u);
+  const Display display(result.display_units);
+  text += "\nz " + display.longText(s.z + result.origin.z(), 4) + " +- " + display.shortText(2.0 * s.sigma_z, 2);
+  text += " (2 sigma)\nx " + display.longText(s.x + result.origin.x());
+  text += ", y " + display.longText(s.y + result.origin.y());
+  text += "\nradius " + display.longText(s.radius, 4);
+  if (std::isfinite(s.u)) text += "\nout of plane " + display.signedShort(s.u) + " " + display.shortUnit();
   return text + (s.flag == StationFlag::Interpolated ? "\ninterpolated" : "\nmeasured");
 }
 

@@ -30,7 +30,7 @@ struct SceneOptions {
 /// The first refused field, or nothing.
 std::optional<Refusal> firstError(const SceneOptions& options);
 
-/// A number for every point of the cloud, and the ends of the colour scale [m].
+/// A number for every point of the cloud, and the ends of the colour scale, in the unit that the title says.
 struct Colouring {
   std::string title;
   std::vector<float> values;  ///< NaN where the datum is not known
@@ -38,6 +38,7 @@ struct Colouring {
 };
 
 /// The numbers behind a colour; of a usable result.
+/// @param range  where the scale ends [m]
 Colouring colouringOf(const Points& cloud, const ViewedResult& result, Colour colour, double range);
 
 /// The pieces of the datum curve between missing stations, heights exaggerated about the datum's mean; a curve without
@@ -57,10 +58,13 @@ int worstStation(const ViewedResult& result);
 /// What is written beside single stations: the worst one, and the places that the result names.
 std::vector<std::pair<std::size_t, std::string>> namedStations(const ViewedResult& result);
 
+/// The stations that have their number beside them: every N-th, but those whose place a name takes, within 10 degrees.
+std::vector<std::size_t> numberedStations(const ViewedResult& result, int every);
+
 /// The ends of what must be in view, in the order of VTK: x, x, y, y, z, z; the shell as high as it is seen.
 std::array<double, 6> boundsOf(const ViewedResult& result, const Points& cloud);
 
-/// A round length that fits into the tank's radius [m].
+/// A round length that fits into the tank's radius, in the radius's unit.
 double barLength(double radius);
 
 /// The values of a station, for people, in the scan's frame.

@@ -1,10 +1,13 @@
 #include "view/viewed_result.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "core/length_units.h"
 #include "core/units.h"
 #include "io/json_file.h"
+#include "io/up_axis.h"
 #include "search/voxel_sample.h"
 #include "tank_datum/core/error.h"
 #include "view/stations_file.h"
@@ -48,9 +51,12 @@ void fill(ViewedResult& result, const Json& json, const std::string& folder, con
   for (const Json& mark : json.value("marks", Json::array())) {
     result.marks.emplace_back(mark.at("name").get<std::string>(), mark.at("azimuth_deg").get<double>() * kDegree);
   }
+  if (json.contains("options")) result.up = json.at("options").value("up", result.up);
+  result.display_units = json.value("display_units", result.display_units);
   result.scans = scans;
   if (!scans.empty()) return;
   for (const Json& file : input.at("files")) {
+    result.points += file.at("points").get<std::uint64_t>();
     result.scans.push_back(found(file.at("path").get<std::string>(), folder));
   }
 }
@@ -91,12 +97,25 @@ ViewedResult extractResult(const std::string& scan, double metres_per_unit) {
 }
 
 Points thinnedCloud(const ViewedResult& result, std::size_t budget) {
-  const Scan scan = Scan::open(result.scans, result.metres_per_unit);
+  const Scan scan = Scan::open(result.scans, result.metres_per_unit).turned(upRotation(result.up));
+  if (result.points != 0 && scan.size() != result.points) {
+    throw Error(Error::Kind::File, "view", result.scans.front(), std::to_string(scan.size()) + " points",
+                "the scan of the result, " + std::to_string(result.points) + " points; or one named by --scan");
+  }
   constexpr std::uint64_t kLookedAt = 8;  // points for each that is shown, enough for an even choice
   const Points looked_at = scan.everyNth(scan.size() / (kLookedAt * budget) | 1U);
   Points points = VoxelSample(looked_at, budget).points();
   for (auto& p : points) p += scan.origin() - result.origin;
   return points;
+}
+
+Points nearTank(const Points& cloud, const ViewedResult& result) {
+  constexpr double kReach = 1.25;  // radii from the axis
+  Points near;
+  std::copy_if(cloud.begin(), cloud.end(), std::back_inserter(near), [&](const Eigen::Vector3d& p) {
+    return (p.head<2>() - result.circle.center).norm() < kReach * result.circle.radius;
+  });
+  return near;
 }
 
 }  // namespace tank_datum::view

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,10 @@ struct ViewedResult {
   Points edge_points;
   std::vector<std::pair<std::string, double>> marks;  ///< places at the shell: name and azimuth [rad]
   std::vector<std::string> scans;
-  double metres_per_unit = 1.0;  ///< of the scans
+  std::string display_units = "mm";  ///< mm, in or ft, of what people read
+  double metres_per_unit = 1.0;      ///< of the scans
+  std::string up = "z";              ///< which of their axes is up
+  std::uint64_t points = 0;          ///< how many they held when the datum was found; 0: not known
 };
 
 /// A folder of results as tank_datum writes it.
@@ -31,7 +35,10 @@ ViewedResult readResult(const std::string& folder, const std::vector<std::string
 ViewedResult extractResult(const std::string& scan, double metres_per_unit);
 
 /// The cloud to draw, relative to the result's origin: the scans thinned by voxels to at most `budget` points.
-/// @throws Error (File)
+/// @throws Error (File), too when they are not the scans of the result
 Points thinnedCloud(const ViewedResult& result, std::size_t budget);
+
+/// The points near the tank, for a picture of it alone.
+Points nearTank(const Points& cloud, const ViewedResult& result);
 
 }  // namespace tank_datum::view

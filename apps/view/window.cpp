@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/display.h"
 #include "shape/deformation.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
@@ -109,8 +110,7 @@ void Window::drawDatum() {
 
 void Window::drawLabels() {
   std::vector<vtkSmartPointer<vtkProp>> labels;
-  const auto every = static_cast<std::size_t>(options_.label_every);
-  for (std::size_t i = 0; every > 0 && i < result_.stations.size(); i += every) {
+  for (const std::size_t i : numberedStations(result_, options_.label_every)) {
     Eigen::Vector3d at = markOf(result_, i, options_.exaggeration);
     if (!at.allFinite()) continue;
     at.head<2>() += 0.06 * (at.head<2>() - result_.circle.center);
@@ -129,12 +129,14 @@ void Window::drawLabels() {
 /// The axes of the scan's frame and a bar of a round length, beside the tank.
 void Window::drawFrame() {
   constexpr Rgb kFrame = {0.9, 0.9, 0.9};
-  const double r = result_.circle.radius, bar = barLength(r), mean = levelOf(result_.stations).mean;
+  const Display::Scale scale = Display(result_.display_units).lengths();
+  const double r = result_.circle.radius, round = barLength(scale.factor * r), bar = round / scale.factor;
+  const double mean = levelOf(result_.stations).mean;
   const Eigen::Vector3d centre(result_.circle.center.x(), result_.circle.center.y(), mean);
   const Eigen::Vector3d corner = centre - Eigen::Vector3d(1.1 * r, 1.25 * r, 0.0);
   std::vector<Points> lines = {{corner, corner + Eigen::Vector3d(bar, 0.0, 0.0)}};
   char length[32];
-  std::snprintf(length, sizeof length, "%g m", bar);
+  std::snprintf(length, sizeof length, "%g %s", round, scale.unit.c_str());
   std::vector<vtkSmartPointer<vtkProp>> words = {
       labelActor(corner + Eigen::Vector3d(0.5 * bar, -0.07 * r, 0.0), length)};
   const char* const names[] = {"x", "y", "z"};
@@ -216,6 +218,18 @@ void Window::run() {
   interactor->SetInteractorStyle(style);
   window_->Render();
   interactor->Start();
+}
+
+void Window::whiten() {
+  constexpr Rgb kDarkCurve = {0.0, 0.45, 0.2}, kPaper = {1.0, 1.0, 1.0};
+  renderer_->SetBackground(kPaper[0], kPaper[1], kPaper[2]);
+  for (auto* const props : {&curve_, &frame_}) {
+    for (const auto& prop : *props) paint(prop, props == &curve_ ? kDarkCurve : kInk);
+  }
+  for (vtkRenderer* const renderer : {renderer_.Get(), above_.Get()}) blackenWords(*renderer);
+  const std::string heading = heading_->GetInput();
+  heading_->SetInput(heading.substr(0, heading.rfind(", ")).c_str());
+  key_title_->SetPosition(0.015, 0.89);
 }
 
 void Window::screenshot(const std::string& path) {

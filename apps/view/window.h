@@ -25,6 +25,9 @@ class Window {
   /// Shows it until the user closes it.
   void run();
 
+  /// Makes it light, for paper, without what only a window can do.
+  void whiten();
+
   /// Writes what is seen as a PNG.
   /// @throws Error (File)
   void screenshot(const std::string& path);

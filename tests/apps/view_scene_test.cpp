@@ -145,6 +145,29 @@ TEST(NamedStations, AreTheWorstAndThePlacesOfTheResult) {
   EXPECT_EQ(worstStation(result), -1);
 }
 
+TEST(Colouring, IsInTheUnitsThatPeopleRead) {
+  ViewedResult result = octagon();
+  const Points cloud = {{result.circle.center.x() + 11.0, result.circle.center.y(), 0.0}};
+  const Colouring metres = colouringOf(cloud, result, Colour::Radial, 2.0);
+  result.display_units = "ft";
+  const Colouring feet = colouringOf(cloud, result, Colour::Radial, 2.0);
+  EXPECT_EQ(metres.title, "distance from the shell's circle [m]");
+  EXPECT_EQ(feet.title, "distance from the shell's circle [ft]");
+  EXPECT_NEAR(feet.values[0], metres.values[0] / 0.3048F, 1e-4);
+  EXPECT_NEAR(feet.high, 2.0 / 0.3048, 1e-9);
+  EXPECT_NEAR(feet.low, -2.0 / 0.3048, 1e-9);
+}
+
+TEST(NumberedStations, LeaveRoomForNames) {
+  ViewedResult result;
+  result.stations.resize(360);
+  for (Station& s : result.stations) s.u = kUnknown;
+  EXPECT_EQ(numberedStations(result, 90), (std::vector<std::size_t>{0, 90, 180, 270}));
+  EXPECT_TRUE(numberedStations(result, 0).empty());
+  result.marks = {{"stairs", 351.0 * kDegree}, {"manhole", 190.0 * kDegree}};  // 9 and 10 degrees from a number
+  EXPECT_EQ(numberedStations(result, 90), (std::vector<std::size_t>{90, 180, 270}));
+}
+
 TEST(Bounds, HoldTheTankAsHighAsItsShellIsSeen) {
   const ViewedResult result = tilted();
   const Eigen::Vector2d& c = result.circle.center;
@@ -167,11 +190,16 @@ TEST(Bar, IsARoundLengthWithinTheRadius) {
 
 TEST(Describe, IsInTheScansFrame) {
   const std::string text = describe(octagon(), 2);
-  for (const char* part : {"station 2, azimuth 90 deg", "z 100.6270 m +- 0.25 mm", "x 500001.500 m, y 4000012.250 m",
-                           "radius 10.0000 m", "out of plane", "measured"}) {
+  for (const char* part : {"station 2, azimuth 90 deg", "z 100.6270 m +- 0.50 mm (2 sigma)",
+                           "x 500001.500 m, y 4000012.250 m", "radius 10.0000 m", "out of plane", "measured"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
   EXPECT_NE(describe(octagon(), 5).find("interpolated"), std::string::npos);
+  ViewedResult in_inches = octagon();
+  in_inches.display_units = "in";
+  for (const char* part : {"z 330.1411 ft +- 0.0197 in (2 sigma)", "radius 32.8084 ft", " in\n"}) {
+    EXPECT_NE(describe(in_inches, 2).find(part), std::string::npos) << part << "\n" << describe(in_inches, 2);
+  }
   EXPECT_EQ(describe(octagon(), 6), "station 6, azimuth 270 deg\nmissing");
 }
 

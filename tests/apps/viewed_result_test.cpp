@@ -22,10 +22,10 @@ std::string writeScan(const std::string& path, int points) {
 }
 
 /// Results of the octagon whose scan is `scan`.
-std::string writeOctagon(const Folder& folder, const std::string& scan) {
+std::string writeOctagon(const Folder& folder, const std::string& scan, std::uint64_t points = 3) {
   std::filesystem::create_directory(folder.path("out"));
   Provenance from;
-  from.files = {{scan, 3, Checksum::Sha256, "abc"}};
+  from.files = {{scan, points, Checksum::Sha256, "abc"}};
   writeResults(folder.path("out"), octagon(), from);
   return folder.path("out");
 }
@@ -83,7 +83,7 @@ TEST(ReadResult, NamesAFileThatIsNoResult) {
 TEST(ThinnedCloud, IsInTheResultsFrameAndWithinTheBudget) {
   const Folder folder;
   const std::string scan = writeScan(folder.path("a.pcd"), 5000);
-  const ViewedResult result = readResult(writeOctagon(folder, scan), {});
+  const ViewedResult result = readResult(writeOctagon(folder, scan, 5000), {});
   const Points all = thinnedCloud(result, 10'000);
   ASSERT_EQ(all.size(), 5000U);
   EXPECT_NEAR((all.front() + result.origin - Eigen::Vector3d(500000, 4000000, 100)).norm(), 0.0, 1e-8);
@@ -104,6 +104,32 @@ TEST(ExtractResult, OfNoTankSaysSo) {
   const ViewedResult result = extractResult(writeScan(folder.path("a.pcd"), 5000), 1.0);
   EXPECT_FALSE(result.usable);
   EXPECT_EQ(result.status, "no_tank");
+}
+
+TEST(ThinnedCloud, RefusesAScanOfOtherPoints) {
+  const Folder folder;
+  const std::string scan = writeScan(folder.path("a.pcd"), 4);
+  const ViewedResult other = readResult(writeOctagon(folder, scan), {});
+  EXPECT_NE(refusalOf(Error::Kind::File, [&] { thinnedCloud(other, 100); }).find("4 points"), std::string::npos);
+  EXPECT_EQ(thinnedCloud(readResult(folder.path("out"), {scan}), 100).size(), 4U);  // named by its user
+}
+
+TEST(ThinnedCloud, IsTurnedAsTheScanWas) {
+  ViewedResult result;
+  const Folder folder;
+  result.scans = {writeScan(folder.path("a.pcd"), 2)};
+  result.up = "y";
+  const Points points = thinnedCloud(result, 100);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR((points[0] - Eigen::Vector3d(500000.0, -100.0, 4000000.0)).norm(), 0.0, 1e-6);
+}
+
+TEST(NearTank, KeepsAQuarterOfTheRadiusAround) {
+  ViewedResult result;
+  result.circle.center = {1.0, 0.0};
+  result.circle.radius = 8.0;
+  const Points cloud = {{1.0, 0.0, 50.0}, {10.9, 0.0, 0.0}, {11.1, 0.0, 0.0}};
+  EXPECT_EQ(nearTank(cloud, result).size(), 2U);
 }
 
 }  // namespace

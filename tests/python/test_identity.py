@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from report_pages import SAMPLE, opened
+from report_pages import SAMPLE, opened, with_data
 from results import Run, read_datum, read_stations
 from test_compare import compare
 
@@ -47,6 +47,18 @@ def test_words_marks_and_north_are_in_the_result(told: Path) -> None:
         ("manhole", pytest.approx(350.0)),
     ]
     assert datum["north_azimuth_deg"] == pytest.approx(60.0)
+
+
+@pytest.mark.parametrize("language", ["en", "de", "es", "zh", "ru"])
+def test_survey_points_take_a_line_each_on_a_phone(
+    browser: Any, told: Path, tmp_path: Path, language: str
+) -> None:
+    path = with_data(told / "report.html", tmp_path / "page.html", {"language": language})
+    with opened(browser, path, size=(360, 800)) as page:
+        table = page.page.locator(".survey-points .scroll")
+        assert table.evaluate("e => e.scrollWidth <= e.clientWidth")
+        rows = [row.bounding_box()["height"] for row in table.locator("tbody tr").all()]
+        assert len(rows) == 8 and max(rows) < 45
 
 
 def test_survey_points_run_clockwise_from_north(told: Path) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from report_fixtures import JUDGED
-from report_pages import SAMPLE, Opened, close_to, opened, pixels, scale_of, with_data
+from report_pages import SAMPLE, Opened, close_to, opened, pixels, plain, scale_of, with_data
 from results import Run, read_datum, read_points, write_xyz
 
 Runner = Callable[..., Run]
@@ -92,6 +92,24 @@ def test_tolerances_are_bands_where_they_fit(
     path = with_data(sample_report / "report.html", tmp_path / "tight.html", {"shell": shell})
     with opened(browser, path) as page:
         assert page.page.locator("#roundness-chart rect.beyond").count() == 2
+
+
+@pytest.mark.parametrize(
+    ("radius", "said"),
+    [
+        (5.0, "2 m; diameter 10.000 m"),
+        (0.04, "0.02 m; diameter 0.080 m"),
+        (45.0, "20 m; diameter 90"),
+    ],
+    ids=["tank", "mug", "large"],
+)
+def test_the_bar_of_the_plan_says_its_length(
+    browser: Any, sample_report: Path, tmp_path: Path, radius: float, said: str
+) -> None:
+    tank = read_datum(sample_report)["tank"] | {"radius": radius}
+    path = with_data(sample_report / "report.html", tmp_path / "r.html", {"tank": tank})
+    with opened(browser, path) as page:
+        assert said in plain(page.page.locator("#plan-chart").text_content())
 
 
 def test_waves_that_cannot_be_told_apart_are_not_drawn(

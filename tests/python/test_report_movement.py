@@ -106,6 +106,31 @@ def test_trend_over_surveys(browser: Any, tmp_path: Path) -> None:
             assert read(saved) == read((tmp_path / "m" / name).read_bytes())
 
 
+def test_the_fastest_station_is_chosen_first_or_the_one_that_the_address_names(
+    browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    later = tmp_path / "later.json"
+    survey = json.loads(epoch(later).read_text())
+    for station in survey["stations"]:
+        station["z"] -= 0.004 * np.exp(-(((station["azimuth_deg"] - 200) / 20) ** 2))
+    later.write_text(json.dumps(survey))
+    assert compare(epoch(tmp_path / "first.json"), later, "-o", tmp_path / "m").returncode == 0
+    result = json.loads((tmp_path / "m" / "movement.json").read_text())
+    rates = result["trend"]["stations"]
+    fastest = max(rates, key=lambda s: abs(s["rate"] or 0.0))["azimuth_deg"]
+    assert fastest == pytest.approx(200, abs=10)
+    page_file = tmp_path / "m" / "report.html"
+    with opened(browser, page_file) as page:
+        course = page.page.locator("#course-chart")
+        assert f"Movement at {fastest:.1f}\u00b0" in course.text_content()
+        page.page.goto(page_file.resolve().as_uri() + "#station=17")
+        named = f"Movement at {rates[17]['azimuth_deg']:.1f}\u00b0"
+        assert named in course.text_content()
+        assert page.page.locator(".signature").is_hidden()
+        page.page.emulate_media(media="print")
+        assert page.texts(".signature span") == ["Inspector", "Date", "Signature"]
+
+
 def test_trend_over_dates(browser: Any, tmp_path: Path) -> None:
     """Dates along the axis at their times, each station's rate per year, and what was compared."""
     surveys = [epoch(tmp_path / f"{i}.json", d) for i, d in enumerate((0.0, 0.001, 0.004))]

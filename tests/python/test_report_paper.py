@@ -97,6 +97,15 @@ def test_a_long_report_is_printed_smaller(
     assert most == 5 or sheets(tmp_path / "report.pdf") > 5
 
 
+def test_no_heading_is_left_at_the_foot_of_a_sheet(browser: Any, failing: Path) -> None:
+    """Neither is the line under it, as what the movement is since."""
+    after = "e => getComputedStyle(e).breakAfter"
+    with opened(browser, failing / "report.html") as page:
+        page.page.emulate_media(media="print")
+        for place in ("#movement h2", "#movement h2 + p", "#shell h3"):
+            assert page.page.locator(place).first.evaluate(after) == "avoid", place
+
+
 def test_a_refusal_takes_one(no_tank_report: Path, tmp_path: Path) -> None:
     assert to_pdf(no_tank_report, tmp_path / "report.pdf").returncode == 0
     assert sheets(tmp_path / "report.pdf") == 1
@@ -131,77 +140,6 @@ def test_without_a_browser_a_line_says_so(
     assert len(done.stderr.splitlines()) == 1
     assert all(word in done.stderr for word in words), done.stderr
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.fixture(scope="module")
-def picture(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An image as the viewer writes one."""
-    import matplotlib.image
-
-    path = tmp_path_factory.mktemp("picture") / "view.png"
-    matplotlib.image.imsave(path, np.random.default_rng(1).random((80, 128, 3)))
-    return path
-
-
-def written(folder: Path, html: Path, *options: object) -> Run:
-    words = [executable("tank_datum_report"), folder, "--html", html, *options]
-    return subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=120)
-
-
-def test_a_picture_of_the_viewer_goes_into_the_report(
-    browser: Any, sample_report: Path, picture: Path, tmp_path: Path
-) -> None:
-    """On screen and on paper, in one sheet at most more; the result's own page stays as it is."""
-    before = (sample_report / "report.html").read_bytes()
-    for _ in range(2):  # the second replaces the first's file
-        done = written(sample_report, tmp_path / "sent.html", "--picture", picture)
-        assert (done.returncode, done.stderr) == (0, "")
-    with opened(browser, tmp_path / "sent.html") as page:
-        assert page.slips() == []
-        shown = page.page.locator("#view img")
-        assert shown.evaluate("e => [e.naturalWidth, e.naturalHeight]") == [128, 80]
-        assert shown.get_attribute("alt") and "View" in page.texts("main h2")
-    with opened(browser, sample_report / "report.html") as page:
-        assert page.page.locator("#view").count() == 0
-    assert (sample_report / "report.html").read_bytes() == before
-    done = to_pdf(sample_report, tmp_path / "report.pdf", "--picture", picture)
-    assert done.returncode == 0 and sheets(tmp_path / "report.pdf") <= 5
-    assert b"/Width 128" in (tmp_path / "report.pdf").read_bytes()
-
-
-def test_a_picture_in_a_page_is_replaced(
-    sample_report: Path, picture: Path, tmp_path: Path
-) -> None:
-    (tmp_path / "once").mkdir()
-    once = tmp_path / "once" / "report.html"
-    written(sample_report, once, "--picture", picture)
-    written(once.parent, tmp_path / "twice.html", "--picture", picture)
-    assert (tmp_path / "twice.html").read_bytes() == once.read_bytes()
-
-
-@pytest.mark.parametrize(
-    ("content", "words"),
-    [
-        pytest.param(b"text", "no image", id="a text"),
-        pytest.param(b"\x89PNG" + bytes(8 << 20), "at most 8 MB", id="too large"),
-        pytest.param(None, "not_there.png", id="none"),
-    ],
-)
-def test_other_pictures_are_refused(
-    sample_report: Path, tmp_path: Path, content: bytes | None, words: str
-) -> None:
-    path = tmp_path / ("not_there.png" if content is None else "a.png")
-    if content is not None:
-        path.write_bytes(content)
-    done = written(sample_report, tmp_path / "sent.html", "--picture", path)
-    assert done.returncode == 3 and words in done.stderr
-    assert not (tmp_path / "sent.html").exists()
-
-
-def test_a_picture_of_5_mb_is_taken(sample_report: Path, tmp_path: Path) -> None:
-    (tmp_path / "a.png").write_bytes(b"\x89PNG" + bytes(5 << 20))
-    done = written(sample_report, tmp_path / "sent.html", "--picture", tmp_path / "a.png")
-    assert done.returncode == 0
 
 
 def test_no_file_asked_for_is_refused(sample_report: Path) -> None:

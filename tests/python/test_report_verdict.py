@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 
 from report_fixtures import JUDGED
-from report_pages import PHONE, SAMPLE, WIDE, Opened, opened, plain
+from report_pages import PHONE, SAMPLE, WIDE, Opened, opened, plain, with_data
 from results import Run, read_datum, read_points, read_stations, write_xyz
 from test_compare import compare
+from test_report_paper import ABOUT, TOLD
+from test_report_picture import written
 
 Runner = Callable[..., Run]
 FIGURE = re.compile(r"\d+(?:\.\d+)?")
@@ -21,12 +23,14 @@ FIGURE = re.compile(r"\d+(?:\.\d+)?")
 
 @pytest.fixture(scope="module")
 def failing_report(run: Runner, sample_report: Path, tmp_path_factory: Any) -> Path:
-    """A bent foundation, with movement since the sample's."""
+    """A bent foundation, with movement since the sample's and all that is told of the tank."""
     folder = tmp_path_factory.mktemp("verdict")
+    (folder / "about.toml").write_text(ABOUT)
     points = read_points(SAMPLE)
     points[:, 2] += 0.03 * np.cos(4 * np.arctan2(points[:, 1], points[:, 0]))
     scan = write_xyz(folder / "bent.pcd", points)
-    assert run(scan, "-o", folder / "out", *JUDGED, "--baseline", sample_report).returncode == 0
+    told = ("--about", folder / "about.toml", *TOLD, "--baseline", sample_report)
+    assert run(scan, "-o", folder / "out", *JUDGED, *told).returncode == 0
     return folder / "out"
 
 
@@ -124,9 +128,24 @@ def index_page(run: Runner, tmp_path_factory: Any) -> Path:
 @pytest.fixture(scope="module")
 def trend_page(sample_report: Path, failing_report: Path, tmp_path_factory: Any) -> Path:
     out: Path = tmp_path_factory.mktemp("trend") / "out"
-    dated = ("--dates", "2020-01-01,2024-01-01")
+    dated = ("--dates", "2020-01-01,2024-01-01", *TOLD[:2])
+    dated += ("--about", failing_report.parent / "about.toml")
     assert compare(sample_report, failing_report, "-o", out, *dated).returncode == 0
     return out / "report.html"
+
+
+@pytest.fixture(scope="module")
+def pictured_page(failing_report: Path, tmp_path_factory: Any) -> Path:
+    """In German, with a picture of the tank."""
+    from matplotlib.image import imsave
+
+    folder: Path = tmp_path_factory.mktemp("pictured")
+    imsave(folder / "view.png", np.zeros((80, 128, 3)))
+    german = {"language": "de"}
+    with_data(failing_report / "report.html", folder / "report.html", german)
+    done = written(folder, folder / "pictured.html", "--picture", folder / "view.png")
+    assert done.returncode == 0
+    return folder / "pictured.html"
 
 
 def checked(page: Opened) -> Any:
@@ -137,7 +156,15 @@ def checked(page: Opened) -> Any:
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", [WIDE, PHONE], ids=["desktop", "phone"])
 @pytest.mark.parametrize(
-    "name", ["sample_report", "failing_report", "no_tank_report", "index_page", "trend_page"]
+    "name",
+    [
+        "sample_report",
+        "failing_report",
+        "pictured_page",
+        "no_tank_report",
+        "index_page",
+        "trend_page",
+    ],
 )
 def test_axe_finds_nothing(
     browser: Any, request: pytest.FixtureRequest, name: str, size: tuple[int, int], scheme: str

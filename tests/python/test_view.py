@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from conftest import ROOT
-from results import Run, write_xyz
+from results import Run, read_points, write_xyz
 
 Pixels = NDArray[np.float64]
 VIEWER = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin")) / "tank_datum_view"
@@ -185,12 +185,28 @@ def test_units_are_those_of_a_scan(display: str, tmp_path: Path) -> None:
     assert not png.exists()
 
 
-@pytest.mark.parametrize("name", [None, ":987"])
-def test_without_a_display(folder: Path, tmp_path: Path, name: str | None) -> None:
-    result = view(name, folder, "--screenshot", tmp_path / "a.png")
+@pytest.mark.parametrize("name", [None, ":987"], ids=["none", "dead"])
+def test_without_a_display(folder: Path, name: str | None) -> None:
+    result = view(name, folder)
     assert result.returncode == 2
     assert result.stderr.startswith("tank_datum_view: view: DISPLAY, ")
     assert result.stderr.count("\n") == 1
+
+
+def test_on_paper_it_is_light_and_of_the_tank_alone(
+    display: str, run: Callable[..., Run], shot: Callable[..., Pixels], tmp_path: Path
+) -> None:
+    """White, with dark words; a hill beside the tank is left out."""
+    points = read_points(SAMPLE)
+    hill = np.random.default_rng(1).uniform((6.5, -2, -0.1), (9, 2, 3), (5000, 3))
+    scan = write_xyz(tmp_path / "hill.pcd", np.vstack([points, hill]))
+    assert run(scan, "-o", tmp_path / "out").returncode == 0
+    paper, screen = shot("--paper", path=tmp_path / "out"), shot(path=tmp_path / "out")
+    assert (paper.min(axis=2) > 0.99).mean() > 0.6 and (screen.min(axis=2) > 0.99).mean() < 0.05
+    ink = (paper[:100].max(axis=2) < 0.2).sum()  # of the words there, which paper has larger
+    assert 1500 < ink < 5500
+    colours = [(p.max(axis=2) - p.min(axis=2) > 0.3).sum() for p in (paper, screen)]
+    assert colours[0] < 0.8 * colours[1]
 
 
 @pytest.mark.parametrize(
@@ -207,6 +223,7 @@ def test_without_a_display(folder: Path, tmp_path: Path, name: str | None) -> No
         (["--keys", "?"], 2, "--keys, ?"),
         (["--scan", "/none.pcd"], 3, "/none.pcd"),
         (["--screenshot", "a.jpg"], 2, "--screenshot, a.jpg"),
+        (["--paper", "--screenshot", ""], 2, "--paper, given"),
         (["--screenshot", "/none/a.png"], 3, "/none/a.png"),
     ],
 )

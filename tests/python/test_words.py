@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from programs import ROOT, run_program
-from report_pages import SAMPLE, opened
+from report_pages import SAMPLE, opened, with_data
 from results import Run
 
 Runner = Callable[..., Run]
@@ -26,7 +26,7 @@ KEY = re.compile(r'"((?:[a-z_]+\.)+\w+)"')
 # keys that are put together while the page runs: say(`word.${name}`)
 BUILT = (
     *("word.", "movement.removed.", "movement.mean.", "movement.tilt.", "movement.rest."),
-    *("check_name.", "limit_rate.", "verdict.", "said."),
+    *("check_name.", "limit_rate.", "verdict.", "said.", "source."),
 )
 # a text of two plain words or a word with a capital, which a reader would see
 TEXT = re.compile(r'"(?:[A-Z][a-z]+[a-z ,.]*|[a-z]+ [a-z]+ [a-z ,.]+)"')
@@ -93,6 +93,7 @@ def test_what_is_said_in_other_languages_is_what_the_library_says() -> None:
     pieced = {f"said.{key}" for key in ("roof_type", "foundation_kind")}
     pieced |= {"said.points_apart", "said.which_units"}
     text = "".join(p.read_text() for p in sorted((ROOT / "src").rglob("*.cpp")))
+    text += (ROOT / "src/limits/limits.csv").read_text()
     text = re.sub(r'"\s*"', "", text).replace("%%", "%").replace("\\n", " ")
     for key, template in words("en").items():
         if not key.startswith("said.") or key in pieced:
@@ -124,6 +125,27 @@ def test_a_page_holds_no_english_sentence(
             for template in english:
                 pieces = [p.strip(" ,.:") for p in PLACE.split(template)]
                 assert [p for p in pieces if len(p) > 12 and p in said] == []
+
+
+@pytest.mark.parametrize("language", [name for name in LANGUAGES if name != "en"])
+def test_citations_are_in_the_pages_language(
+    browser: Any, sample_report: Path, tmp_path: Path, language: str
+) -> None:
+    """Codes, formulas and figures stay; of the words round them none is English."""
+    lines = (ROOT / "src/limits/limits.csv").read_text().splitlines()
+    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+    citations = sorted({row["citation"] for row in rows})
+    english = set("at most of the any with without roof also it to".split())
+    told = {"language": language}
+    page_file = with_data(sample_report / "report.html", tmp_path / "page.html", told)
+    with opened(browser, page_file) as page:
+        said = page.page.evaluate("citations => citations.map(translated)", citations)
+        shown = page.page.locator(".checks tbody td:nth-child(5)").all_text_contents()
+    for before, after in zip(citations, said, strict=True):
+        assert set(re.findall(r"[a-z]+", after)) & english == set(), (before, after)
+        assert re.findall(r"\d+", after) == re.findall(r"\d+", before) or language in ("zh", "ru")
+    assert len(shown) > 5
+    assert not any(re.search("verified|secondary", text) for text in shown), shown
 
 
 def test_the_option_knows_every_language() -> None:

@@ -1,10 +1,16 @@
 // One azimuth is chosen and at most one hovered over; every chart marks both.
 
+/** The azimuth of the station that the address asks for, if it does and there is one. */
+function askedOf(listed) {
+  const asked = /^#station=(\d+)$/.exec(window.location.hash);
+  return asked ? listed[Number(asked[1])]?.azimuth_deg : undefined;
+}
+
 /** The azimuth to look at first: what the address asks for, where the governing check is worst, or the largest settlement. */
 function firstAzimuth() {
   if (datum === null || stations.length === 0) return 0;
-  const asked = /^#station=(\d+)$/.exec(window.location.hash);
-  if (asked && Number(asked[1]) < stations.length) return stations[Number(asked[1])].azimuth_deg;
+  const asked = askedOf(stations);
+  if (asked !== undefined) return asked;
   const governing = datum.verdict && (datum.checks || []).find((c) => `${c.code} ${c.name}` === datum.verdict.governing);
   if (governing && governing.verdict !== "not_evaluated" && known(governing.azimuth_deg)) return governing.azimuth_deg;
   return extremeStation((s) => (known(s.u) ? Math.abs(s.u) : null)).azimuth_deg;

@@ -75,15 +75,23 @@ function drawNorth(svg, width) {
 function drawPlanScale(svg, width, height, ring) {
   const radius = toLong(datum.tank.radius), perUnit = ring / radius, length = d3.ticks(0, radius, 2)[1], right = width - 14, y = height - 14;
   svg.append("line").attr("class", "zero").attr("x1", right - length * perUnit).attr("x2", right).attr("y1", y).attr("y2", y).style("stroke-width", 3);
-  svg.append("text").attr("x", right).attr("y", y - 7).attr("text-anchor", "end").text(say("identity.diameter", { length: figure(length, 0), unit: kLongUnit, radius: longLength(2 * datum.tank.radius) }));
+  svg.append("text").attr("x", right).attr("y", y - 7).attr("text-anchor", "end").text(say("identity.diameter", { length: figure(length, Math.max(0, -Math.floor(Math.log10(length)))), unit: kLongUnit, radius: longLength(2 * datum.tank.radius) }));
+}
+
+/** On paper, where the inspector signs. */
+function addSignature(section) {
+  const places = [say("common.inspector"), say("common.date"), say("summary.signature")];
+  section.append(make("div", { class: "paper-only signature" }, places.map((name) => make("span", {}, name))));
 }
 
 /** The elevations that the user's own points have. */
 function addSurveyPoints(section) {
   if (surveyPoints.length === 0) return;
   const from = known(datum.north_azimuth_deg) ? say("identity.north") : say("identity.y_of_the_scans_frame");
+  const listed = table([[say("identity.point"), "number"], [say("common.azimuth"), "number"], [say("common.elevation"), "number"], ["\u00b1", "number"], [say("common.out_of_plane"), "number"]],
+    surveyPoints.map((p) => [String(p.number), degrees(p.azimuth_deg, 1), known(p.z) ? longLength(p.z, 4) : say("common.not_seen"),
+      known(p.sigma_z) ? shortLength(2 * p.sigma_z) : "", known(p.u) ? shortLength(p.u) : ""]));
+  listed.firstChild.className = "";  // narrow enough for a phone as it is
   section.append(make("h3", {}, say("identity.survey_points")), make("p", { class: "quiet" }, say("identity.numbered_clockwise_from_settlement_out", { from })),
-    make("div", { class: "survey-points" }, table([[say("identity.point"), "number"], [say("common.azimuth"), "number"], [say("common.elevation"), "number"], ["\u00b1", "number"], [say("common.out_of_plane"), "number"]],
-      surveyPoints.map((p) => [String(p.number), degrees(p.azimuth_deg, 1), known(p.z) ? longLength(p.z, 4) : say("common.not_seen"),
-        known(p.sigma_z) ? shortLength(2 * p.sigma_z) : "", known(p.u) ? shortLength(p.u) : ""]))));
+    make("div", { class: "survey-points" }, listed));
 }

@@ -142,5 +142,5 @@ function addSummary() {
   const notes = datum.notes || [];
   if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(translated(note))))));
   if (kSpoken !== kLanguages.en) section.append(make("p", { class: "quiet" }, say("missing.in_english")));
-  section.append(make("div", { class: "paper-only" }, [say("common.inspector"), say("common.date"), say("summary.signature")].map((name) => make("span", {}, name))));
+  addSignature(section);
 }

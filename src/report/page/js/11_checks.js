@@ -42,7 +42,7 @@ function checkRow(check) {
     cellWith(say("checks.value"), "number", checked(check.value, check), more),
     checked(check.limit, check),
     make("td", { class: `verdict-word ${check.verdict}`, "data-head": say("common.verdict") }, make("span", {}, words(check.verdict))),
-    cellWith(say("checks.rules_source"), "", check.source, typeset(check.citation || "")),
+    cellWith(say("checks.rules_source"), "", say(`source.${check.source}`), typeset(translated(check.citation) || "")),
     typeset(translated(check.note) || "")];
 }
 

@@ -4,10 +4,13 @@ const kTrendUnit = trend ? trend.trend.unit.replace("m/", `${kShortUnit}/`) : ""
 const rateOf = (s) => `${figure(toShort(s.rate), 2 + display.short[2])} \u00b1 ${withUnit(toShort(twice(s.sigma)), 2 + display.short[2], kTrendUnit)}`;
 const dated = (name, date) => (date ? `${name} (${date})` : name);
 
+const fastestOf = (rates) => rates.reduce((best, s) => (Math.abs(s.rate) > Math.abs(best.rate) ? s : best));
+
 function addTrend() {
   const surveys = trend.movements.map((movement) => ({ name: dated(movement.survey, movement.date), movement }));
   const rates = trend.trend.stations.filter((s) => known(s.rate));
   link.describe = (azimuth) => [...describeMovement(azimuth, surveys), ...describeRate(rates, azimuth)];
+  if (rates.length > 0) link.chosen = askedOf(trend.trend.stations) ?? fastestOf(rates).azimuth_deg;
   addMovements(surveys, rates);
   addRates(rates);
   if (trend.limits) addLimitRates(addSection("limits", say("limit_rate.heading")), trend.limits);
@@ -17,7 +20,7 @@ function addTrend() {
 
 function addMovements(surveys, rates) {
   const section = addSection("trend", say("trend.movement_between_surveys")), last = surveys[surveys.length - 1].movement;
-  const fastest = rates.reduce((best, s) => (best === null || Math.abs(s.rate) > Math.abs(best.rate) ? s : best), null);
+  const fastest = rates.length > 0 ? fastestOf(rates) : null;
   const word = hasMovement(last) ? `${last.moved ? say("movement.moved") : say("movement.unmoved")}` : "";
   section.append(make("div", { class: `verdict ${last.moved ? "undecided" : "none"}`, role: "status" },
     word ? make("p", { class: "word" }, word) : null,
@@ -29,6 +32,7 @@ function addMovements(surveys, rates) {
     trend.movements.map((m) => [m.survey, m.date || "\u2013", `${m.matched}`, shortLength(m.max, 2), degrees(m.max_azimuth_deg, 1), shortLength(m.rms, 2),
       shortLength(d3.median(m.stations.filter((s) => known(s.dz)), (s) => s.lod95), 2), `${m.stations.filter((s) => s.significant).length}`]),
     say("trend.a_station_counts_as_moved")));
+  addSignature(section);
   addMovementCharts(section, last, "trend", surveys);
 }
 

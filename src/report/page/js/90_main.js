@@ -21,7 +21,8 @@ function addFooter() {
 }
 
 window.addEventListener("hashchange", () => {
-  if (window.location.hash.startsWith("#station=") && datum) link.choose(firstAzimuth());
+  const asked = askedOf(trend ? trend.trend.stations : stations);
+  if (asked !== undefined) link.choose(asked);
 });
 
 addHeading();
