@@ -44,8 +44,8 @@ struct BandPoints {
 BandPoints bandPointsOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level);
 
 /// The slope that range noise feigns: it moves points along their rays, in distance and height together, and so draws a
-/// band's slope to that of the rays where the points are denser in its middle than at its ends. The mean displacement of
-/// points at a distance is minus the noise's variance times the logarithmic derivative of their density (Tweedie's
+/// band's slope to that of the rays where the points are denser in its middle than at its ends. The mean displacement
+/// of points at a distance is minus the noise's variance times the logarithmic derivative of their density (Tweedie's
 /// formula); the slope is its regression.
 /// @param noise    of the distance from the shell [m]
 /// @param scatter  of heights about the surface, the most that the noise moves them by [m]
