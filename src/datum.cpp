@@ -1,6 +1,5 @@
 #include "tank_datum/datum.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -201,8 +200,7 @@ Datum extractPicked(const std::vector<Tank>& tanks, const Scan& scan, const Datu
 Scan levelled(const Scan& scan, const Datum& datum) {
   const Eigen::Vector2d& center = datum.tank.circle.center;
   const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(datum.lean.axis(), Eigen::Vector3d::UnitZ());
-  return scan.turnedAbout(foot + datum.origin, turn.toRotationMatrix());
+  return scan.turnedAbout(foot + datum.origin, uprightTurn(datum.lean));
 }
 
 }  // namespace

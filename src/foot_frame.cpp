@@ -43,6 +43,10 @@ DatumOptions inUnits(DatumOptions options, double unit) {
   return options;
 }
 
+Eigen::Matrix3d uprightTurn(const ShellLean& lean) {
+  return Eigen::Quaterniond::FromTwoVectors(lean.axis(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
 FootFrame::FootFrame(const Tank& tank, const ShellLean& lean) : unit_(footUnit(tank.circle.radius, tank.resolution)) {
   constexpr double kUpright =
       0.0044;                    // a quarter of a degree: up to there the stages follow the shell's own line [m/m]
@@ -52,7 +56,7 @@ FootFrame::FootFrame(const Tank& tank, const ShellLean& lean) : unit_(footUnit(t
   if (!lean.known() || lean.slope.norm() < std::max(kUpright, kSure * lean.sigma)) return;
   turned_ = true;
   slope_ = lean.slope;
-  turn_ = Eigen::Quaterniond::FromTwoVectors(lean.axis(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  turn_ = uprightTurn(lean);
 }
 
 Ring FootFrame::into(Ring ring) const {

@@ -10,6 +10,9 @@ namespace tank_datum {
 /// Lengths of a shell survey and of the crop in multiples of a footUnit [m].
 DatumOptions inUnits(DatumOptions options, double unit);
 
+/// The turn that puts a shell that leans so upright.
+Eigen::Matrix3d uprightTurn(const ShellLean& lean);
+
 /// What the stages at the foot give.
 struct FootResult {
   Points edge_points;  ///< in order round the tank

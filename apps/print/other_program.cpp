@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -68,11 +69,12 @@ std::string findProgram(const std::string& name) {
 }
 
 bool endsWell(std::vector<std::string> words, const Profile& profile, std::chrono::seconds within) {
-  const pid_t child = start(std::move(words), profile.path());
-  const results::OnStop on_stop([&profile, child] {
+  std::atomic<pid_t> child = 0;
+  const results::OnStop on_stop([&profile, &child] {  // before the program runs: a signal may come as soon as it does
     if (child > 0) kill(-child, SIGKILL);
     profile.remove();
   });
+  child = start(std::move(words), profile.path());
   return child > 0 && endedWell(child, within);
 }
 

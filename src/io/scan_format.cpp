@@ -36,6 +36,14 @@ bool isCompressedLas(std::string_view head) {
 
 bool isControl(char c) { return c >= '\0' && c < ' ' && c != '\t' && c != '\r' && c != '\n' && c != '\f'; }
 
+/// Whether a line ends in CR alone, as of old Macintoshes and of spreadsheets that still write so.
+bool hasBareCarriageReturn(std::string_view head) {
+  for (std::size_t i = 0; i + 1 < head.size(); ++i) {
+    if (head[i] == '\r' && head[i + 1] != '\n' && head[i + 1] != '\r') return true;
+  }
+  return false;
+}
+
 /// Whether the columns of a header line are named, the first of them too: "height easting northing".
 bool namesColumnsFromTheFirst(std::string_view line) {
   const auto columns = columnsNamed(line, separatorOf(line));
@@ -83,6 +91,10 @@ ScanFormat formatOf(const InputFile& file) {
   }
   if (std::any_of(head.begin(), head.end(), isControl)) {
     throw fileError("format", file.path(), "\"" + echo(head.substr(0, 12)) + "\"", kKnownFormats);
+  }
+  if (hasBareCarriageReturn(head)) {
+    throw fileError("format", file.path(), "lines that end in CR alone",
+                    "lines that end in LF or CR LF: tr '\\r' '\\n' < FILE");
   }
   return ScanFormat::Text;
 }

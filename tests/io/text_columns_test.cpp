@@ -128,6 +128,13 @@ TEST(TextColumns, BytesThatAreNoText) {
   expectRefusal("ASTM-E57\n1 2 3\n", "E57, expected PCD");
 }
 
+TEST(TextColumns, LinesThatEndInCarriageReturnsAloneAreRefused) {
+  expectRefusal("x y z\r1 2 3\r4 5 6\r",
+                "lines that end in CR alone, expected lines that end in LF or CR LF: tr '\\r' '\\n' < FILE");
+  expectRefusal("x y z\n1 2 3\r4 5 6\r", "lines that end in CR alone");
+  expectTwo("1.5 -2.5 3.25\r\r\n4e2 5.125 0.006\r");
+}
+
 TEST(TextColumns, ATextThatBeginsLikePcdIsOne) {
   expectRefusal("VERSION 0.7\nx y z\n", "header line 2 of ");
   expectRefusal("# .PCD v0.7\nVERSIO 0.7\n1 2 3\n", "header line 2 of ");

@@ -14,6 +14,7 @@ import pytest
 
 from programs import executable
 from test_report_paper import to_pdf
+from test_stopped import default_signals
 
 SLOW = """#!/bin/sh
 for word in "$@"; do
@@ -57,6 +58,7 @@ def printing(result: Path, folder: Path) -> Iterator[tuple[subprocess.Popen[str]
         env=environment,
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=default_signals,
     ) as program:
 
         def started() -> set[Path]:
