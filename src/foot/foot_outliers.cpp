@@ -55,10 +55,10 @@ std::vector<bool> findSupport(const Foot& foot, const FootPass& pass) {
   return supported;
 }
 
-/// Whether a surface falls outwards or rises as no foundation does at its shell: a bank.
-bool isSteep(const FootFit& fit) {
+/// Whether a surface falls outwards or rises as no foundation does at its shell, here or all round: a bank.
+bool isSteep(const FootFit& fit, const FootPriors& priors) {
   constexpr double kSteepest = 0.15;  // shoulders fall more steeply, but not at the shell [m/m]
-  return std::abs(fit.slope) > kSteepest + 3.0 * fit.sigma_slope;
+  return std::abs(fit.slope) > kSteepest + 3.0 * fit.sigma_slope || std::abs(priors.seen) > kSteepest;
 }
 
 /// isGrazed() of what a station's window shows.
@@ -99,7 +99,7 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
     } else {
       before[i] = goesOnBelow(foot, i, fit);
       const bool same = isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
-      const bool soil = isSteep(fit) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass);
+      const bool soil = isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass);
       if (before[i] || !same || soil) reasons[i] = Unmeasured::OtherSurface;
     }
   });

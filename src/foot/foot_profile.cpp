@@ -64,16 +64,17 @@ Surface surfaceEndingAt(const FootProfile& profile, std::size_t last, const Line
 }
 
 /// An annular plate lies on the ringwall, so its slope is that of the ringwall's top beyond it, where neither the shell
-/// nor the plate's own edge blends into the points; level where no ringwall is seen, or what is seen is a bank.
+/// nor the plate's own edge blends into the points; level where no ringwall is seen, or its face alone.
 double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach) {
   constexpr double kThickest = 0.03;  // annular plate [m]
+  constexpr double kFace = 0.5;       // what is steeper is the upright face of something [m/m]
   const std::size_t first = plate_end + 1 + static_cast<std::size_t>(std::ceil(2.0 * profile.blur / profile.bin));
   if (first >= profile.height.size()) return 0.0;
   const std::size_t last = lastBeforeStep(profile, first);
   if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
   const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
   const double slope = robustLine(profile, first, last).slope;
-  return drop > 0.0 && drop < kThickest && std::abs(slope) < kSteepestLip ? slope : 0.0;
+  return drop > 0.0 && drop < kThickest && std::abs(slope) < kFace ? slope : 0.0;
 }
 
 struct Plateau {

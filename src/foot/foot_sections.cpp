@@ -48,7 +48,7 @@ FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members,
 /// Whether a section of an arc shows the surface that the whole ring's does: not a heap that lies on it, nor what lies
 /// behind it where the arc has too few points on it.
 bool isAlike(const FootProfile& arc, const FootProfile& whole, double reach) {
-  constexpr double kWider = 1.5;  // than the whole ring's lip: its edge is not seen there, not gone
+  constexpr double kWider = 1.5;   // than the whole ring's lip: its edge is not seen there, not gone
   constexpr double kSlope = 0.08;  // of lips, which lean more than wide surfaces do [m/m]
   constexpr double kNoise = 2.5;
   constexpr double kLevel = 0.004;  // of the reach

@@ -91,6 +91,8 @@ TEST(FindOutliers, WhatFallsFromTheShellByMoreThanThreeInTwentyIsNoFoundation) {
     for (FootFit& fit : pass.fits) fit.slope = slope, fit.sigma_slope = 0.0001;
     return reasonAt50(made.foot(), pass);
   };
+  EXPECT_EQ(reasonOfSlope(0.0, -0.145), Unmeasured::None);
+  EXPECT_EQ(reasonOfSlope(0.0, -0.155), Unmeasured::OtherSurface);  // told of the ring, and not believed of a lip
   EXPECT_EQ(reason(-0.145), Unmeasured::None);
   EXPECT_EQ(reason(-0.155), Unmeasured::OtherSurface);
 }

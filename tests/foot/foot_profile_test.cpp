@@ -99,12 +99,13 @@ TEST(StackProfile, ThePlateHasTheSlopeOfTheRingwallBelowIt) {
   EXPECT_EQ(Foot(soil).profile().slope, 0.0);
 }
 
-TEST(StackProfile, WhatFallsByMoreThanOneInTenBeyondThePlateDoesNotCarryIt) {
+TEST(StackProfile, WhatFallsByMoreThanOneInTwoBeyondThePlateIsAFace) {
   const auto beyond = [](double slope) {
-    return Foot([=](double d) { return d < 0.065 ? 0.0 : -0.002 + slope * (d - 0.065); }).profile().slope_beyond;
+    const auto section = [=](double d) { return d < 0.065 ? 0.0 : d < 0.165 ? 0.001 + slope * (d - 0.065) : -0.3; };
+    return Foot(section).profile().slope_beyond;
   };
-  EXPECT_NEAR(beyond(-0.09), -0.09, 0.005);
-  EXPECT_EQ(beyond(-0.11), 0.0);
+  EXPECT_NEAR(beyond(-0.45), -0.45, 0.03);
+  EXPECT_EQ(beyond(-0.53), 0.0);
 }
 
 TEST(StackProfile, ThePlateMayEndBelowAHigherThing) {
