@@ -221,7 +221,7 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   if (blocks) {
     text += line("elevation", "%s from station 0 round", sparkline(datum.stations, kSparklineColumns).c_str());
   }
-  const std::string lean = leanText(datum, {});
+  const std::string lean = leanText(datum, provenance.options.stations);
   if (!lean.empty()) text += line("lean", "%s", lean.c_str());
   return text + methodLines(datum, display) + tiltLine(datum, display) +
          localLine(datum.analysis.local_settlements, display) + antipodalLine(datum.antipodal, display) +

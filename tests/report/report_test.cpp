@@ -119,6 +119,15 @@ TEST(Summary, DrawsTheElevationsWhereBlocksShow) {
             std::string::npos);  // not cut by the line's buffer
 }
 
+TEST(Summary, ALeanIsTowardsAnAzimuthOfTheStations) {
+  Datum leaning = octagon();
+  leaning.lean.slope = {0.0, 0.01}, leaning.lean.sigma = 1e-5;
+  EXPECT_NE(summary(leaning).find("towards 90 deg"), std::string::npos);
+  Provenance clockwise;
+  clockwise.options.stations.clockwise = true;
+  EXPECT_NE(summary(leaning, clockwise).find("towards 270 deg"), std::string::npos);
+}
+
 TEST(Summary, OfNothingUsableSaysWhy) {
   Datum none;
   none.status = Status::NoTank;
