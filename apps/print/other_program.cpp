@@ -1,8 +1,6 @@
 #include "print/other_program.h"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,13 +28,8 @@ pid_t start(std::vector<std::string> words, const std::string& temporary) {
   if (child > 0) setpgid(child, child);  // the child does so too: whoever comes first
   if (child != 0) return child;
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
+  results::settleChild();
   setenv("TMPDIR", temporary.c_str(), 1);
-  const int nothing = open("/dev/null", O_RDWR);
-  for (const int stream : {0, 1, 2}) dup2(nothing, stream);
   execv(arguments.front(), arguments.data());
   _exit(127);
 }

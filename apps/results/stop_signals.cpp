@@ -1,7 +1,10 @@
 #include "results/stop_signals.h"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <cstring>
@@ -86,6 +89,15 @@ OnStop::~OnStop() {
 }
 
 NoStop::NoStop() : held_(shared().busy) {}
+
+void settleChild() {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int nothing = open("/dev/null", O_RDWR);
+  for (const int stream : {0, 1, 2}) dup2(nothing, stream);
+}
 
 SignalsWait::SignalsWait() : held_(endingSignals()) {
   came_meanwhile = 0;

@@ -15,6 +15,10 @@ void stopCleanly(const std::string& program);
 /// Cleans up, says so on stderr and ends the process by a signal, for a program that hears of its signals otherwise.
 [[noreturn]] void stopBy(int signal_number, const std::string& program);
 
+/// What a child process does before it becomes another program: it ends with its parent, hears its signals, and neither
+/// reads nor says anything.
+void settleChild();
+
 /// Cleans up what a process leaves that is about to end at once.
 void cleanUpForGood();
 

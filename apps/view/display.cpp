@@ -3,24 +3,20 @@
 #include <X11/Xlib.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <string>
 
+#include "results/stop_signals.h"
+
 namespace tank_datum::view {
 namespace {
 
 /// Becomes Xvfb, which writes its number into a pipe. It ends with the process that asks.
 [[noreturn]] void serve(int number) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  const int nothing = open("/dev/null", O_RDWR);
-  for (const int stream : {0, 1, 2}) dup2(nothing, stream);
+  results::settleChild();
   const std::string pipe = std::to_string(number);
   execlp("Xvfb", "Xvfb", "-displayfd", pipe.c_str(), "-nolisten", "tcp", "-screen", "0", "1280x800x24", nullptr);
   _exit(127);

@@ -64,6 +64,7 @@ bool isSteep(const FootFit& fit, const FootPriors& priors) {
 /// isGrazed() of what a station's window shows.
 bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   const FootFit& fit = pass.fits[station];
+  if (!risesOutwards(fit)) return false;  // which spares gathering the points
   const auto points = foot.ring.around(foot.directions[station], fit.half_width, fit.z, foot.reach);
   return isGrazed(points, pass.sections.at(station), fit, foot.reach);
 }
@@ -98,9 +99,10 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
       reasons[i] = Unmeasured::Hidden;
     } else {
       before[i] = goesOnBelow(foot, i, fit);
-      const bool same = isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
-      const bool soil = isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass);
-      if (before[i] || !same || soil) reasons[i] = Unmeasured::OtherSurface;
+      const bool other = before[i] || isSteep(fit, pass.priors) ||
+                         !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i)) ||
+                         isGrazedAt(foot, i, pass) || isHeap(foot, i, pass);
+      if (other) reasons[i] = Unmeasured::OtherSurface;
     }
   });
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);

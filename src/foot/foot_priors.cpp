@@ -24,7 +24,7 @@ constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looke
 struct Slopes {
   std::size_t stride;
   std::vector<FootFit> fits;
-  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation
+  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation; 0 where not looked at
   std::vector<BandPoints> bands;
 };
 
@@ -33,6 +33,7 @@ struct SlopeWindows {
   std::size_t count;
   double half;         ///< of a window [rad]
   double sigma_slope;  ///< [m/m]
+  bool beams;          ///< whether it is looked at how beams slant, and how points lie across the band
 };
 
 Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
@@ -53,6 +54,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
     const double level = elevations.filled[i];
     const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
     slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, profile.slope, prior);
+    if (!windows.beams) return;
     slopes.steepness[k] = steepnessOf(points, profile, level + profile.offset, foot.reach);
     slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
   });
@@ -63,7 +65,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
 void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
-  const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope}, priors.sigma_bend);
+  const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope, false}, priors.sigma_bend);
   std::vector<double> azimuths, slopes, weights;
   for (std::size_t k = 0; k < found.fits.size(); ++k) {
     if (!found.fits[k].valid()) continue;
@@ -136,16 +138,14 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
                     double sigma_bend) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
   constexpr double kAnySlope = 0.5;  // of a window, which is to say what its own points do [m/m]
-  const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kAnySlope}, sigma_bend);
+  const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kAnySlope, true}, sigma_bend);
+  if (std::none_of(found.fits.begin(), found.fits.end(), [](const FootFit& fit) { return fit.valid(); })) return {};
   LipSlopes lips;
-  bool any = false;
   for (const FootFit& fit : found.fits) {
     lips.series.push_back({kUnknown, kUnknown, 1.0});
     if (!fit.valid()) continue;
-    any = true;
     lips.series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
   }
-  if (!any) return {};
   doubtStray(lips.series);
   addCommonSigma(lips.series);
   for (std::size_t k = 0; k < lips.series.size(); ++k) {

@@ -73,8 +73,9 @@ double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double rea
   const std::size_t last = lastBeforeStep(profile, first);
   if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
   const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
+  if (!(drop > 0.0 && drop < kThickest)) return 0.0;
   const double slope = robustLine(profile, first, last).slope;
-  return drop > 0.0 && drop < kThickest && std::abs(slope) < kFace ? slope : 0.0;
+  return std::abs(slope) < kFace ? slope : 0.0;
 }
 
 struct Plateau {

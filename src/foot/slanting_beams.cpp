@@ -9,35 +9,47 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kFewestOnShell = 20.0;  // points, to tell how steeply it is seen
+constexpr double kFewestOnShell = 20.0;             // points, to tell how steeply it is seen
+constexpr double kShellFrom = 0.1, kShellTo = 0.5;  // of the reach above the foot: the shell that is looked at
+
+bool isOnShell(const FootPoint& p, const FootProfile& profile, double level, double reach) {
+  const double above = p.z - level;
+  return std::abs(p.d) <= profile.blur && above >= kShellFrom * reach && above <= kShellTo * reach;
+}
+
+/// How steeply a surface is seen that has so many points a metre outwards, beside so many on the shell.
+double steepnessBy(double points_a_metre, double on_shell, double reach) {
+  return points_a_metre * (kShellTo * reach - kShellFrom * reach) / on_shell;
+}
 
 }  // namespace
 
 double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
-  const double within = heightTolerance(profile), from = 0.1 * reach, to = 0.5 * reach;
+  const double within = heightTolerance(profile);
   double lip = 0, shell = 0;
   for (const FootPoint& p : points) {
-    const double above = p.z - level;
-    if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(above) <= within) ++lip;
-    if (std::abs(p.d) <= profile.blur && above >= from && above <= to) ++shell;
+    if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(p.z - level) <= within) ++lip;
+    if (isOnShell(p, profile, level, reach)) ++shell;
   }
   if (shell < kFewestOnShell) return 0.0;  // not known: as if it grazed
-  return lip / (profile.band_to - profile.band_from) * (to - from) / shell;
+  return steepnessBy(lip / (profile.band_to - profile.band_from), shell, reach);
 }
+
+bool risesOutwards(const FootFit& fit) { return fit.slope > 3.0 * fit.sigma_slope; }
 
 bool isGrazed(const std::vector<FootPoint>& points, const FootProfile& profile, const FootFit& fit, double reach) {
   constexpr double kAlong = 0.25;     // of the beams' slope; lips rise by a tenth of it at most
   constexpr double kRising = 0.25;    // of it: what lies farther out is seen from the shell's foot at such an angle
   constexpr std::size_t kFewest = 4;  // points of a bin
-  const double width = reach / 30.0, from = 0.1 * reach, to = 0.5 * reach;
-  if (!(fit.slope > 3.0 * fit.sigma_slope)) return false;
-  std::vector<std::vector<double>> bins(30);
+  constexpr double kBins = 30.0;      // of the reach
+  if (!risesOutwards(fit)) return false;
+  const double width = reach / kBins;
+  std::vector<std::vector<double>> bins(static_cast<std::size_t>(kBins));
   double shell = 0;
   for (const FootPoint& p : points) {
-    const double above = p.z - fit.z;
-    if (std::abs(p.d) <= profile.blur && above >= from && above <= to) ++shell;
+    if (isOnShell(p, profile, fit.z, reach)) ++shell;
     if (p.d <= profile.edge || p.d >= reach) continue;
-    bins[static_cast<std::size_t>(p.d / reach * 30.0)].push_back(above);
+    bins[static_cast<std::size_t>(p.d / reach * kBins)].push_back(p.z - fit.z);
   }
   std::vector<double> counts;
   double sight = 0;
@@ -47,7 +59,7 @@ bool isGrazed(const std::vector<FootPoint>& points, const FootProfile& profile, 
     if (bins[i].size() >= kFewest) sight = std::max(sight, median(bins[i]) / (width * (static_cast<double>(i) + 0.5)));
   }
   if (counts.empty() || shell < kFewestOnShell) return false;
-  const double beams = median(counts) / width * (to - from) / shell;
+  const double beams = steepnessBy(median(counts) / width, shell, reach);
   return fit.slope > kAlong * beams && sight > kRising * beams;
 }
 

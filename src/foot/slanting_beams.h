@@ -25,6 +25,9 @@ double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& prof
 /// @return [m/m]
 double beamLean(double steepness, double lip);
 
+/// Whether a surface rises outwards by more than its error explains; no other can be grazed.
+bool risesOutwards(const FootFit& fit);
+
 /// Whether a surface is none but the line along which beams that graze an edge farther out reach the shell, with points
 /// between the two by beams that meet both: it rises outwards at a good part of the beams' own slope, towards something
 /// higher. A surface that rises so would hardly be seen.

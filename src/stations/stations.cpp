@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ring_runs.h"
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
@@ -62,13 +63,16 @@ std::vector<Station> emptyStations(const StationOptions& options) {
 std::vector<StationFlag> flagsOf(const std::vector<bool>& supported, const StationOptions& options) {
   const std::size_t count = supported.size();
   std::vector<StationFlag> flags;
-  for (const bool here : supported) flags.push_back(here ? StationFlag::Measured : StationFlag::Missing);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!supported[i] || supported[(i + 1) % count]) continue;  // i is the last one before a gap
-    std::size_t gap = 1;
-    while (gap < count && !supported[(i + 1 + gap) % count]) ++gap;
-    if (static_cast<double>(gap) * kTwoPi / static_cast<double>(count) > options.longest_bridge + 1e-12) continue;
-    for (std::size_t j = 1; j <= gap; ++j) flags[(i + j) % count] = StationFlag::Interpolated;
+  std::vector<char> missing;
+  for (const bool here : supported) {
+    flags.push_back(here ? StationFlag::Measured : StationFlag::Missing);
+    missing.push_back(here ? 0 : 1);
+  }
+  for (const RingRun& gap : runsRound(missing)) {
+    const std::size_t length = gap.last - gap.first + 1;
+    if (length == count) continue;  // nothing to bridge from
+    if (static_cast<double>(length) * kTwoPi / static_cast<double>(count) > options.longest_bridge + 1e-12) continue;
+    for (std::size_t i = gap.first; i <= gap.last; ++i) flags[i % count] = StationFlag::Interpolated;
   }
   return flags;
 }
