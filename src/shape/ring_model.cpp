@@ -1,5 +1,6 @@
 #include "shape/ring_model.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -119,20 +120,21 @@ double RingModel::differencesScale() const {
   return robustSigma(differences, 0.0);
 }
 
-/// What all unknowns, or the first so many, leave of the stations when they are free, over their sigmas.
-Eigen::VectorXd RingModel::leftOf(Eigen::Index used) const {
-  Eigen::MatrixXd normal = normal_.topLeftCorner(used, used);
-  normal.diagonal() *= 1.0 + kRidge;
-  const Eigen::VectorXd solution = normal.llt().solve(rhs_.head(used));
-  return (data_.z - design_.leftCols(used) * solution).cwiseQuotient(data_.sigmas);
+/// What all unknowns, or the first so many, leave of the stations when they are free, over their sigmas. Pivoted: a gap
+/// leaves some sums of waves, and shapes within it, without any station.
+RingModel::Left RingModel::leftOf(Eigen::Index used) const {
+  const Eigen::VectorXd weights = data_.sigmas.cwiseInverse(), z = weights.cwiseProduct(data_.z);
+  const Eigen::MatrixXd design = weights.asDiagonal() * design_.leftCols(used);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(design);
+  return {z - design * decomposition.solve(z), static_cast<double>(data_.count() - decomposition.rank())};
 }
 
 /// The same of many stations by the median, which a few that stand out hardly move; given sigmas are the least.
 double RingModel::robustScale2() const {
-  const Eigen::VectorXd left = leftOf(normal_.rows());
-  const double scale = robustSigma(std::vector<double>(left.begin(), left.end()), 0.0);
-  const double freedom = static_cast<double>(data_.count() - normal_.rows()) / static_cast<double>(data_.count());
-  return std::max(data_.sigmas_known ? 1.0 : kLeastScale2, scale * scale / freedom);
+  const Left left = leftOf(normal_.rows());
+  const double scale = robustSigma(std::vector<double>(left.residuals.begin(), left.residuals.end()), 0.0);
+  const double part = std::max(1.0, left.freedom) / static_cast<double>(data_.count());
+  return std::max(data_.sigmas_known ? 1.0 : kLeastScale2, scale * scale / part);
 }
 
 /// Variance of the stations' own errors over sigmas^2: what the waves, all free, leave of many stations, or third
@@ -141,9 +143,9 @@ double RingModel::ownScale2() {
   constexpr double kSharp = 2.0;
   const bool many = dense();
   if (!many && data_.sigmas_known) return 1.0;
-  const Eigen::Index used = many ? normal_.rows() : 3;
-  noise_.freedom = static_cast<double>(data_.count() - used);
-  double scale = std::sqrt(leftOf(used).squaredNorm() / noise_.freedom);
+  const Left left = leftOf(many ? normal_.rows() : 3);
+  noise_.freedom = std::max(1.0, left.freedom);
+  double scale = std::sqrt(left.residuals.squaredNorm() / noise_.freedom);
   const double differences = many ? differencesScale() : scale;
   if (kSharp * differences < scale) scale = differences;
   return std::max(kLeastScale2, scale * scale);

@@ -60,7 +60,7 @@ class RingModel {
   struct Simulated {
     Eigen::MatrixXd truth;     ///< [coefficients x draws]
     Eigen::MatrixXd estimate;  ///< [coefficients x draws]
-    Eigen::MatrixXd survey;    ///< [stations x draws] elevations [m]; of more than 64 stations empty
+    Eigen::MatrixXd survey;    ///< [stations x draws] elevations [m]
   };
   Simulated simulate(int draws, std::uint64_t seed) const;
 
@@ -77,7 +77,11 @@ class RingModel {
   std::vector<LocalShape> standingShapes();
   void setUp(const std::vector<LocalShape>& shapes);
   double estimatePriors(double scale2);
-  Eigen::VectorXd leftOf(Eigen::Index used) const;
+  struct Left {
+    Eigen::VectorXd residuals;  ///< over their sigmas
+    double freedom;             ///< stations less what of the unknowns they tell apart
+  };
+  Left leftOf(Eigen::Index used) const;
   double robustScale2() const;
   double ownScale2();
   double differencesScale() const;

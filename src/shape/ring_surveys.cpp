@@ -134,22 +134,13 @@ RingModel::Simulated RingModel::simulate(int draws, std::uint64_t seed) const {
   seen.topRows(datum) = truth;
   seen.topRows(waves) += errors_.cwiseSqrt().asDiagonal() * drawn(normal, waves, draws);
   seen.bottomRows(all - datum) = drawn(normal, all - datum, draws);
-  const double scale2 = noise_.scale * noise_.scale;
-  Eigen::MatrixXd sums = product(normal_, seen) / scale2;  // of the survey, as the solution takes them
+  const Eigen::MatrixXd own_errors =
+      (noise_.scale * data_.sigmas).asDiagonal() * drawn(normal, data_.count(), draws) * widths.asDiagonal();
   Simulated result;
-  if (dense()) {
-    Eigen::MatrixXd sums_covariance = normal_;
-    sums_covariance.diagonal() *= 1.0 + kRidge;
-    const Eigen::MatrixXd root = sums_covariance.llt().matrixL();
-    sums += product(root, drawn(normal, all, draws)) * widths.asDiagonal() / noise_.scale;
-  } else {
-    const Eigen::MatrixXd own_errors =
-        (noise_.scale * data_.sigmas).asDiagonal() * drawn(normal, data_.count(), draws) * widths.asDiagonal();
-    result.survey = product(design_, seen) + own_errors;
-    const Eigen::VectorXd weights = data_.sigmas.array().square().inverse();
-    sums = product((weights.asDiagonal() * design_).transpose(), result.survey) / scale2;
-    result.survey.colwise() += harmonicRows(data_.azimuths, 1) * plane_;
-  }
+  result.survey = product(design_, seen) + own_errors;
+  const Eigen::VectorXd weights = (noise_.scale * data_.sigmas).array().square().inverse();
+  const Eigen::MatrixXd sums = product((weights.asDiagonal() * design_).transpose(), result.survey);
+  result.survey.colwise() += harmonicRows(data_.azimuths, 1) * plane_;
   const Eigen::MatrixXd solved = posterior_.solve(sums).topRows(datum);
   result.estimate = withWavesOfShapes(shares.asDiagonal() * solved);
   result.truth = withWavesOfShapes(truth);

@@ -71,6 +71,22 @@ std::vector<double> withGap(std::size_t count, std::size_t missing) {
   return z;
 }
 
+TEST(RingModel, AShapeBesideAGapThatNoStationShowsLeavesErrorsAndDrawsAsTheyAre) {
+  // a sharp step at a gap of 15 degrees: parts of the shapes that describe it lie wholly within the gap
+  for (const int sign : {1, -1}) {
+    auto z = noisy(wave(360, [](double) { return 10.0; }), 1e-4, 11);
+    const auto at = [&](int k) -> double& { return z[static_cast<std::size_t>((360 + sign * k) % 360)]; };
+    for (int k = 0; k < 15; ++k) at(160 + k) = kUnknown;
+    for (int k = 0; k < 12; ++k) at(159 - k) -= 0.004 * (12 - k) / 12.0;
+    const RingModel model = modelOf(z, 1e-4, 6.0);
+    EXPECT_LT(model.noise().scale, 2.0);
+    const RingModel::Simulated draws = model.simulate(100, 5);
+    const Eigen::MatrixXd errors =
+        RingModel::product(model.rowsAt(model.data().azimuths), draws.estimate - draws.truth);
+    EXPECT_LT(errors.cwiseAbs().maxCoeff(), 2e-3) << "sign " << sign;
+  }
+}
+
 TEST(HasTiltingGap, OfMoreThanSixDegreesAndTwoAndAHalfUsualSpacings) {
   EXPECT_FALSE(hasTiltingGap(survey(withGap(360, 4), 30.0)));
   EXPECT_TRUE(hasTiltingGap(survey(withGap(360, 7), 30.0)));
