@@ -46,13 +46,10 @@ std::vector<std::size_t> pointsPerStation(const Foot& foot, const FootPass& pass
   const std::size_t count = pass.fits.size();
   std::vector<HalfCounts> halves(count);
   forEachIndex(count, 0, [&](std::size_t i) { halves[i] = countHalves(foot, pass, i); });
-  const bool clockwise = std::remainder(foot.directions[1] - foot.directions[0], kTwoPi) < 0.0;
   std::vector<std::size_t> counts;
   for (std::size_t i = 0; i < count; ++i) {
     const HalfCounts& own = halves[i];
-    const std::size_t before = (i + count - 1) % count, after = (i + 1) % count;
-    const std::size_t left = halves[clockwise ? after : before].both(),
-                      right = halves[clockwise ? before : after].both();
+    const std::size_t left = halves[(i + count - 1) % count].both(), right = halves[(i + 1) % count].both();
     const bool ends = own.both() >= kMany && ((own.left == 0 && left == 0) || (own.right == 0 && right == 0));
     counts.push_back(ends ? 0 : own.both());
   }
@@ -96,8 +93,7 @@ FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const Stretch& s
   const std::size_t at = stretch.middle();
   const FootProfile& profile = pass.sections.at(at);
   // of an even number of stations the middle one stands half a step beside the middle
-  const double step = std::remainder(foot.directions[1] - foot.directions[0], kTwoPi);
-  const double beside = stretch.count % 2 == 0 ? 0.5 * step : 0.0;
+  const double beside = stretch.count % 2 == 0 ? foot.half_step : 0.0;
   const double half = static_cast<double>(stretch.count) * foot.half_step, z = pass.fits[at].z;
   std::vector<FootPoint> points = foot.ring.around(foot.directions[at] - beside, half, z, foot.reach);
   for (FootPoint& p : points) p.t -= beside * foot.radius;

@@ -20,7 +20,7 @@ struct Foot {
   double reach;                                ///< of the ring [m]
   double half_step;                            ///< half the angle between stations [rad]
   double radius;                               ///< of the shell, roughly [m]
-  std::vector<double> directions;              ///< [rad]
+  std::vector<double> directions;              ///< counter-clockwise at equal steps [rad]
   std::vector<std::vector<FootPoint>> points;  ///< of each station's own stretch
   std::vector<bool> shell_seen;                ///< whether the shell is seen at the station itself
 };

@@ -17,16 +17,22 @@
 #include "foot/shell_line.h"
 #include "foot/station_section.h"
 #include "stations/highest_wave.h"
+#include "stations/ring_series.h"
 #include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
 
-/// As many times the stations asked for as follow the shell's lobes.
-StationOptions followingLobes(StationOptions options) {
+/// The stations that the foot is fitted at: those asked for, and between them as many as follow the shell's lobes. They
+/// run counter-clockwise from +x on, so that the way stations are counted moves no result.
+StationOptions fittedStations(StationOptions options) {
   constexpr int kLeastStations = 360;
+  constexpr double kRounding = 1e-9;  // of a step
   options.count *= std::max(1, (kLeastStations + options.count - 1) / options.count);
+  const double step = kTwoPi / options.count;
+  options.zero_azimuth -= step * std::floor(options.zero_azimuth / step + kRounding);
+  options.clockwise = false;
   return options;
 }
 
@@ -43,7 +49,7 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
   const double side = tank.side == Side::Outside ? 1.0 : -1.0;
   const double weld = std::min(options.largest_weld, 0.05 * reach);
   const FootScales scales{std::min(options.widest_band, reach), shell.noise(), weld};
-  Foot foot{FootRing(polar, modelShell(shell.lines, station_options), side, reach),
+  Foot foot{FootRing(polar, ShellModel(shell.lines, station_options.zero_azimuth), side, reach),
             options,
             scales,
             reach,
@@ -176,11 +182,15 @@ std::vector<StationDatum> withGapsBridged(std::vector<StationDatum> stations, co
   return stations;
 }
 
-/// Every n-th from the first on.
+/// What belongs to the stations asked for, in their order, of what belongs to the fitted ones; of nothing, nothing.
 template <typename T>
-std::vector<T> everyNth(const std::vector<T>& all, int n) {
+std::vector<T> asAsked(const std::vector<T>& all, const StationOptions& fitted, const StationOptions& asked) {
   std::vector<T> some;
-  for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(n)) some.push_back(all[i]);
+  if (all.empty()) return some;
+  for (const Station& s : emptyStations(asked)) {
+    const double turns = turnAhead(fitted.zero_azimuth, s.direction) / kTwoPi;
+    some.push_back(all[static_cast<std::size_t>(std::lround(turns * fitted.count)) % all.size()]);
+  }
   return some;
 }
 
@@ -188,13 +198,13 @@ std::vector<T> everyNth(const std::vector<T>& all, int n) {
 
 RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptions& options,
                            const StationOptions& asked) {
-  const StationOptions station_options = followingLobes(asked);
+  const StationOptions fitted = fittedStations(asked);
   RefinedFoot found;
   found.refined.circle = tank.circle;
   const PolarRing polar(ring.points, tank.circle.center);
-  const ShellFits shell = fitShellLines(directionsOf(station_options), polar, tank, ring.reach);
+  const ShellFits shell = fitShellLines(directionsOf(fitted), polar, tank, ring.reach);
   if (!(shell.noise() > 0.0)) return found;  // no shell line anywhere
-  const Foot foot = lookAtFoot(polar, shell, tank, options, station_options);
+  const Foot foot = lookAtFoot(polar, shell, tank, options, fitted);
   FootElevations elevations = whereShellIsSeen(firstElevations(foot, tank), foot);
   const FootPass pass = runPasses(foot, elevations);
   found.refined.profile = pass.sections.whole;
@@ -207,10 +217,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const auto stations =
       withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center), pass.outliers);
   const double sigma_bend = kHighestWave / tank.circle.radius;
-  const int every = station_options.count / asked.count;
-  found.stations =
-      everyNth(withGapsBridged(stations, levels.process, round.circle, sigma_bend, station_options), every);
-  found.refined.sections = everyNth(profilesOf(foot, elevations, levels.fits, shell.lines, band), every);
+  found.stations = asAsked(withGapsBridged(stations, levels.process, round.circle, sigma_bend, fitted), fitted, asked);
+  found.refined.sections = asAsked(profilesOf(foot, elevations, levels.fits, shell.lines, band), fitted, asked);
   return found;
 }
 

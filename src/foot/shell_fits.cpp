@@ -34,9 +34,4 @@ ShellFits fitShellLines(const std::vector<double>& directions, const PolarRing& 
   return shell;
 }
 
-ShellModel modelShell(std::vector<ShellLine> lines, const StationOptions& options) {
-  if (options.clockwise) std::reverse(lines.begin() + 1, lines.end());
-  return ShellModel(std::move(lines), options.zero_azimuth);
-}
-
 }  // namespace tank_datum

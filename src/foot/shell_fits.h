@@ -21,7 +21,4 @@ struct ShellFits {
 /// @param reach  how far above the foot to look [m]
 ShellFits fitShellLines(const std::vector<double>& directions, const PolarRing& ring, const Tank& tank, double reach);
 
-/// The lines as one surface round the tank.
-ShellModel modelShell(std::vector<ShellLine> lines, const StationOptions& options);
-
 }  // namespace tank_datum

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/units.h"
 
@@ -72,20 +73,23 @@ LocalShape LocalShape::joinedWith(const LocalShape& other) const {
   return {centre + 0.5 * (from + to), 0.5 * (to - from), std::max(scale, other.scale), false};
 }
 
-std::vector<CandidateShape> candidateShapes(const Eigen::VectorXd& azimuths) {
+std::vector<CandidateShape> candidateShapes(const Eigen::VectorXd& azimuths, const Eigen::VectorXd& directions) {
   constexpr double kWidest = 30.0 * kPi / 180.0, kGrowth = 1.5, kNarrowest = 1.0 * kPi / 180.0;
   const double spacing = kTwoPi / static_cast<double>(azimuths.size());
-  std::vector<double> centres(azimuths.begin(), azimuths.end());
-  for (double& centre : centres) centre += centre < 0.0 ? kTwoPi : 0.0;
-  std::sort(centres.begin(), centres.end());
+  std::vector<std::pair<double, double>> places;  // direction, azimuth
+  for (Eigen::Index i = 0; i < azimuths.size(); ++i) {
+    const double direction = directions[i] + (directions[i] < 0.0 ? kTwoPi : 0.0);
+    places.emplace_back(direction, azimuths[i] + (azimuths[i] < 0.0 ? kTwoPi : 0.0));
+  }
+  std::sort(places.begin(), places.end());
   std::vector<CandidateShape> shapes;
   for (double half = std::max(spacing, kNarrowest); half <= kWidest; half *= kGrowth) {
     const double apart_by = std::max(spacing, half / 3.0);
     double last = -kTwoPi;
-    for (const double azimuth : centres) {
-      if (azimuth - last < 0.999 * apart_by) continue;
+    for (const auto& [direction, azimuth] : places) {
+      if (direction - last < 0.999 * apart_by) continue;
       shapes.push_back(candidate({azimuth, half, 1.0, false}, azimuths));
-      last = azimuth;
+      last = direction;
     }
   }
   return shapes;

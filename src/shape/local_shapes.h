@@ -32,8 +32,9 @@ struct CandidateShape {
 };
 
 /// Where local shapes are looked for: from a single station's to one of 60 degrees, overlapping.
-/// @param azimuths  of the stations [rad], in any order and turn
-std::vector<CandidateShape> candidateShapes(const Eigen::VectorXd& azimuths);
+/// @param azimuths    of the stations [rad], in any order and turn
+/// @param directions  of the same; places are chosen by them, so that the way stations are counted moves none
+std::vector<CandidateShape> candidateShapes(const Eigen::VectorXd& azimuths, const Eigen::VectorXd& directions);
 
 /// A shape with narrower ones inside it, which let its form depart from the cosine by a tenth of its height.
 std::vector<LocalShape> withDetails(const LocalShape& shape, double spacing);

@@ -14,13 +14,14 @@ RingData ringData(const std::vector<Station>& stations, double radius, const Sta
     if (stations[i].flag == StationFlag::Measured) measured.push_back(static_cast<Eigen::Index>(i));
   }
   const auto count = static_cast<Eigen::Index>(measured.size());
-  data.azimuths.resize(count), data.z.resize(count), data.sigmas.resize(count);
+  data.azimuths.resize(count), data.directions.resize(count), data.z.resize(count), data.sigmas.resize(count);
   data.shared.resize(given.factors.rows(), count);
   data.sigmas_known = count > 0;
   for (Eigen::Index k = 0; k < count; ++k) {
     const Eigen::Index i = measured[static_cast<std::size_t>(k)];
     const Station& s = stations[static_cast<std::size_t>(i)];
-    data.azimuths[k] = s.azimuth, data.z[k] = s.z, data.sigmas[k] = given.independent[i];
+    data.azimuths[k] = s.azimuth, data.directions[k] = s.direction, data.z[k] = s.z,
+    data.sigmas[k] = given.independent[i];
     if (given.factors.rows() > 0) data.shared.col(k) = given.factors.col(i);
     data.sigmas_known = data.sigmas_known && given.independent[i] > 0.0;
   }

@@ -70,7 +70,7 @@ void RingModel::takeOutPlane() {
 std::vector<LocalShape> RingModel::standingShapes() {
   constexpr int kMost = 8, kInVain = 3;
   constexpr double kOdds = 10.0;
-  const std::vector<CandidateShape> candidates = candidateShapes(data_.azimuths);
+  const std::vector<CandidateShape> candidates = candidateShapes(data_.azimuths, data_.directions);
   const double each = 2.0 * std::log(kOdds * static_cast<double>(candidates.size()));
   setUp({});
   const double scale2 = robustScale2();

@@ -153,6 +153,31 @@ def test_stations_change_as_their_points_do(
     assert np.mean(apart <= allowed) >= 0.997, np.sort(apart / allowed)[-10:]
 
 
+@pytest.mark.parametrize(
+    ("words", "counted"),
+    [
+        (["--clockwise"], lambda i: -i % STATIONS),
+        (["--zero-azimuth-deg", "37"], lambda i: (i - 37) % STATIONS),
+        (["--clockwise", "--zero-azimuth-deg", "-112"], lambda i: (248 - i) % STATIONS),
+    ],
+    ids=["clockwise", "turned", "both"],
+)
+def test_the_way_stations_are_counted_moves_none(
+    tmp_path: Path, words: list[str], counted: Callable[[Array], Array]
+) -> None:
+    # few points, so that stations lean on their neighbours
+    few = np.random.default_rng(7).permutation(points())[::6]
+    folders = [tmp_path / "plain", tmp_path / "counted"]
+    for folder in folders:
+        folder.mkdir()
+    z, sigma = measured(folders[0], Changed([few]))
+    again, sigma_again = measured(folders[1], Changed([few], words=words))
+    at = counted(np.arange(STATIONS))
+    assert np.isfinite(z).sum() > 0.5 * STATIONS
+    np.testing.assert_allclose(again[at], z, atol=1e-9)
+    np.testing.assert_allclose(sigma_again[at], sigma, atol=1e-9)
+
+
 SURROUNDINGS: dict[str, dict[str, str]] = {
     "one thread": {"OMP_NUM_THREADS": "1"},
     "two threads": {"OMP_NUM_THREADS": "2"},

@@ -72,7 +72,8 @@ TEST(LocalShape, IsLookedForAllRoundWhateverTheOrderOfAzimuths) {
     from_zero[i] = static_cast<double>(i) * kDegree;
     from_half_a_turn[i] = static_cast<double>(i < 180 ? i : i - 360) * kDegree;
   }
-  const auto expected = candidateShapes(from_zero), found = candidateShapes(from_half_a_turn);
+  const auto expected = candidateShapes(from_zero, from_zero),
+             found = candidateShapes(from_half_a_turn, from_half_a_turn);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     EXPECT_NEAR(std::remainder(found[k].shape.centre - expected[k].shape.centre, kTurn), 0.0, 1e-12);
@@ -80,6 +81,20 @@ TEST(LocalShape, IsLookedForAllRoundWhateverTheOrderOfAzimuths) {
     for (const double value : found[k].values) sum += value;
     for (const double value : expected[k].values) expected_sum += value;
     EXPECT_NEAR(sum, expected_sum, 1e-9);
+  }
+}
+
+TEST(LocalShape, IsLookedForAtTheSamePlacesWhicheverWayStationsAreCounted) {
+  Eigen::VectorXd directions(200), azimuths(200);
+  for (Eigen::Index i = 0; i < 200; ++i) {
+    directions[i] = static_cast<double>(i + (i > 90 ? 100 : 0)) * kDegree;
+    azimuths[i] = std::fmod(500.0 * kDegree - directions[i], kTurn);
+  }
+  const auto expected = candidateShapes(directions, directions), found = candidateShapes(azimuths, directions);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double there = 500.0 * kDegree - expected[k].shape.centre;
+    EXPECT_NEAR(std::remainder(found[k].shape.centre - there, kTurn), 0.0, 1e-12);
   }
 }
 

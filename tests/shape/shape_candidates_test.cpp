@@ -17,7 +17,7 @@ Eigen::VectorXd allRound(Eigen::Index count) {
 /// Half the widths that are looked for among so many stations, ascending [deg].
 std::vector<double> widthsOf(Eigen::Index count) {
   std::set<double> widths;
-  for (const CandidateShape& candidate : candidateShapes(allRound(count)))
+  for (const CandidateShape& candidate : candidateShapes(allRound(count), allRound(count)))
     widths.insert(candidate.shape.half_width / kDegree);
   return {widths.begin(), widths.end()};
 }
@@ -36,7 +36,7 @@ TEST(CandidateShapes, AreADegreeToThirtyOnEitherSideEachHalfAsWideAgain) {
 /// Stations of 1 mm sigma that show a shape of this height, in a model that can make the shape but for a part.
 std::optional<LocalShape> found(double height, double part_left = 1.0) {
   const Eigen::VectorXd azimuths = allRound(360);
-  const std::vector<CandidateShape> all = candidateShapes(azimuths);
+  const std::vector<CandidateShape> all = candidateShapes(azimuths, azimuths);
   const CandidateShape& candidate = all[all.size() / 2];
   const Eigen::VectorXd weights = Eigen::VectorXd::Constant(360, 1e6);
   Eigen::VectorXd residuals = Eigen::VectorXd::Zero(360);
@@ -54,7 +54,7 @@ std::optional<LocalShape> found(double height, double part_left = 1.0) {
 
 /// How high the shape must be that squares are less by so much.
 double heightFor(double squares) {
-  const std::vector<CandidateShape> all = candidateShapes(allRound(360));
+  const std::vector<CandidateShape> all = candidateShapes(allRound(360), allRound(360));
   double information = 0.0;
   for (const double value : all[all.size() / 2].values) information += 1e6 * value * value;
   return std::sqrt(squares / information);
