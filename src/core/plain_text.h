@@ -27,10 +27,12 @@ inline std::string generalText(double value) {
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr};
 }
 
-/// So many digits behind the point; six, as std::to_string has them in a program without a locale.
+/// So many digits behind the point; six, as std::to_string has them in a program without a locale. A zero has no minus.
 inline std::string fixedText(double value, int digits = 6) {
-  char text[400];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr};
+  char buffer[400];
+  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, digits).ptr);
+  if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
 }
 
 }  // namespace tank_datum

@@ -45,23 +45,31 @@ const Check* worst(const std::vector<Check>& checks, Verdict verdict) {
   return found;
 }
 
+/// The report finds its words in other languages by these.
+std::string meaningOf(const Headline& headline, const Check& check) {
+  if (headline.word == "INCOMPLETE") return " is not evaluated: " + check.note;
+  const bool known = headline.utilisation_interval.known();
+  if (headline.word == "FAIL") return known ? ", beyond it with 95 % confidence" : ", beyond it; errors are not known";
+  if (headline.word == "PASS") return known ? ", the nearest of all" : ", the nearest of all; errors are not known";
+  const bool near = headline.utilisation > 1.0 || (known && headline.utilisation_interval.high > 1.0);
+  return near ? ", too near it to decide" : "; what was not seen could be worse";
+}
+
 std::string sentenceOf(const Headline& headline, const Check* check) {
   const char* screening = "Screening for a storage-tank engineer, not a code evaluation.";
   if (!check) return "No rule could be judged. " + std::string(screening);
-  const std::string rule = check->code + ' ' + check->name;
-  if (headline.word == "INCOMPLETE") return rule + " is not evaluated: " + check->note + ". " + screening;
-  const auto percent = [](double share) { return fixedText(100.0 * share, 0); };
-  std::string share = " is at " + percent(headline.utilisation) + " % of its limit";
-  if (const Interval95& interval = headline.utilisation_interval; interval.known()) {
-    share += " (95 %: " + percent(interval.low) + " to " + percent(interval.high) + " %)";
+  std::string share;
+  if (headline.word != "INCOMPLETE") {
+    const auto percent = [](double part) { return fixedText(100.0 * part, 0); };
+    share = " is at " + percent(headline.utilisation) + " % of its limit";
+    if (const Interval95& interval = headline.utilisation_interval; interval.known()) {
+      share += " (95 %: " + percent(interval.low) + " to " + percent(interval.high) + " %)";
+    }
+    if (std::isfinite(check->azimuth)) {
+      share += " at " + fixedText(std::fmod(std::round(toDegrees(check->azimuth)), 360.0), 0) + " deg";
+    }
   }
-  if (std::isfinite(check->azimuth)) {
-    share += " at " + fixedText(std::fmod(std::round(toDegrees(check->azimuth)), 360.0), 0) + " deg";
-  }
-  const char* meaning = headline.word == "FAIL"        ? ", beyond it with 95 % confidence. "
-                        : headline.word == "UNDECIDED" ? ", too near or too little seen to decide. "
-                                                       : ", the nearest of all. ";
-  return rule + share + meaning + screening;
+  return headline.governing + share + headline.meaning + ". " + screening;
 }
 
 }  // namespace
@@ -83,6 +91,7 @@ Headline headlineOf(std::vector<Check>& checks, bool dense) {
       headline.utilisation = utilisationOf(*check);
       headline.utilisation_interval = {check->interval.low / check->limit, check->interval.high / check->limit};
     }
+    headline.meaning = meaningOf(headline, *check);
     break;
   }
   headline.sentence = sentenceOf(headline, check);

@@ -19,15 +19,8 @@ Display::Scale scaleOf(const Check& check, const Display& display) {
   return is_long ? display.lengths() : display.shortLengths();
 }
 
-/// Without the minus of a zero.
-std::string figureText(double value, int digits) {
-  std::string text = fixedText(value, digits);
-  if (text.front() == '-' && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
-  return text;
-}
-
 std::string figureIn(double value, const Display::Scale& scale, int further = 0) {
-  return figureText(scale.factor * value, scale.digits + further) + " " + scale.unit;
+  return fixedText(scale.factor * value, scale.digits + further) + " " + scale.unit;
 }
 
 std::string signedIn(double value, const Display::Scale& scale) {
@@ -70,7 +63,7 @@ std::string checkFigureWithInterval(const Check& check, const Display& display, 
   const Display::Scale scale = scaleOf(check, display);
   return figure + " (" +
          say(language, "checks.interval",
-             {{"low", figureText(scale.factor * check.interval.low, scale.digits)},
+             {{"low", fixedText(scale.factor * check.interval.low, scale.digits)},
               {"high", figureIn(check.interval.high, scale)}}) +
          ")";
 }

@@ -75,11 +75,13 @@ void readAbout(const std::string& path, Identity& identity) {
   if (const toml::node* logo = table.get("logo")) identity.logo = logoOf(path, wordsOf(*logo, path, "logo"));
 }
 
+Error refusedMark(const std::string& text, const char* expected) {
+  return Error(Error::Kind::Option, "options", {"mark", "\"" + echo(text) + "\"", expected});
+}
+
 ReferenceMark markOf(const std::string& text) {
   const auto sign = text.rfind('=');
-  const auto refused = [&] {
-    return Error(Error::Kind::Option, "options", {"mark", "\"" + echo(text) + "\"", "NAME=DEG, as stairs=75"});
-  };
+  const auto refused = [&] { return refusedMark(text, "NAME=DEG, as stairs=75"); };
   if (sign == std::string::npos || sign == 0) throw refused();
   std::istringstream in(text.substr(sign + 1));
   in.imbue(std::locale::classic());
@@ -87,6 +89,17 @@ ReferenceMark markOf(const std::string& text) {
   if (!(in >> degrees) || !in.eof() || !(std::abs(degrees) <= 360.0)) throw refused();
   const double azimuth = degrees * kDegree;
   return {text.substr(0, sign), azimuth - kTwoPi * std::floor(azimuth / kTwoPi)};
+}
+
+std::vector<ReferenceMark> marksOf(const std::vector<std::string>& texts) {
+  std::vector<ReferenceMark> marks;
+  for (const std::string& text : texts) {
+    const ReferenceMark mark = markOf(text);
+    const bool again = std::any_of(marks.begin(), marks.end(), [&](const auto& m) { return m.name == mark.name; });
+    if (again) throw refusedMark(text, "each name once");
+    marks.push_back(mark);
+  }
+  return marks;
 }
 
 }  // namespace
@@ -101,7 +114,7 @@ const std::vector<std::string>& aboutKeys() {
 void readIdentity(RunOptions& run) {
   Identity identity;
   if (!run.about.empty()) readAbout(run.about, identity);
-  for (const std::string& text : run.marks) identity.marks.push_back(markOf(text));
+  identity.marks = marksOf(run.marks);
   identity.north = run.north * kDegree;
   identity.survey_points = run.survey_points;
   identity.display_units = run.display_units;

@@ -22,18 +22,19 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kSparklineColumns = 48;  ///< three bytes each, within the buffer of a line
+constexpr std::size_t kSparklineColumns = 48;
 
 template <typename... Values>
 std::string line(const char* title, const char* format, Values... values) {
-  char titled[20], text[240];
+  char titled[20];
   snprintfPlain(titled, sizeof titled, "%-14s ", title);
-  if constexpr (sizeof...(values) == 0) {
-    snprintfPlain(text, sizeof text, "%s", format);
-  } else {
-    snprintfPlain(text, sizeof text, format, values...);
+  std::string text = format;
+  if constexpr (sizeof...(values) > 0) {
+    text.resize(static_cast<std::size_t>(snprintfPlain(nullptr, 0, format, values...)) + 1);
+    snprintfPlain(text.data(), text.size(), format, values...);
+    text.pop_back();
   }
-  return std::string(titled) + text + "\n";
+  return titled + text + "\n";
 }
 
 double medianSigma(const std::vector<Station>& stations) {
@@ -140,7 +141,7 @@ std::string localLine(std::vector<LocalSettlement> all, const Display& display) 
 
 std::string antipodalLine(const Antipodal& across, const Display& display) {
   if (!std::isfinite(across.max_h)) return {};
-  return line("antipodal", "h %s over D %s: %.5f deg, %.1f arc-seconds, azimuth %.0f deg",
+  return line("antipodal", "h %s over D %s: %.5f deg, %.1f arc-seconds, high end at %.0f deg",
               display.shortText(across.max_h).c_str(), display.longText(across.diameter).c_str(),
               toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
 }
@@ -186,13 +187,14 @@ std::string movementLine(const Provenance& provenance, const Display& display) {
 std::string verdictLine(const Analysis& analysis) {
   if (!analysis.valid()) return {};
   const Headline& h = analysis.headline;
-  if (!std::isfinite(h.utilisation)) return line("verdict", "%s: %s", h.word.c_str(), h.governing.c_str());
+  if (h.governing.empty()) return line("verdict", "%s: no rule could be judged", h.word.c_str());
+  if (h.word == "INCOMPLETE") return line("verdict", "%s: %s", h.word.c_str(), (h.governing + h.meaning).c_str());
   std::string share = fixedText(100.0 * h.utilisation, 0) + " % of its limit";
   if (h.utilisation_interval.known()) {
     share += " (95 %: " + fixedText(100.0 * h.utilisation_interval.low, 0) + " to " +
              fixedText(100.0 * h.utilisation_interval.high, 0) + " %)";
   }
-  return line("verdict", "%s: %s, %s", h.word.c_str(), h.governing.c_str(), share.c_str());
+  return line("verdict", "%s: %s, %s", h.word.c_str(), h.governing.c_str(), (share + h.meaning).c_str());
 }
 
 }  // namespace

@@ -191,6 +191,37 @@ TEST(HeadlineOf, WorstOfWhatCounts) {
   EXPECT_EQ(headlineOf(checks, true).governing, "");
 }
 
+TEST(HeadlineOf, SaysHowSureItIs) {
+  struct Said {
+    Verdict verdict;
+    double value;
+    Interval95 interval;
+    const char* meaning;
+  };
+  for (const Said& said : {Said{Verdict::Fail, 1.2, {1.1, 1.3}, ", beyond it with 95 % confidence"},
+                           Said{Verdict::Fail, 1.2, {}, ", beyond it; errors are not known"},
+                           Said{Verdict::Pass, 0.2, {0.1, 0.3}, ", the nearest of all"},
+                           Said{Verdict::Pass, 0.2, {}, ", the nearest of all; errors are not known"},
+                           Said{Verdict::Undecided, 0.9, {0.8, 1.1}, ", too near it to decide"},
+                           Said{Verdict::Undecided, 1.1, {0.8, 0.9}, ", too near it to decide"},
+                           Said{Verdict::Undecided, 0.01, {0.0, 0.26}, "; what was not seen could be worse"},
+                           Said{Verdict::NotEvaluated, 0.01, {0.0, 0.26}, " is not evaluated: not given"}}) {
+    std::vector<Check> checks = {named("tilt_height", said.verdict, said.value)};
+    checks[0].note = "not given";
+    checks[0].interval = said.interval;
+    const Headline headline = headlineOf(checks, true);
+    EXPECT_EQ(headline.meaning, said.meaning);
+    EXPECT_NE(headline.sentence.find(said.meaning), std::string::npos) << headline.sentence;
+  }
+}
+
+TEST(Judge, AFigureAboveItsIntervalSaysWhy) {
+  Measure m = measure("tilt_slope", 0.0050, 0.0001);
+  EXPECT_EQ(one(kTilt, {m}).note.find("raise"), std::string::npos);
+  m.interval = {0.0046, 0.0049};
+  EXPECT_NE(one(kTilt, {m}).note.find("errors of the survey raise the figure above its interval"), std::string::npos);
+}
+
 TEST(Judge, WhatCouldNotBeHadIsNotApplicable) {
   EXPECT_EQ(one(kTilt, {}).note, "the survey does not hold it");
   Measure m = measure("tilt_slope", NAN, NAN);

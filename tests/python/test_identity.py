@@ -125,6 +125,12 @@ def test_a_bad_mark_is_refused(run: Runner, tmp_path: Path, mark: str) -> None:
     assert "stairs=75" in done.stderr
 
 
+def test_a_mark_given_twice_is_refused(run: Runner, tmp_path: Path) -> None:
+    done = run(SAMPLE, "-o", tmp_path / "out", "--mark", "stairs=75,stairs=80")
+    assert done.returncode == 2
+    assert '"stairs=80", expected each name once' in done.stderr
+
+
 def test_the_page_of_several_surveys_says_the_same(
     browser: Any, told: Path, tmp_path: Path
 ) -> None:

@@ -118,7 +118,7 @@ def test_a_maximum_is_shown_with_its_interval(
     path = with_data(sample_report / "report.html", tmp_path / "page.html", changes)
     with opened(browser, path) as page:
         assert page.slips() == []
-        assert "at 110 % of its limit (95 %: 101 to 400 %) at 118\u00b0," in page.text(".verdict")
+        assert "at 110 % of its limit (95 %: 101 to 400 %) at 118\u00b0." in page.text(".verdict")
         assert page.texts(".bars .number") == ["110 % (101 to 400 %)"]
         assert "8.8\u00a0mm\n95 %: 8.1 to 32.0\u00a0mm, at 118\u00b0" in page.text("#summary tbody")
         assert "23.6" not in page.text("#summary")  # two of its sigma

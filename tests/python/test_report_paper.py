@@ -83,6 +83,24 @@ def test_a_failing_tank_with_all_there_is_takes_five(failing: Path, tmp_path: Pa
     assert sheets(tmp_path / "report.pdf") <= 5
 
 
+def test_points_of_every_degree_are_printed_on_five_sheets(
+    browser: Any, failing: Path, tmp_path: Path
+) -> None:
+    result = tmp_path / "result"
+    result.mkdir()
+    point = {"z": 109.98765, "sigma_z": 0.00123, "u": -0.0123}
+    points = [{"number": i + 1, "azimuth_deg": (89.5 - i) % 360} | point for i in range(360)]
+    with_data(failing / "report.html", result / "report.html", {"survey_points": points})
+    assert to_pdf(result, tmp_path / "report.pdf").returncode == 0
+    assert sheets(tmp_path / "report.pdf") <= 5
+    with opened(browser, result / "report.html", size=(695, 1000)) as page:  # 184 mm
+        page.page.emulate_media(media="print")
+        wide = page.page.locator(".survey-points table").evaluate(
+            "e => e.getClientRects()[0].width / e.closest('.survey-points').clientWidth"
+        )
+        assert 0.2 < wide <= 0.25
+
+
 @pytest.mark.parametrize(("notes", "most"), [(60, 5), (2000, 99)], ids=["shrunk", "long"])
 def test_a_long_report_is_printed_smaller(
     sample_report: Path, tmp_path: Path, notes: int, most: int

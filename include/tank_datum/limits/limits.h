@@ -144,7 +144,8 @@ struct Headline {
   std::string governing;  ///< the check that says so, or comes nearest to its limit
   double utilisation = kUnknown;    ///< its value over its limit
   Interval95 utilisation_interval;  ///< 95 % interval of that
-  std::string sentence;
+  std::string meaning;              ///< how sure the word is, or what is missing
+  std::string sentence;             ///< all of it
 };
 
 }  // namespace tank_datum

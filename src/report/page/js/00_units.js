@@ -19,6 +19,8 @@ const bend = (perMetre) => (known(perMetre) ? display.bend[0] * perMetre : null)
 const shownAs = (value, [factor, unit, more], digits) => withUnit(known(value) ? factor * value : null, digits + more, unit);
 const shortLength = (metres, digits = 1) => shownAs(metres, display.short, digits);
 const longLength = (metres, digits = 3) => shownAs(metres, display.long, digits);
+/** Without the unit, where a heading has it. */
+const shortFigure = (metres, digits = 1) => figure(toShort(metres), digits + display.short[2]);
 /** The same of a figure that is in the unit already. */
 const inShort = (value, digits = 1) => withUnit(value, digits + display.short[2], kShortUnit);
 const curvature = (perMetre) => shownAs(perMetre, display.bend, 1);

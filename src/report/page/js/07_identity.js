@@ -84,14 +84,18 @@ function addSignature(section) {
   section.append(make("div", { class: "paper-only signature" }, places.map((name) => make("span", {}, name))));
 }
 
+const kManyPoints = 72;  // in the table of more than these rows on paper are narrower
+
 /** The elevations that the user's own points have. */
 function addSurveyPoints(section) {
   if (surveyPoints.length === 0) return;
   const from = known(datum.north_azimuth_deg) ? say("identity.north") : say("identity.y_of_the_scans_frame");
-  const listed = table([[say("identity.point"), "number"], [say("common.azimuth"), "number"], [say("common.elevation"), "number"], ["\u00b1", "number"], [say("common.out_of_plane"), "number"]],
-    surveyPoints.map((p) => [String(p.number), degrees(p.azimuth_deg, 1), known(p.z) ? longLength(p.z, 4) : say("common.not_seen"),
-      known(p.sigma_z) ? shortLength(2 * p.sigma_z) : "", known(p.u) ? shortLength(p.u) : ""]));
+  const inUnit = (name, unit) => [`${name} [${unit}]`, "number"];
+  const listed = table([[say("identity.point"), "number"], inUnit(say("common.azimuth"), "\u00b0"), inUnit(say("common.elevation"), kLongUnit),
+    inUnit("\u00b1", kShortUnit), inUnit(say("common.out_of_plane"), kShortUnit)],
+    surveyPoints.map((p) => [String(p.number), figure(p.azimuth_deg, 1), known(p.z) ? figure(toLong(p.z), 4 + display.long[2]) : say("common.not_seen"),
+      known(p.sigma_z) ? shortFigure(2 * p.sigma_z) : "", known(p.u) ? shortFigure(p.u) : ""]));
   listed.firstChild.className = "";  // narrow enough for a phone as it is
   section.append(make("h3", {}, say("identity.survey_points")), make("p", { class: "quiet" }, say("identity.numbered_clockwise_from_settlement_out", { from })),
-    make("div", { class: "survey-points" }, listed));
+    make("div", { class: `survey-points${surveyPoints.length > kManyPoints ? " many" : ""}` }, listed));
 }

@@ -54,6 +54,12 @@ function governingTitle(governing) {
   return name === undefined ? governing : `${governing.slice(0, -name.length)}${checkName(name)}`;
 }
 
+/** How sure the verdict is, in the page's language; a full stop where datum.json says it in other words. */
+function verdictMeaning(given) {
+  const found = Object.entries(kLanguages.en).find(([key, text]) => key.startsWith("verdict.is_") && given.includes(text));
+  return found ? say(found[0]) : ".";
+}
+
 /** What a verdict rests on, from its figures; where they are not all there as datum.json has it. */
 function verdictSentence(verdict, check) {
   const { word, governing, utilisation: used, utilisation_95: interval, sentence: given } = verdict || {};
@@ -64,7 +70,7 @@ function verdictSentence(verdict, check) {
   if (word === "INCOMPLETE" || !known(used)) return given;
   const between = known(low) && known(high) ? say("verdict.interval", { low: percent(low), high: percent(high) }) : "";
   const [, azimuth] = / at (\d+) deg/.exec(given) || [], place = azimuth ? ` ${say("common.at", { azimuth: degrees(Number(azimuth)) })}` : "";
-  return `${say("verdict.share", { rule, share: percent(used), interval: between, place, meaning: say(`verdict.${word}`) })} ${say("common.screening")}`;
+  return `${say("verdict.share", { rule, share: percent(used), interval: between, place, meaning: verdictMeaning(given) })} ${say("common.screening")}`;
 }
 
 /** The check that a verdict rests on. */

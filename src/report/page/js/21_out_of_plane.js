@@ -10,6 +10,7 @@ function addOutOfPlane() {
   section.append(make("p", { class: "quiet" }, say("out_of_plane.elevation_less_the_fitted_tilt")));
   const facts = [...outOfPlaneFacts(found), ...levelFacts()];
   if (facts.length > 0) section.append(boxes(facts));
+  if (isRaised(found)) section.append(make("p", { class: "quiet" }, say("out_of_plane.raised")));
   addChart(section, {
     id: "out-of-plane-chart", label: say("out_of_plane.out_of_plane_settlement_against"), ratio: 0.34, least: 280, most: 400,
     legend: [{ name: "u", label: say("out_of_plane.out_of_plane_settlement_2", { k_band_words: sigmas ? kBandWords : "" }), colour: "datum" },
@@ -21,7 +22,7 @@ function addOutOfPlane() {
     (part) => hasSection("harmonics") && datum.harmonics.length > 0 && addHarmonics(part));
 }
 
-const fineFigure = (metres) => figure(toShort(metres), 2 + display.short[2]);
+const fineFigure = (metres) => shortFigure(metres, 2);
 const fineLength = (metres) => shortLength(metres, 2);
 
 /** The interval of a magnitude as that of a signed figure. */
@@ -30,6 +31,13 @@ const signedEnds = (interval, sign) => (interval && sign < 0 ? [-interval[1], -i
 /** "95 %: 8.1 to 32.0 mm" of a maximum, whose interval reaches further up than down; empty of none. */
 function between95(interval, low, high) {
   return interval && interval.every(known) ? say("checks.interval", { low: low(interval[0]), high: high(interval[1]) }) : "";
+}
+
+/** Whether one of its largest figures lies above its own interval. */
+function isRaised(found) {
+  const levels = (datum.checks || []).filter((c) => c.name.startsWith("foundation level"));
+  const all = [[found && found.max_abs_u, ((found && found.max_abs_u_95) || [])[1]], ...levels.map((c) => [c.value, c.high95])];
+  return all.some(([value, high]) => known(value) && known(high) && value > high);
 }
 
 /** The largest settlement, the harmonic fit, its curvature and the classic rule's figure. */
