@@ -12,13 +12,29 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kLeastScale2 = 1e-12;
+constexpr double kLeastScale2 = 1e-8;     ///< of stations without sigmas, however smooth: less is lost in rounding
 constexpr Eigen::Index kMostSparse = 64;  ///< stations: up to so many, each stands for its own arc
 constexpr int kHighestWave = 45;
 
-int orderFor(Eigen::Index stations) {
-  return static_cast<int>(stations > kMostSparse ? std::min<Eigen::Index>(kHighestWave, stations / 4)
-                                                 : std::max<Eigen::Index>(1, (stations - 1) / 2));
+/// The least distance of neighbours [rad].
+double leastStep(const Eigen::VectorXd& azimuths) {
+  std::vector<double> places(azimuths.begin(), azimuths.end());
+  for (double& place : places) place -= kTwoPi * std::floor(place / kTwoPi);
+  std::sort(places.begin(), places.end());
+  double least = places.front() + kTwoPi - places.back();
+  for (std::size_t i = 1; i < places.size(); ++i) least = std::min(least, places[i] - places[i - 1]);
+  return least;
+}
+
+/// Of many stations, waves that leave residuals enough to tell errors by. Of few, those that neighbours show, the
+/// closest too: longer ones would have to be beyond all measure in the gaps to follow a single station.
+int orderFor(const Eigen::VectorXd& azimuths) {
+  constexpr int kHighestOfFew = 90;
+  const Eigen::Index stations = azimuths.size();
+  if (stations > kMostSparse) return static_cast<int>(std::min<Eigen::Index>(kHighestWave, stations / 4));
+  const auto usual = static_cast<double>(stations - 1) / 2.0;
+  const double closest = 0.5 * (kTwoPi / std::max(leastStep(azimuths), 1e-3) - 1.0) + 1e-6;
+  return std::max(1, static_cast<int>(std::min<double>(kHighestOfFew, std::max(usual, closest))));
 }
 
 }  // namespace
@@ -31,7 +47,7 @@ Eigen::MatrixXd RingModel::product(const Eigen::MatrixXd& a, const Eigen::Matrix
 
 bool RingModel::dense() const { return data_.count() > kMostSparse; }
 
-RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.count())) {
+RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.azimuths)) {
   constexpr Eigen::Index kFewestStations = 4;
   if (data_.count() < kFewestStations) {
     order_ = 0, solution_ = errors_ = Eigen::VectorXd::Zero(1);

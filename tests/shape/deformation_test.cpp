@@ -118,7 +118,7 @@ TEST(FitTilt, FindsAnExactPlane) {
   EXPECT_NEAR(tilt.direction, std::atan2(4, 3), 1e-9);
   EXPECT_NEAR(tilt.r2, 1.0, 1e-12);
   EXPECT_NEAR(tilt.p_value, 0.0, 1e-12);
-  EXPECT_NEAR(tilt.sigma_slope, 0.0, 1e-9);
+  EXPECT_NEAR(tilt.sigma_slope, 0.0, 1e-8);  // elevations are known to 1e-5 of their scatter at best
   for (const Station& s : stations) {
     EXPECT_NEAR(s.z_tilt, s.z, 1e-12);
     EXPECT_NEAR(s.u, 0.0, 1e-12);

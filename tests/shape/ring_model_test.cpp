@@ -54,6 +54,11 @@ TEST(RingModel, ElevationsWithoutSigmasAreKnownToATenthOfTheirScatterAndOfAMicro
   EXPECT_NEAR(sigma(0.8e-6) / sigma(1.3e-6), 1.0 / 1.3, 0.01);
 }
 
+TEST(RingModel, ElevationsWithoutErrorsAreKnownToAHundredThousandthOfTheirScatter) {
+  const RingModel model = modelOf(wave(360, [](double a) { return std::cos(3.0 * a); }), kUnknown);
+  EXPECT_NEAR(model.noise().scale, 1e-4, 1e-9);  // of a tenth of it
+}
+
 TEST(RingModel, WhatTheWavesLeaveIsErrorUnlessNeighboursScatterHalfAsMuch) {
   // a wave too short for the model, which third differences hardly see, on errors of 1 mm as the stations say
   const auto repeatability = [](double amplitude) {
@@ -69,6 +74,30 @@ std::vector<double> withGap(std::size_t count, std::size_t missing) {
   std::vector<double> z = level(count);
   for (std::size_t i = 0; i < missing; ++i) z[count / 3 + i] = kUnknown;
   return z;
+}
+
+TEST(RingModel, FewStationsHaveTheWavesThatTheClosestNeighboursShow) {
+  auto z = level(60);
+  for (std::size_t i = 10; i < 30; ++i) z[i] = kUnknown;
+  EXPECT_EQ(modelOf(z, 0.001).order(), 29);
+  RingData data = ringData(survey(level(12), 30.0, 0.001), 30.0, {});
+  data.azimuths[3] = data.azimuths[4] - 0.05;
+  EXPECT_EQ(RingModel(data).order(), 62);
+  data.azimuths[3] = data.azimuths[4] - 0.01;
+  EXPECT_EQ(RingModel(data).order(), 90);
+}
+
+TEST(RingModel, ADipOfOneStationSwingsNoGap) {
+  // waves of fewer than the ring's half would follow it by swings of metres where nothing was seen
+  auto z = wave(72, [](double a) { return 10.0 + 0.01 * std::cos(2.0 * a); });
+  z[0] -= 0.02;
+  for (const std::size_t first : {27U, 38U, 58U})
+    for (std::size_t i = first; i < first + 6; ++i) z[i] = kUnknown;
+  const RingModel model = modelOf(z, 1e-4, 45.0);
+  Eigen::VectorXd places(360);
+  for (Eigen::Index i = 0; i < 360; ++i) places[i] = static_cast<double>(i) * kTurn / 360.0;
+  const Eigen::VectorXd datum = model.rowsAt(places) * model.coefficients();
+  EXPECT_LT((datum.array() - 10.0).abs().maxCoeff(), 0.05);
 }
 
 TEST(RingModel, AShapeBesideAGapThatNoStationShowsLeavesErrorsAndDrawsAsTheyAre) {
