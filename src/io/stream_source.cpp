@@ -3,6 +3,7 @@
 
 #include "io/block_source.h"
 #include "io/coordinates.h"
+#include "io/read_ahead.h"
 #include "io/scan_source.h"
 #include "tank_datum/core/error.h"
 
@@ -55,8 +56,8 @@ class BlockStream : public Scan::Source {
     ScanBlocks::Block block;
     Points points;
     Labels labels;
-    const ScanBlocks::Next next = blocks_.start();
-    while (next(block)) {
+    ReadAhead ahead(blocks_.start());
+    while (ahead.take(block)) {
       counts += {block.invalid + block.left_out, block.invalid, block.left_out};
       for (std::size_t i = 0; i < block.points.size(); ++i) {
         const bool kept = appendFinite(block.points[i], {1.0, origin}, points);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "tank_datum/io/scan.h"
+
+namespace tank_datum {
+
+/// The blocks of one pass, all read by one thread of their own while the one before is looked at. Where the machine
+/// gives no thread they are read when they are asked for.
+class ReadAhead {
+ public:
+  explicit ReadAhead(ScanBlocks::Next next) : next_(std::move(next)) {}
+  ReadAhead(const ReadAhead&) = delete;
+  ReadAhead& operator=(const ReadAhead&) = delete;
+  ~ReadAhead();  ///< waits for the block that is being read
+
+  /// Replaces the block by the next one; false behind the last. Nothing is read ahead of the second call: many look at
+  /// no more than the first block.
+  /// @throws what the source throws
+  bool take(ScanBlocks::Block& block);
+
+ private:
+  void start();
+  void serve();
+
+  ScanBlocks::Next next_;
+  std::uint64_t asked_ = 0;  // blocks, by the taker
+  std::thread thread_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  ScanBlocks::Block ready_;  // the thread's while is_ready_ is false, else the taker's
+  bool is_ready_ = false;    // or there is no more, or it could not be read
+  bool more_ = true;
+  bool may_read_ahead_ = false;
+  bool given_up_ = false;
+  std::exception_ptr failure_;
+};
+
+}  // namespace tank_datum
