@@ -47,8 +47,8 @@ struct SetupKey {
   bool operator==(const SetupKey& other) const { return source == other.source && label == other.label; }
 };
 
-/// Points that somebody else reads, block by block, in as many passes as the stages need. All blocks of a pass are asked
-/// for by one thread of the library's, one ahead of the one that is looked at.
+/// Points that somebody else reads, block by block, in as many passes as the stages need. All blocks of a pass are
+/// asked for by one thread of the library's, one ahead of the one that is looked at.
 struct ScanBlocks {
   struct Block {
     Points points;                      ///< in their own frame [m]
