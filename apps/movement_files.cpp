@@ -45,6 +45,8 @@ void write(const fs::path& path, const std::string& content) {
 void followOverTime(Comparison& comparison, std::vector<Epoch> surveys) {
   for (std::size_t i = 0; i < comparison.dates.size(); ++i) surveys[i].date = comparison.dates[i];
   comparison.histories = historiesOf(comparison.movements, timesOf(comparison.dates, surveys.size()));
+  const double offset = comparison.movements.back().azimuth_offset;
+  for (Movement& m : comparison.movements) m = countedAs(surveys.back(), offset, std::move(m));
   comparison.limit_rates = limitRatesOf(surveys);
 }
 

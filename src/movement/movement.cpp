@@ -1,6 +1,7 @@
 #include "movement/movement.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "core/normal95.h"
@@ -201,6 +202,30 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
       findMoved(matched, {options.registration_error, rim, offset.sigma, errors.freedom}, options);
   takeFound(found, matched, movement);
   summarise(movement);
+  return movement;
+}
+
+Movement countedAs(const Epoch& survey, double azimuth_offset, Movement movement) {
+  const auto counted = [&](double direction) {
+    constexpr double kRounding = 1e-9;
+    const double azimuth = azimuthIn(survey, direction - azimuth_offset);
+    return azimuth < kTwoPi - kRounding ? azimuth : 0.0;
+  };
+  const auto same = [&](const StationMovement& s) {
+    return std::abs(std::remainder(counted(s.direction) - s.azimuth, kTwoPi)) < kSamePlace;
+  };
+  if (std::all_of(movement.stations.begin(), movement.stations.end(), same)) return movement;
+  const auto again = [&](double azimuth) {
+    const auto at = std::find_if(movement.stations.begin(), movement.stations.end(),
+                                 [azimuth](const StationMovement& s) { return s.azimuth == azimuth; });
+    return at == movement.stations.end() ? kUnknown : counted(at->direction);
+  };
+  movement.max_azimuth = again(movement.max_azimuth);
+  movement.rest_azimuth = again(movement.rest_azimuth);
+  movement.rise_azimuth = counted(movement.tilt_direction);
+  for (StationMovement& s : movement.stations) s.azimuth = counted(s.direction);
+  std::sort(movement.stations.begin(), movement.stations.end(),
+            [](const StationMovement& a, const StationMovement& b) { return a.azimuth < b.azimuth; });
   return movement;
 }
 

@@ -104,6 +104,24 @@ TEST(CompareEpochs, ComparesSurveysOfOtherStationCountsWhereBothWereMeasured) {
   EXPECT_NE(compareEpochs(Survey().epoch(), gap, {}).message.find("no_tank"), std::string::npos);
 }
 
+TEST(CountedAs, TheLastSurveyCountsForThoseBeforeIt) {
+  const Epoch baseline = Survey{}.epoch(), earlier = with(&Survey::dip, 0.02).epoch();
+  Epoch last = earlier;  // clockwise from +y
+  for (Elevation& e : last.stations) e.azimuth = std::fmod(450 * kDegree - e.direction, 360 * kDegree);
+  const Movement own = compareEpochs(baseline, earlier, {}), other = countedAs(last, 0.0, own);
+  EXPECT_NEAR(own.max_azimuth, 100 * kDegree, 1e-9);
+  EXPECT_NEAR(other.max_azimuth, 350 * kDegree, 1e-9);
+  EXPECT_NEAR(other.rest_azimuth, 350 * kDegree, 1e-9);
+  ASSERT_EQ(other.stations.size(), own.stations.size());
+  for (std::size_t i = 0; i < other.stations.size(); ++i) {
+    EXPECT_NEAR(other.stations[i].azimuth, static_cast<double>(i) * kDegree, 1e-9);
+    EXPECT_EQ(other.stations[i].dz, own.stations[(450 - i) % 360].dz);
+  }
+  const Movement turned = countedAs(earlier, 10 * kDegree, own);
+  EXPECT_NEAR(turned.max_azimuth, 90 * kDegree, 1e-9);
+  EXPECT_EQ(countedAs(earlier, 0.0, own).stations.front().azimuth, own.stations.front().azimuth);
+}
+
 TEST(CompareEpochs, RefusesOtherTanksUnitsMethodsAndSurfaces) {
   const Epoch one = Survey().epoch();
   Epoch other = one;

@@ -90,9 +90,8 @@ def test_no_script_holds_words(script: Path) -> None:
 
 def test_what_is_said_in_other_languages_is_what_the_library_says() -> None:
     """Each template's fixed words stand in a source; some are put together of pieces."""
-    pieced = {f"said.{key}" for key in ("roof_type", "foundation_kind")}
-    pieced |= {"said.points_apart", "said.which_units"}
-    text = "".join(p.read_text() for p in sorted((ROOT / "src").rglob("*.cpp")))
+    pieced = {"said.points_apart", "said.which_units", "said.found_doubtful", "said.found_rejected"}
+    text = "".join(p.read_text() for p in sorted((ROOT / "src").rglob("*.[ch]*")) if p.is_file())
     text += (ROOT / "src/limits/limits.csv").read_text()
     text = re.sub(r'"\s*"', "", text).replace("%%", "%").replace("\\n", " ")
     for key, template in words("en").items():

@@ -134,6 +134,11 @@ struct Movement {
 ///         without any standard error
 Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
 
+/// The same movement with its azimuths as another survey counts them, its stations in that order: movements since one
+/// baseline that are shown together.
+/// @param azimuth_offset  of that survey's frame from the baseline's [rad]
+Movement countedAs(const Epoch& survey, double azimuth_offset, Movement movement);
+
 /// One place of the datum through all surveys.
 struct StationHistory {
   double azimuth = kUnknown;             ///< as the last survey counts it [rad]

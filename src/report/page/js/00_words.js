@@ -18,7 +18,7 @@ function checkName(name) {
 
 /** [template, key] of the sentences of datum.json that other languages have words for; those with more words of their own first. */
 const kTemplates = Object.entries(kLanguages.en).filter(([key]) => key.startsWith("said."))
-  .map(([key, text]) => [new RegExp(`^${text.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{(\w+)\}/g, "(?<$1>.+)")}$`, "i"), key])
+  .map(([key, text]) => [new RegExp(`^${text.replace(/[.*+?^$()|[\]\\]/g, "\\$&").replace(/\{(\w+)\}/g, "(?<$1>[^;]+)")}$`, "i"), key])
   .sort(([, a], [, b]) => kLanguages.en[b].length - kLanguages.en[a].length);
 
 /** A sentence of datum.json, which is English, in the page's language; in clauses where it is known by those alone, else as it is. */
