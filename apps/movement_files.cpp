@@ -43,8 +43,9 @@ void write(const fs::path& path, const std::string& content) {
 }  // namespace
 
 void followOverTime(Comparison& comparison, std::vector<Epoch> surveys) {
-  for (std::size_t i = 0; i < comparison.dates.size(); ++i) surveys[i].date = comparison.dates[i];
+  // refuses another number of dates
   comparison.histories = historiesOf(comparison.movements, timesOf(comparison.dates, surveys.size()));
+  for (std::size_t i = 0; i < comparison.dates.size(); ++i) surveys[i].date = comparison.dates[i];
   const double offset = comparison.movements.back().azimuth_offset;
   for (Movement& m : comparison.movements) m = countedAs(surveys.back(), offset, std::move(m));
   comparison.limit_rates = limitRatesOf(surveys);

@@ -31,6 +31,7 @@ std::vector<double> kernelOf(const MovementTrial& trial) {
 /// A survey: its shape, its errors, and the dip as a raised cosine.
 Epoch surveyOf(const MovementTrial& trial, std::uint64_t seed, double dip) {
   Epoch epoch{"survey", "ok", "refined", "foundation", {{0.0, 0.0}, 30.0}, {}};
+  epoch.levelled = trial.levelled;
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal(0.0, trial.sigma * trial.scatter);
   std::array<double, kDegrees> white;
@@ -64,6 +65,7 @@ CLI::App* addMovement(CLI::App& app, MovementTrial& trial) {
       ->check(CLI::Range(0.0, 90.0));
   movement->add_option("--remove", trial.remove, "what is taken from the movement")
       ->check(CLI::IsMember({"none", "mean", "tilt"}));
+  movement->add_flag("--levelled", trial.levelled, "their errors are as people state them");
   movement->add_option("--dip", trial.dip, "depth [m]");
   movement->add_option("--dip-width-deg", trial.dip_width_deg, "whole width")->check(CLI::Range(1.0, 180.0));
   return movement;

@@ -15,6 +15,7 @@ struct MovementTrial {
   double scatter = 1.0;         ///< actual errors over sigma
   double window_deg = 2.0;      ///< what the surveys say of the arc behind a station
   double correlated_deg = 0;    ///< arc within which errors are shared; 0: as the surveys say
+  bool levelled = false;        ///< their errors are as people state them
   std::string remove = "none";  ///< what is taken from the movement first
   double dip = 0.002;           ///< depth of the dip in the second survey [m]
   double dip_width_deg = 10;    ///< whole

@@ -188,9 +188,10 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
     return movement;
   }
   const double rim = options.registration_tilt * current.circle.radius;
-  const MovementErrors errors = shownErrors(matched);
+  const MovementErrors errors = shownErrors(matched, baseline.levelled && current.levelled);
   widenErrors(matched, errors, options.correlation);
-  movement.errors_shown = errors.shown, movement.shared_arc = errors.shared;
+  movement.errors_shown = errors.shown, movement.errors_used = errors.scale;
+  movement.shared_arc = errors.shared;
   const CommonMotion motion = commonMotion(matched, options.registration_error, rim);
   describeWhole(motion, errors.freedom_whole, current.circle.radius, movement);
   movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);

@@ -37,42 +37,50 @@ double overlapOf(const MatchedStation& a, const MatchedStation& b) {
 
 /// Takes from the values each of the waves n = 2 to 5 that no error of neighbours makes: with a power far above that of
 /// the waves above it. An error shared over 20 degrees has ten times the power at n = 2 that it has at n = 8, and
-/// chance adds five times.
-void removeStandingWaves(std::vector<double>& values, const std::vector<MatchedStation>& stations) {
-  constexpr int kLongest = 5, kHighest = 14;
+/// chance adds five times. Of few stations fewer waves are there to compare with, three at least.
+/// @return how many
+int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedStation>& stations) {
+  constexpr int kFewestOthers = 3;
   constexpr double kStands = 50.0, kDearest = 5.0;
   const auto count = static_cast<Eigen::Index>(values.size());
-  Eigen::MatrixXd rows(count, 2 * kHighest + 1);
+  const int highest = std::min(14, static_cast<int>(count - 1) / 2), longest = std::min(5, highest / 2);
+  if (highest - longest < kFewestOthers) return 0;
+  Eigen::MatrixXd rows(count, 2 * highest + 1);
   for (Eigen::Index i = 0; i < count; ++i)
-    rows.row(i) = harmonicRow(stations[static_cast<std::size_t>(i)].direction, kHighest);
+    rows.row(i) = harmonicRow(stations[static_cast<std::size_t>(i)].direction, highest);
   const Eigen::LLT<Eigen::MatrixXd> normal(rows.transpose() * rows);
   const Eigen::MatrixXd inverse = normal.solve(Eigen::MatrixXd::Identity(rows.cols(), rows.cols()));
-  if (!(inverse.diagonal().maxCoeff() < kDearest * 2.0 / static_cast<double>(count))) return;  // a gap
+  if (!(inverse.diagonal().maxCoeff() < kDearest * 2.0 / static_cast<double>(count))) return 0;  // a gap
   const Eigen::VectorXd given = Eigen::Map<const Eigen::VectorXd>(values.data(), count);
   const Eigen::VectorXd waves = normal.solve(rows.transpose() * given);
   const auto power = [&](int n) { return waves.segment<2>(2 * n - 1).squaredNorm(); };
   std::vector<double> powers;
-  for (int n = kLongest + 1; n <= kHighest; ++n) powers.push_back(power(n));
+  for (int n = longest + 1; n <= highest; ++n) powers.push_back(power(n));
   const double usual = median(powers);
   std::vector<double> rest = values;
-  for (int n = 2; n <= kLongest; ++n) {
+  int standing = 0;
+  for (int n = 2; n <= longest; ++n) {
     if (power(n) <= kStands * usual) continue;
+    ++standing;
     const Eigen::VectorXd wave = rows.middleCols(2 * n - 1, 2) * waves.segment<2>(2 * n - 1);
     for (Eigen::Index i = 0; i < count; ++i) rest[static_cast<std::size_t>(i)] -= wave[i];
   }
   // the waves of a sector that moved would move the others
-  if (robustSigma(rest, median(rest)) < robustSigma(values, median(values))) values = rest;
+  if (robustSigma(rest, median(rest)) >= robustSigma(values, median(values))) return 0;
+  values = rest;
+  return standing;
 }
 
 }  // namespace
 
-MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
+MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool declared) {
   constexpr std::size_t kFewStations = 16, kDense = 32;
   constexpr double kMismatch = 1.25;    // few stations exceed their sigma by less through chance
   constexpr double kEfficiency = 0.87;  // of biweightSigma
   constexpr double kNone = 0.35;        // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;    // an arc is known to about a quarter
   constexpr double kWidest = 30.0 * kDegree;
+  constexpr double kMisstated = 4.0;  // nobody states errors of a levelling by more too small: beyond, the tank moved
   MovementErrors errors;
   const std::size_t n = stations.size();
   std::vector<MatchedStation> level = stations;
@@ -81,7 +89,7 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   plane.removeFromErrors(level);
   std::vector<double> values;
   for (const MatchedStation& m : level) values.push_back(m.dz / m.sigma);
-  if (n >= kDense) removeStandingWaves(values, stations);
+  const int waves = removeStandingWaves(values, stations);
   const double step = kTwoPi / static_cast<double>(n);
   double along = 0.0;
   for (std::size_t lag = 1; n >= kDense && static_cast<double>(lag) * step <= kWidest; ++lag) {
@@ -90,13 +98,15 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
     along += correlation;
   }
   if (along > 0.0) errors.shared = kCautious * step * (1.0 + 2.0 * along);
-  // the plane took three degrees of freedom from as many values as are independent
+  // the plane took three degrees of freedom from as many values as are independent, and each wave two
   const double independent = errors.shared > 0.0 ? std::max(6.0, kTwoPi / errors.shared) : static_cast<double>(n);
-  errors.shown = biweightSigma(values) / std::sqrt(1.0 - 3.0 / independent);
-  const double freedom = std::max(1.0, kEfficiency * (independent - 3.0));
+  const double taken = errors.shared > 0.0 ? 3.0 : 3.0 + 2.0 * waves;
+  errors.shown = biweightSigma(values) / std::sqrt(1.0 - taken / independent);
+  const double freedom = std::max(1.0, kEfficiency * (independent - taken));
   if (errors.shared > 0.0) errors.freedom_whole = freedom;  // the arc is known no better than a scale would be
   if (errors.shown <= (n < kFewStations ? kMismatch : 1.0)) return errors;
-  errors.scale = errors.shown;
+  errors.scale = declared ? std::min(kMisstated, errors.shown) : errors.shown;
+  if (declared && errors.shown > kMisstated) return errors;
   if (errors.shown > kMismatch) errors.freedom = errors.freedom_whole = freedom;
   return errors;
 }

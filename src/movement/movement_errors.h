@@ -17,10 +17,12 @@ struct MovementErrors {
 
 /// Scatter and autocorrelation of dz about a robust plane, by biweight and medians: a movement of less than half of the
 /// ring hardly changes them, nor does a long wave of the whole ring that stands far above the waves shorter than it.
-/// Fewer than 16 stations must scatter by a quarter more than their sigmas; the autocorrelation and the waves need 32.
+/// Fewer than 16 stations must scatter by a quarter more than their sigmas; the waves need 11, the autocorrelation 32.
 /// Source of the robust autocovariance: Ma and Genton, J. Time Series Analysis 21, 2000, with the median absolute
 /// deviation as scale.
-MovementErrors shownErrors(const std::vector<MatchedStation>& stations);
+/// @param declared  whether people stated the sigmas, of levellings: what stations scatter beyond four times them is
+///                  movement, not error
+MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool declared);
 
 /// Gives the stations the larger of given and shown errors of their own, and the wider of the arcs.
 /// @param declared  the user's own arc, which stands; 0: none [rad]

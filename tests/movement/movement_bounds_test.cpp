@@ -120,7 +120,7 @@ MovementErrors errorsWithGap(std::size_t missing, double& dearest) {
   }
   const Eigen::MatrixXd inverse = (rows.transpose() * rows).inverse();
   dearest = inverse.diagonal().maxCoeff() * static_cast<double>(stations.size()) / 2.0;
-  return shownErrors(stations);
+  return shownErrors(stations, false);
 }
 
 TEST(ShownErrors, AreAWaveWhereAGapMakesWavesFiveTimesAsUncertain) {
@@ -141,7 +141,7 @@ TEST(ShownErrors, OfNeighboursReachThirtyDegreesAtMost) {
   double sum = 0.0;  // in steps of a ring of so many stations
   for (int lag = 1; lag * 360 <= 30 * kCount; ++lag) sum += std::cos(2.0 * lag * kDegree);
   const double expected = 1.25 * (1.0 + 2.0 * sum) * 360.0 / kCount;
-  EXPECT_NEAR(shownErrors(stations).shared / kDegree / expected, 1.0, 0.04);
+  EXPECT_NEAR(shownErrors(stations, false).shared / kDegree / expected, 1.0, 0.04);
 }
 
 }  // namespace

@@ -3,33 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "core/units.h"
+#include "support/made_differences.h"
 
 namespace tank_datum {
 namespace {
 
-/// Differences of 1 mm sigma whose errors are means of white noise over `shared` stations.
-std::vector<MatchedStation> differences(std::size_t count, std::size_t shared, unsigned seed, double errors = 0.001) {
-  std::mt19937_64 generator(seed);
-  std::normal_distribution<double> normal;
-  std::vector<double> white(count);
-  for (double& w : white) w = normal(generator);
-  std::vector<MatchedStation> stations(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    MatchedStation& m = stations[i];
-    m.direction = kTwoPi * static_cast<double>(i) / static_cast<double>(count);
-    m.sigma = 0.001, m.window = 2.0 * kDegree;
-    for (std::size_t k = 0; k < shared; ++k) m.dz += white[(i + k) % count];
-    m.dz *= errors / std::sqrt(static_cast<double>(shared));
-  }
-  return stations;
-}
+using made_differences::differences;
 
 double meanScale(std::size_t shared, double errors) {
   double sum = 0.0;
-  for (unsigned seed = 1; seed <= 20; ++seed) sum += shownErrors(differences(360, shared, seed, errors)).shown / 20;
+  for (unsigned seed = 1; seed <= 20; ++seed)
+    sum += shownErrors(differences(360, shared, seed, errors), false).shown / 20;
   return sum;
 }
 
@@ -43,17 +29,17 @@ TEST(ShownErrors, KnowTheArcThatNeighboursShare) {
   for (const std::size_t shared : {5U, 20U}) {
     double arc = 0.0;
     for (unsigned seed = 1; seed <= 20; ++seed)
-      arc += shownErrors(differences(360, shared, seed)).shared / kDegree / 20;
+      arc += shownErrors(differences(360, shared, seed), false).shared / kDegree / 20;
     EXPECT_GT(arc, 0.9 * static_cast<double>(shared));
     EXPECT_LT(arc, 1.6 * static_cast<double>(shared));
   }
-  EXPECT_LT(shownErrors(differences(360, 1, 3)).shared, 4.0 * kDegree);
+  EXPECT_LT(shownErrors(differences(360, 1, 3), false).shared, 4.0 * kDegree);
 }
 
 TEST(ShownErrors, AreNotMovedByASectorThatIs) {
   auto stations = differences(360, 1, 5);
   for (std::size_t i = 100; i < 160; ++i) stations[i].dz -= 0.015;
-  EXPECT_NEAR(shownErrors(stations).shown, 1.0, 0.45);
+  EXPECT_NEAR(shownErrors(stations, false).shown, 1.0, 0.45);
 }
 
 TEST(ShownErrors, PatchesThreeTimesTheUsualScatterOffHaveMovedAndShareNoError) {
@@ -63,7 +49,7 @@ TEST(ShownErrors, PatchesThreeTimesTheUsualScatterOffHaveMovedAndShareNoError) {
     for (std::size_t i = 0; i < 360; ++i) {
       if (i % 24 < 8) stations[i].dz += i / 24 % 2 == 0 ? -0.0065 : 0.0065;
     }
-    EXPECT_EQ(shownErrors(stations).shared, 0.0) << seed;
+    EXPECT_EQ(shownErrors(stations, false).shared, 0.0) << seed;
   }
 }
 
@@ -71,7 +57,7 @@ TEST(ShownErrors, AreNotAWaveOfTheWholeRing) {
   for (const int n : {2, 3, 5}) {
     auto stations = differences(360, 1, 7);
     for (MatchedStation& m : stations) m.dz += 0.010 * std::cos(n * m.direction + 1.0);
-    const MovementErrors errors = shownErrors(stations);
+    const MovementErrors errors = shownErrors(stations, false);
     EXPECT_NEAR(errors.shown, 1.0, 0.15) << n;
     EXPECT_LT(errors.shared, 4.0 * kDegree) << n;
   }
@@ -84,7 +70,7 @@ TEST(ShownErrors, AWaveIsNoErrorWhenItsPowerIsFiftyTimesThatOfShorterOnes) {
       for (int n = 6; n <= 14; ++n) m.dz += 0.0005 * std::cos(n * m.direction + n * n);
       m.dz += 0.0005 * amplitude * std::cos(3.0 * m.direction);
     }
-    return shownErrors(stations).shown;
+    return shownErrors(stations, false).shown;
   };
   const double without = shown(0.0);
   EXPECT_GT(shown(6.6), 1.5 * without);             // power 44: may be an error that neighbours share
@@ -100,34 +86,54 @@ std::vector<MatchedStation> scattered(std::size_t count, double scatter) {
 }
 
 TEST(ShownErrors, FewStationsMustShowAQuarterMoreThanGiven) {
-  EXPECT_NEAR(shownErrors(scattered(14, 1.15)).shown, 1.15, 0.02);
-  EXPECT_EQ(shownErrors(scattered(14, 1.15)).scale, 1.0);
-  EXPECT_NEAR(shownErrors(scattered(14, 1.35)).scale, 1.35, 0.02);
-  EXPECT_NEAR(shownErrors(scattered(18, 1.15)).scale, 1.15, 0.02);
+  EXPECT_NEAR(shownErrors(scattered(14, 1.15), false).shown, 1.15, 0.02);
+  EXPECT_EQ(shownErrors(scattered(14, 1.15), false).scale, 1.0);
+  EXPECT_NEAR(shownErrors(scattered(14, 1.35), false).scale, 1.35, 0.02);
+  EXPECT_NEAR(shownErrors(scattered(18, 1.15), false).scale, 1.15, 0.02);
+}
+
+TEST(ShownErrors, AWaveOfElevenStationsIsToldFromErrorsOfTenItIsNot) {
+  const auto shown = [](std::size_t count) {
+    auto stations = differences(count, 1, 7);
+    for (MatchedStation& m : stations) m.dz += 0.010 * std::cos(2.0 * m.direction + 1.0);
+    return shownErrors(stations, false).shown;
+  };
+  for (const std::size_t count : {11U, 12U, 16U, 24U, 31U}) EXPECT_LT(shown(count), 2.0) << count;
+  EXPECT_GT(shown(10), 4.0);
+}
+
+TEST(ShownErrors, ThoseThatPeopleStatedAreAtMostFourTimesAsLarge) {
+  const auto of = [](double scatter, bool declared) { return shownErrors(scattered(10, scatter), declared); };
+  EXPECT_NEAR(of(3.9, true).scale, 3.9, 0.05);
+  EXPECT_GT(of(3.9, true).freedom, 0.0);
+  EXPECT_EQ(of(4.2, true).scale, 4.0);
+  EXPECT_EQ(of(4.2, true).freedom, 0.0);
+  EXPECT_NEAR(of(40.0, true).shown, 40.0, 0.5);
+  EXPECT_NEAR(of(40.0, false).scale, 40.0, 0.5);
 }
 
 TEST(ShownErrors, AScaleFromResidualsIsKnownByAsManyAsTheBiweightUses) {
-  EXPECT_EQ(shownErrors(scattered(28, 1.15)).freedom, 0.0) << "the given sigmas stand";
-  EXPECT_NEAR(shownErrors(scattered(28, 1.35)).freedom, 0.87 * 25.0, 1e-9);
-  EXPECT_EQ(shownErrors(scattered(8, 2.0)).freedom, 0.87 * 5.0);
+  EXPECT_EQ(shownErrors(scattered(28, 1.15), false).freedom, 0.0) << "the given sigmas stand";
+  EXPECT_NEAR(shownErrors(scattered(28, 1.35), false).freedom, 0.87 * 25.0, 1e-9);
+  EXPECT_EQ(shownErrors(scattered(8, 2.0), false).freedom, 0.87 * 5.0);
 }
 
 TEST(ShownErrors, AnArcThatIsLearntIsKnownByAsManyAsAreIndependent) {
-  const MovementErrors none = shownErrors(differences(360, 1, 3));
+  const MovementErrors none = shownErrors(differences(360, 1, 3), false);
   EXPECT_EQ(none.shared, 0.0);
   EXPECT_EQ(none.freedom_whole, 0.0);
-  const MovementErrors learnt = shownErrors(differences(360, 20, 3));
+  const MovementErrors learnt = shownErrors(differences(360, 20, 3), false);
   ASSERT_GT(learnt.shared, 10.0 * kDegree);
   EXPECT_NEAR(learnt.freedom_whole, 0.87 * (kTwoPi / learnt.shared - 3.0), 1e-9);
-  const MovementErrors scaled = shownErrors(scattered(28, 1.35));
+  const MovementErrors scaled = shownErrors(scattered(28, 1.35), false);
   EXPECT_EQ(scaled.freedom_whole, scaled.freedom) << "the scale is learnt, and no arc";
 }
 
 TEST(ShownErrors, ThirtyTwoStationsTellTheArcThatNeighboursShare) {
   int told = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    EXPECT_EQ(shownErrors(differences(30, 5, seed)).shared, 0.0);
-    told += shownErrors(differences(36, 5, seed)).shared > 10.0 * kDegree ? 1 : 0;
+    EXPECT_EQ(shownErrors(differences(30, 5, seed), false).shared, 0.0);
+    told += shownErrors(differences(36, 5, seed), false).shared > 10.0 * kDegree ? 1 : 0;
   }
   EXPECT_GE(told, 10);
 }
@@ -136,7 +142,7 @@ TEST(ShownErrors, AnArcIsGivenAQuarterMore) {
   auto stations = differences(360, 1, 1, 0.0);
   for (MatchedStation& m : stations) m.dz = 0.010 * std::sin(6.0 * m.direction);
   // correlations of stations k degrees apart are cos(6 k), above 0.35 up to k = 11: their sum is 8.42
-  EXPECT_NEAR(shownErrors(stations).shared / kDegree, 1.25 * (1.0 + 2.0 * 8.42), 1.0);
+  EXPECT_NEAR(shownErrors(stations, false).shared / kDegree, 1.25 * (1.0 + 2.0 * 8.42), 1.0);
 }
 
 TEST(ShownErrors, ACorrelationOfAQuarterIsNone) {
@@ -145,7 +151,7 @@ TEST(ShownErrors, ACorrelationOfAQuarterIsNone) {
     auto stations = differences(360, 1, seed, 0.001 * std::sqrt(0.75));
     const auto wide = differences(360, 30, 100 + seed, 0.001 * std::sqrt(0.25));
     for (std::size_t i = 0; i < stations.size(); ++i) stations[i].dz += wide[i].dz;
-    shared += shownErrors(stations).shared > 0.0 ? 1 : 0;
+    shared += shownErrors(stations, false).shared > 0.0 ? 1 : 0;
   }
   EXPECT_LE(shared, 5);
 }
@@ -158,79 +164,6 @@ TEST(WidenErrors, TakesTheLargerAndTheDeclaredArc) {
   widenErrors(stations, {1.0, 0.5, 0.0, 0.0}, 30.0 * kDegree);
   EXPECT_NEAR(stations[0].sigma, 0.002, 1e-12);
   EXPECT_NEAR(stations[0].window, 30.0 * kDegree, 1e-12);
-}
-
-TEST(CommonMotion, OfAUniformDropIsSevenSigma) {
-  auto stations = differences(24, 1, 1, 0.0);
-  for (MatchedStation& m : stations) m.dz = -0.002, m.sigma = 0.001 * std::sqrt(2.0);
-  const CommonMotion motion = commonMotion(stations, 0.0, 0.0);
-  EXPECT_NEAR(motion.mean, -0.002, 1e-12);
-  EXPECT_NEAR(motion.sigma_mean, 0.001 * std::sqrt(2.0 / 24.0), 1e-9);
-  EXPECT_NEAR(motion.rim.norm(), 0.0, 1e-12);
-  EXPECT_NEAR(commonMotion(stations, 0.003, 0.0).sigma_mean, std::hypot(0.003, 0.001 * std::sqrt(2.0 / 24.0)), 1e-9);
-}
-
-TEST(CommonMotion, OfATiltIsItsRim) {
-  auto stations = differences(36, 1, 1, 0.0);
-  for (MatchedStation& m : stations) m.dz = 0.003 * std::cos(m.direction) + 0.004 * std::sin(m.direction);
-  const CommonMotion motion = commonMotion(stations, 0.0, 0.0);
-  EXPECT_NEAR(motion.rim.x(), 0.003, 1e-12);
-  EXPECT_NEAR(motion.rim.y(), 0.004, 1e-12);
-  EXPECT_NEAR(motion.covariance(0, 0), 1e-6 * 2.0 / 36.0, 1e-12);
-  for (MatchedStation& m : stations) m.window = 40.0 * kDegree;  // four neighbours share nearly all
-  EXPECT_GT(commonMotion(stations, 0.0, 0.0).covariance(0, 0), 2.5e-6 * 2.0 / 36.0);
-}
-
-/// Stations of own errors of 0.2 mm that share a height of 1 mm.
-std::vector<MatchedStation> hanging(std::size_t count) {
-  auto stations = differences(count, 1, 1, 0.0);
-  for (MatchedStation& m : stations) {
-    m.shared = Eigen::VectorXd::Constant(1, 0.001);
-    m.sigma = std::hypot(0.0002, 0.001);
-  }
-  return stations;
-}
-
-TEST(CommonMotion, OfStationsThatShareAHeightIsKnownNoBetterThanThat) {
-  const CommonMotion motion = commonMotion(hanging(100), 0.0, 0.0);
-  EXPECT_NEAR(motion.sigma_mean, std::hypot(0.001, 0.0002 / 10.0), 1e-6);
-  EXPECT_LT(std::sqrt(motion.covariance(0, 0)), 0.00005);
-}
-
-TEST(CommonPart, TakesASharedHeightFromTheErrorsWithTheMean) {
-  auto stations = hanging(100);
-  CommonPart(stations, Removal::Mean, true).removeFromErrors(stations);
-  EXPECT_NEAR(stations[7].sigma, 0.0002, 1e-9);
-  EXPECT_NEAR(stations[7].shared.norm(), 0.0, 1e-12);
-}
-
-TEST(WidenErrors, OfStationsThatShareSomeAreTheirOwn) {
-  auto stations = hanging(100);
-  widenErrors(stations, {2.0, 2.0, 0.0, 0.0}, 0.0);
-  EXPECT_NEAR(stations[7].sigma, std::hypot(0.0004, 0.001), 1e-12);
-}
-
-TEST(TiltPValue, IsThatOfFOrOfChiSquare) {
-  CommonMotion motion;
-  motion.rim << 3.0, 0.0;
-  motion.covariance.setIdentity();
-  EXPECT_NEAR(tiltPValue(motion, 0.0), std::exp(-4.5), 1e-12);
-  // F with 2 and 10 degrees of freedom exceeds 4.103 in 5 %
-  motion.rim << 0.0, std::sqrt(2.0 * 4.103);
-  EXPECT_NEAR(tiltPValue(motion, 10.0), 0.05, 1e-4);
-}
-
-TEST(CommonPart, ASectorThatMovedDoesNotMoveTheOthers) {
-  for (const Removal removal : {Removal::Mean, Removal::Tilt}) {
-    auto stations = differences(360, 1, 2, 0.0003);
-    for (std::size_t i = 100; i < 160; ++i) stations[i].dz -= 0.005;
-    for (MatchedStation& m : stations) m.dz += 0.010, m.sigma = 0.0003;
-    CommonPart(stations, removal, true).removeFrom(stations);
-    double others = 0.0, sector = 0.0;
-    for (std::size_t i = 0; i < 360; ++i) (i >= 100 && i < 160 ? sector : others) += stations[i].dz;
-    EXPECT_NEAR(others / 300.0, 0.0, 6e-5);
-    EXPECT_NEAR(sector / 60.0, -0.005, 2e-4);
-  }
 }
 
 }  // namespace

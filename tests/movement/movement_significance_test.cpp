@@ -75,6 +75,34 @@ TEST(CompareEpochs, OfFewStationsSigmasClaimedHalfRaiseNoAlarms) {
   for (const int count : {alarms, means, tilts}) EXPECT_LE(count, 15);  // binomial(150, 0.05) exceeds it once in 200
 }
 
+/// A levelling of a millimetre of a tank that is oval by so much.
+Epoch levelled(int count, double oval, unsigned seed) {
+  Epoch epoch{"levelling", "ok", "refined", "", {{0.0, 0.0}, 30.0}, {}};
+  epoch.levelled = true;
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal(0.0, 0.001);
+  for (int i = 0; i < count; ++i) {
+    const double a = kTwoPi * i / count;
+    epoch.stations.push_back({a, a, oval * std::cos(2.0 * a + 0.5) + normal(generator), 0.001, NAN});
+  }
+  return epoch;
+}
+
+TEST(CompareEpochs, ATankThatBecameOvalHasMovedByFewPointsToo) {
+  for (const int count : {8, 9, 10, 12, 16, 24, 31, 36}) {
+    const double oval = count < 11 ? 0.025 : 0.010;
+    int found = 0, alarms = 0;
+    for (unsigned run = 1; run <= 60; ++run) {
+      const Movement moved = compareEpochs(levelled(count, 0.0, run), levelled(count, oval, 1000 + run), {});
+      found += moved.moved() && moved.rest_significant && moved.significant > 0;
+      const Movement still = compareEpochs(levelled(count, oval, run), levelled(count, oval, 1000 + run), {});
+      alarms += still.significant > 0;
+    }
+    EXPECT_GE(found, 58) << count;
+    EXPECT_LE(alarms, 7) << count;  // binomial(60, 0.05) exceeds it once in 70
+  }
+}
+
 /// A scan of a still tank whose setups leave height, tilt and a second wave of a millimetre that its stations share.
 Epoch ofSetups(unsigned seed, bool told) {
   Epoch epoch{"scan", "ok", "refined", "foundation", {{0.0, 0.0}, 30.0}, {}};

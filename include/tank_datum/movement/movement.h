@@ -96,7 +96,8 @@ struct Movement {
   double registration_tilt = 0.0;     ///< as given [rad]
   double azimuth_offset = 0.0;        ///< as given or estimated [rad]
   double sigma_azimuth_offset = 0.0;  ///< its standard error; 0 when given [rad]
-  double errors_shown = 1.0;          ///< scatter of the differences over the given sigmas; above 1 it is used
+  double errors_shown = 1.0;          ///< scatter of the differences over the given sigmas
+  double errors_used = 1.0;           ///< what the given sigmas were multiplied by: that, where it is above 1 and error
   double shared_arc = 0.0;            ///< arc within which the differences show shared errors [rad]
   double mean = kUnknown, sigma_mean = kUnknown;  ///< settlement of the whole, before the removal [m]
   bool mean_significant = false;                  ///< at 95 %, by itself
