@@ -5,7 +5,6 @@
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
 #include "tank_datum/locate/tank.h"
-#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 

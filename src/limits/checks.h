@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tank_datum/limits/limits.h"
@@ -21,5 +22,8 @@ LimitComparison compare(const std::vector<Limit>& limits, const Measure& measure
 ///               Andreani's arcs, or where those cannot be judged the classic rule (ballot B.2.2.5 to B.2.2.8).
 ///               Gives the checks their roles.
 Headline headlineOf(std::vector<Check>& checks, bool dense);
+
+/// "107 % of its limit (95 %: 106 to 118 %)"
+std::string shareOfLimit(const Headline& headline);
 
 }  // namespace tank_datum

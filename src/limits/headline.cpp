@@ -60,11 +60,7 @@ std::string sentenceOf(const Headline& headline, const Check* check) {
   if (!check) return "No rule could be judged. " + std::string(screening);
   std::string share;
   if (headline.word != "INCOMPLETE") {
-    const auto percent = [](double part) { return fixedText(100.0 * part, 0); };
-    share = " is at " + percent(headline.utilisation) + " % of its limit";
-    if (const Interval95& interval = headline.utilisation_interval; interval.known()) {
-      share += " (95 %: " + percent(interval.low) + " to " + percent(interval.high) + " %)";
-    }
+    share = " is at " + shareOfLimit(headline);
     if (std::isfinite(check->azimuth)) {
       share += " at " + fixedText(std::fmod(std::round(toDegrees(check->azimuth)), 360.0), 0) + " deg";
     }
@@ -73,6 +69,18 @@ std::string sentenceOf(const Headline& headline, const Check* check) {
 }
 
 }  // namespace
+
+std::string shareOfLimit(const Headline& headline) {
+  const auto percent = [](double part) {  // on its own side of the limit
+    const std::string text = fixedText(100.0 * part, 0);
+    if (text != "100" || part == 1.0) return text;
+    return fixedText((part < 1.0 ? std::floor(1e4 * part) : std::ceil(1e4 * part)) / 1e2, 2);
+  };
+  const std::string share = percent(headline.utilisation) + " % of its limit";
+  const Interval95& interval = headline.utilisation_interval;
+  if (!interval.known()) return share;
+  return share + " (95 %: " + percent(interval.low) + " to " + percent(interval.high) + " %)";
+}
 
 Headline headlineOf(std::vector<Check>& checks, bool dense) {
   giveRoles(checks, dense ? Ranking{"curvature", "settlement_arc", "second_difference"}

@@ -6,4 +6,8 @@ namespace tank_datum {
 /// arc without elevations that is wider may hide what would fail, and a wave whose half is shorter is not surveyed.
 constexpr double kSurveySpacing = 6.096;
 
+/// The code's own bound of that distance, 32 ft [m]: the widest gap of a levelling whose points stand further apart
+/// than usual.
+constexpr double kWidestSpacing = 9.7536;
+
 }  // namespace tank_datum

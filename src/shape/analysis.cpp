@@ -137,7 +137,8 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   result.measures = figures.all();
   addTopOvality(radius, options.facts.height, result);
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
-  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= std::max(kSurveySpacing, 2.01 * step);
+  const double widest = step > kSurveySpacing ? kWidestSpacing : kSurveySpacing;
+  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= widest + 1e-6;
   addTilt(ring.tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
   addAntipodal(stations, result.measures);

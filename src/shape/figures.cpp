@@ -28,13 +28,6 @@ RingRows valueRows(const RingSeries& series) {
   return rows;
 }
 
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[160];
-  snprintfPlain(text, sizeof text, format, values...);
-  return text;
-}
-
 const char* const kTooFew = "too few stations have an elevation";
 
 }  // namespace
@@ -95,11 +88,13 @@ void Figures::addLevels(Analysis& analysis) {
   add("slope_10m", largestOf(slopes, seen_.z), kTooFew).interval =
       intervalOf(slopes, slopeRows(whole_.z, radius_, 10.0), false);
   for (const auto& [quantity, arc] : {std::pair("level_9m", 9.0), {"level_3m", 3.0}}) {
-    const RingRows rows = levelRows(seen_.z, radius_, arc);
+    const LevelWithin seen(seen_.z, radius_, arc), whole(whole_.z, radius_, arc);
     PlacedValue& level = arc > 3.0 ? analysis.level_9m : analysis.level_3m;
-    level = largestOf(rows, seen_.z);
-    add(quantity, level, "no two neighbouring stations have an elevation").interval =
-        intervalOf(rows, levelRows(whole_.z, radius_, arc), false);
+    level = seen.largest(seen_.z.values());
+    Measure& measure = add(quantity, level, "no two neighbouring stations have an elevation");
+    if (seen.empty()) continue;
+    measure.interval = surveys_.intervalOf([&](const double* v) { return seen.largest(v); },
+                                           [&](const double* v) { return whole.largest(v); }, false);
   }
   const MeanLevel seen(seen_.z, stations_), whole(whole_.z, surveys_.wholeRing());
   analysis.level_total = seen.furthest(seen_.z.values());

@@ -23,32 +23,73 @@ RingRows slopeRows(const RingSeries& series, double radius, double arc) {
     for (const double ahead : {arc / radius, -arc / radius}) {
       const auto there = series.placeOf(v[i].azimuth + ahead);
       if (!there) continue;
-      rows.add(ahead > 0.0 ? v[i].azimuth : v[i].azimuth + ahead, {{*there, 1.0 / arc}, {atValue(i), -1.0 / arc}});
+      rows.add(v[i].azimuth + 0.5 * ahead, {{*there, 1.0 / arc}, {atValue(i), -1.0 / arc}});
     }
   }
   return rows;
 }
 
-RingRows levelRows(const RingSeries& series, double radius, double arc) {
-  RingRows rows;
+LevelWithin::LevelWithin(const RingSeries& series, double radius, double arc) {
   const std::vector<RingValue>& v = series.values();
-  const auto add = [&](double from, double to, const RingPlace& a, const RingPlace& b) {
-    const double middle = from + 0.5 * turnAhead(from, to);
-    rows.add(middle, {{b, 0.5}, {a, -0.5}});
-  };
+  std::size_t k = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
-    for (std::size_t k = 1; k < v.size(); ++k) {
-      const std::size_t j = (i + k) % v.size();
-      if (radius * turnAhead(v[i].azimuth, v[j].azimuth) > arc * (1.0 + kRounding)) break;
-      add(v[i].azimuth, v[j].azimuth, atValue(i), atValue(j));
-    }
-    if (arc >= kPi * radius) continue;
-    const double reach = arc / radius;
-    const auto after = series.placeOf(v[i].azimuth + reach), before = series.placeOf(v[i].azimuth - reach);
-    if (after) add(v[i].azimuth, v[i].azimuth + reach, atValue(i), *after);
-    if (before) add(v[i].azimuth - reach, v[i].azimuth, *before, atValue(i));
+    const auto within = [&](std::size_t ahead) {
+      return radius * turnAhead(v[i].azimuth, v[(i + ahead) % v.size()].azimuth) <= arc * (1.0 + kRounding);
+    };
+    k = k == 0 ? 0 : k - 1;  // the window's end never goes back
+    while (k + 1 < v.size() && within(k + 1)) ++k;
+    ahead_.push_back(k);
+    pairs_ = pairs_ || k > 0;
   }
-  return rows;
+  if (arc >= kPi * radius) return;
+  const double reach = arc / radius;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const auto after = series.placeOf(v[i].azimuth + reach), before = series.placeOf(v[i].azimuth - reach);
+    if (after) edges_.add(v[i].azimuth + 0.5 * reach, {{*after, 0.5}, {atValue(i), -0.5}});
+    if (before) edges_.add(v[i].azimuth - 0.5 * reach, {{atValue(i), 0.5}, {*before, -0.5}});
+  }
+}
+
+/// A window that goes round once; its largest and smallest values lie at the heads of two queues in order.
+template <typename Value>
+LevelWithin::Range LevelWithin::widest(Value value) const {
+  const std::size_t count = ahead_.size();
+  std::vector<std::size_t> high(2 * count), low(2 * count);
+  std::size_t high_head = 0, high_end = 0, low_head = 0, low_end = 0, end = 0;
+  Range best;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (; end <= i + ahead_[i]; ++end) {
+      const double here = value(end % count);
+      while (high_end > high_head && value(high[high_end - 1] % count) <= here) --high_end;
+      while (low_end > low_head && value(low[low_end - 1] % count) >= here) --low_end;
+      high[high_end++] = low[low_end++] = end;
+    }
+    while (high[high_head] < i) ++high_head;
+    while (low[low_head] < i) ++low_head;
+    const std::size_t highest = high[high_head] % count, lowest = low[low_head] % count;
+    const double half = 0.5 * (value(highest) - value(lowest));
+    if (half > best.half) best = {highest, lowest, half};
+  }
+  return best;
+}
+
+double LevelWithin::largest(const double* values) const {
+  if (empty()) return 0.0;
+  return std::max(edges_.largest(values), widest([values](std::size_t i) { return values[i]; }).half);
+}
+
+PlacedValue LevelWithin::largest(const std::vector<RingValue>& values) const {
+  if (empty()) return {};
+  const Range range = widest([&values](std::size_t i) { return values[i].value; });
+  const double from = values[range.highest].azimuth, to = values[range.lowest].azimuth;
+  const double ahead = turnAhead(from, to), back = turnAhead(to, from);
+  RingRows pair;
+  pair.add(ahead <= back ? from + 0.5 * ahead : to + 0.5 * back,
+           {{atValue(range.highest), 0.5}, {atValue(range.lowest), -0.5}});
+  const PlacedValue between = pair.of(0, values);
+  if (edges_.empty()) return between;
+  const PlacedValue edge = edges_.of(edges_.largest(values), values);
+  return pairs_ && between.value >= edge.value ? between : edge;
 }
 
 MeanLevel::MeanLevel(const RingSeries& series, const std::vector<Station>& stations) {

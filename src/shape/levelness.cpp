@@ -18,7 +18,7 @@ PlacedValue steepest(const std::vector<Station>& stations, double radius, double
 
 PlacedValue unevennessWithin(const std::vector<Station>& stations, double radius, double arc) {
   const RingSeries series(stations, &Station::z, &Station::sigma_z);
-  return largestOf(levelRows(series, radius, arc), series);
+  return LevelWithin(series, radius, arc).largest(series.values());
 }
 
 PlacedValue unevennessOfAll(const std::vector<Station>& stations) {

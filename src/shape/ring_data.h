@@ -7,8 +7,6 @@
 
 namespace tank_datum {
 
-constexpr double kRidge = 1e-8;  ///< a gap leaves some sums of waves without any station: their errors are nil
-
 /// The measured stations as a model of the ring takes them.
 struct RingData {
   Eigen::VectorXd azimuths;    ///< as the user counts them [rad]

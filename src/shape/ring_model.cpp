@@ -8,6 +8,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
+#include "stations/ring_series.h"
 
 namespace tank_datum {
 namespace {
@@ -15,13 +16,14 @@ namespace {
 constexpr double kLeastScale2 = 1e-8;     ///< of stations without sigmas, however smooth: less is lost in rounding
 constexpr Eigen::Index kMostSparse = 64;  ///< stations: up to so many, each stands for its own arc
 constexpr int kHighestWave = 45;
+constexpr double kRidge = 1e-8;  ///< a short arc hardly tells mean and tilt apart
 
 /// The least distance of neighbours [rad].
 double leastStep(const Eigen::VectorXd& azimuths) {
-  std::vector<double> places(azimuths.begin(), azimuths.end());
-  for (double& place : places) place -= kTwoPi * std::floor(place / kTwoPi);
+  std::vector<double> places;
+  for (const double azimuth : azimuths) places.push_back(turnAhead(0.0, azimuth));
   std::sort(places.begin(), places.end());
-  double least = places.front() + kTwoPi - places.back();
+  double least = turnAhead(places.back(), places.front());
   for (std::size_t i = 1; i < places.size(); ++i) least = std::min(least, places[i] - places[i - 1]);
   return least;
 }
@@ -47,12 +49,13 @@ Eigen::MatrixXd RingModel::product(const Eigen::MatrixXd& a, const Eigen::Matrix
 
 bool RingModel::dense() const { return data_.count() > kMostSparse; }
 
-RingModel::RingModel(const RingData& data) : data_(data), order_(orderFor(data.azimuths)) {
+RingModel::RingModel(const RingData& data) : data_(data) {
   constexpr Eigen::Index kFewestStations = 4;
   if (data_.count() < kFewestStations) {
-    order_ = 0, solution_ = errors_ = Eigen::VectorXd::Zero(1);
+    solution_ = errors_ = Eigen::VectorXd::Zero(1);
     return;
   }
+  order_ = orderFor(data_.azimuths);
   if (!data_.sigmas_known) {
     constexpr double kLeast = 1e-7;  // [m]: of a datum level to within rounding
     const double scatter = std::sqrt((data_.z.array() - data_.z.mean()).square().mean());

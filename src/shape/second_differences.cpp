@@ -13,24 +13,16 @@ namespace tank_datum {
 namespace {
 
 constexpr double kClosest = 15.0 * kMetresPerFoot;  // points nearer than this measure noise
-constexpr double kWidest = 32.0 * kMetresPerFoot;   // the code's own
 constexpr double kSound = 22.0 * kMetresPerFoot;    // beyond it curvature is missed
 constexpr int kFewestPoints = 8;
 constexpr double kRounding = 1e-6;
-
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[240];
-  snprintfPlain(text, sizeof text, format, values...);
-  return text;
-}
 
 /// Why a survey of so many points is none for the classic rule; or empty.
 std::string objection(int points, double circumference) {
   const double spacing = circumference / points;
   if (points < kFewestPoints) return formatted("%d points, and the rule wants at least %d", points, kFewestPoints);
   if (points % 2 != 0) return formatted("%d points, and the rule wants an even number", points);
-  if (spacing > kWidest + kRounding)
+  if (spacing > kWidestSpacing + kRounding)
     return formatted("points %.2f m apart, and the rule wants 9.75 m (32 ft) at most", spacing);
   if (spacing < kClosest - kRounding) {
     return formatted(

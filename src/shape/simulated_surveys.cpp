@@ -34,12 +34,17 @@ std::vector<Station> filled(const std::vector<Station>& stations) {
   return whole;
 }
 
-Eigen::VectorXd azimuthsOf(const std::vector<Station>& stations) {
-  std::vector<double> known;
-  for (const Station& s : stations) {
-    if (std::isfinite(s.z)) known.push_back(s.azimuth);
-  }
-  return Eigen::Map<Eigen::VectorXd>(known.data(), static_cast<Eigen::Index>(known.size()));
+std::vector<Station> withElevation(const std::vector<Station>& stations) {
+  std::vector<Station> known;
+  std::copy_if(stations.begin(), stations.end(), std::back_inserter(known),
+               [](const Station& s) { return std::isfinite(s.z); });
+  return known;
+}
+
+Eigen::VectorXd columnOf(const std::vector<Station>& stations, double Station::*value) {
+  Eigen::VectorXd column(static_cast<Eigen::Index>(stations.size()));
+  std::transform(stations.begin(), stations.end(), column.begin(), [value](const Station& s) { return s.*value; });
+  return column;
 }
 
 /// The order statistic that leaves 2.5 % of the draws beyond it.
@@ -57,8 +62,9 @@ SimulatedSurveys::SimulatedSurveys(const std::vector<Station>& stations, double 
     : radius_(radius), model_(ringData(stations, radius, covariance)), whole_(filled(stations)) {
   valid_ = model_.order() > 0 && (model_.dense() || model_.data().sigmas_known);
   if (!valid_) return;
-  known_azimuths_ = azimuthsOf(stations);
-  whole_azimuths_ = azimuthsOf(whole_);
+  known_ = withElevation(stations);
+  known_azimuths_ = columnOf(known_, &Station::azimuth);
+  whole_azimuths_ = columnOf(whole_, &Station::azimuth);
   draws_ = model_.simulate(kDraws, kSeed);
   z_ = valuesOf(false);
   u_ = valuesOf(true);
@@ -82,17 +88,24 @@ SimulatedSurveys::Values SimulatedSurveys::valuesOf(bool of_u) const {
   return values;
 }
 
-/// Of few stations the figures are of the elevations as they were surveyed, less their plane.
+/// Of few stations the figures are of the elevations as they were surveyed, less their plane; between them, where an
+/// elevation is interpolated, a survey gives what the model makes of it.
 SimulatedSurveys::Values SimulatedSurveys::raw(Values values, bool of_u) const {
-  values.estimates = draws_.survey;
-  values.surveyed = model_.data().z;
+  values.estimates = RingModel::product(model_.rowsAt(known_azimuths_), draws_.estimate);
+  Eigen::Index measured = 0;
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    if (known_[i].flag != StationFlag::Measured) continue;
+    values.estimates.row(static_cast<Eigen::Index>(i)) = draws_.survey.row(measured++);
+  }
+  values.surveyed = columnOf(known_, &Station::z);
   if (!of_u) return values;
   const Eigen::MatrixXd plane = harmonicRows(model_.data().azimuths, 1);
   const Eigen::VectorXd weights = model_.data().sigmas.array().square().inverse();
   const Eigen::MatrixXd weighted = plane.transpose() * weights.asDiagonal();
   const Eigen::MatrixXd fit = (weighted * plane).ldlt().solve(weighted);
-  values.estimates -= RingModel::product(plane, RingModel::product(fit, values.estimates));
-  values.surveyed -= plane * (fit * values.surveyed);
+  const Eigen::MatrixXd everywhere = harmonicRows(known_azimuths_, 1);
+  values.estimates -= RingModel::product(everywhere, RingModel::product(fit, draws_.survey));
+  values.surveyed -= everywhere * (fit * model_.data().z);
   return values;
 }
 

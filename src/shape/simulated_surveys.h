@@ -54,7 +54,7 @@ class SimulatedSurveys {
   double radius_;
   RingModel model_;
   bool valid_ = false;
-  std::vector<Station> whole_;
+  std::vector<Station> known_, whole_;  ///< those with an elevation, measured or interpolated; with gaps filled
   Eigen::VectorXd known_azimuths_, whole_azimuths_;
   RingModel::Simulated draws_;
   Values z_, u_;

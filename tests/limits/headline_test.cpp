@@ -46,6 +46,18 @@ TEST(HeadlineOf, WorstOfWhatCounts) {
   EXPECT_EQ(headlineOf(checks, true).governing, "");
 }
 
+TEST(HeadlineOf, AShareIsShownOnItsOwnSideOfTheLimit) {
+  for (const auto& [value, shown] : {std::pair(0.994, "99 %"),
+                                     {0.996, "99.60 %"},
+                                     {0.99999, "99.99 %"},
+                                     {1.0, "100 %"},
+                                     {1.0023, "100.23 %"},
+                                     {1.006, "101 %"}}) {
+    std::vector<Check> checks = {named("tilt_height", value < 1.0 ? Verdict::Pass : Verdict::Undecided, value)};
+    EXPECT_EQ(shareOfLimit(headlineOf(checks, true)), std::string(shown) + " of its limit");
+  }
+}
+
 TEST(HeadlineOf, SaysHowSureItIs) {
   struct Said {
     Verdict verdict;

@@ -44,6 +44,46 @@ TEST(Analyse, AGapOfMoreThanTwentyFeetLeavesTheShapeUndecided) {
   }
 }
 
+/// 32 ft, of a levelling whose points are more than 20 ft apart; one of them may not be missing.
+TEST(Analyse, ASparseLevellingIsWholeUpToTheCodesOwnSpacing) {
+  const auto whole = [](double spacing, bool all) {
+    std::vector<double> z = level(16);
+    if (!all) z[3] = kUnknown;
+    const Analysis analysis = analysed(z, 16.0 * spacing * kFoot / kTwoPi, 0.001);
+    return std::all_of(analysis.measures.begin(), analysis.measures.end(),
+                       [](const Measure& m) { return m.whole_ring || m.quantity.find("tilt") == 0; });
+  };
+  EXPECT_TRUE(whole(21.0, true));
+  EXPECT_TRUE(whole(31.9, true));
+  EXPECT_FALSE(whole(32.1, true));
+  EXPECT_FALSE(whole(21.0, false));
+}
+
+/// What is interpolated between few measured stations is a part of the figures and of their intervals.
+TEST(Analyse, InterpolatedStationsMoveNoInterval) {
+  const auto interval = [](bool interpolated) {
+    std::vector<double> z = wave(40, [](double a) { return 0.02 * std::cos(2.0 * a); });
+    auto stations = survey(z, 10.0, 0.0002);
+    for (const std::size_t i : {7U, 22U, 23U})
+      if (interpolated) stations[i].flag = StationFlag::Interpolated;
+    const Analysis analysis = analyse({stations, fitTilt(stations, {0.0, 0.0}, {}), 10.0}, AnalysisOptions());
+    std::vector<Interval95> found;
+    for (const Measure& m : analysis.measures) {
+      if (m.quantity != "level_9m" && m.quantity != "out_of_plane" && m.quantity != "slope_10m") continue;
+      EXPECT_LE(m.interval.low, m.worst.value) << m.quantity;
+      EXPECT_GE(m.interval.high, 0.95 * m.worst.value) << m.quantity;
+      found.push_back(m.interval);
+    }
+    return found;
+  };
+  const auto all = interval(false), some = interval(true);
+  ASSERT_EQ(all.size(), 3U);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(some[i].low, all[i].low, 0.03 * all[i].low) << i;
+    EXPECT_NEAR(some[i].high, all[i].high, 0.03 * all[i].high) << i;
+  }
+}
+
 TEST(Analyse, StationsThatScatterByHalfMoreThanTheySayAreTold) {
   for (const auto& [scatter, told] : {std::pair(1.2, false), {1.9, true}}) {
     const Analysis analysis = analysed(noisy(level(72), 0.001 * scatter, 3), 30.0, 0.001);
@@ -118,14 +158,17 @@ TEST(SecondDifferenceRows, PointsTypedInMayBeThirtyTwoFeetApart) {
   EXPECT_LT(rows(9.9), rows(5.0));
 }
 
-TEST(LevelRows, StationsAMillionthFurtherApartThanTheArcAreWithinIt) {
-  const auto rows = [](double beyond) {
-    auto stations = survey(level(36), 10.0);
-    const RingSeries z(stations, &Station::z, &Station::sigma_z);
-    return levelRows(z, 10.0, kTurn * 10.0 / 36.0 / (1.0 + beyond)).size();
+TEST(LevelWithin, StationsAMillionthFurtherApartThanTheArcAreWithinIt) {
+  const auto most = [](double beyond) {
+    std::vector<double> z(36, 0.0);
+    for (std::size_t i = 0; i < z.size(); i += 2) z[i] = 1.0;
+    const auto stations = survey(z, 10.0);
+    const RingSeries series(stations, &Station::z, &Station::sigma_z);
+    return LevelWithin(series, 10.0, kTurn * 10.0 / 36.0 / (1.0 + beyond)).largest(series.values()).value;
   };
-  EXPECT_EQ(rows(0.8e-6), rows(0.0));
-  EXPECT_LT(rows(1.3e-6), rows(0.0));
+  EXPECT_EQ(most(0.0), 0.5);
+  EXPECT_EQ(most(0.8e-6), 0.5);
+  EXPECT_LT(most(1.3e-6), 0.5);
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "shape/level_rows.h"
+#include "stations/ring_series.h"
 #include "support/made_surveys.h"
 
 namespace tank_datum {
@@ -27,7 +31,8 @@ TEST(Steepest, EndsAtAStationAsWellAsItBegins) {
   for (std::size_t i = 78; i < 90; ++i) before[i] = -0.01;
   for (std::size_t i = 111; i < 123; ++i) after[i] = -0.01;
   EXPECT_NEAR(steepest(survey(before, 30.0), 30.0, 10.0, &Station::z).value, 0.002, 1e-12);
-  EXPECT_NEAR(steepest(survey(before, 30.0), 30.0, 10.0, &Station::z).azimuth, 100 * kDegree - 10.0 / 30.0, 1e-9);
+  EXPECT_NEAR(steepest(survey(before, 30.0), 30.0, 10.0, &Station::z).azimuth, 100 * kDegree - 5.0 / 30.0, 1e-9);
+  EXPECT_NEAR(steepest(survey(after, 30.0), 30.0, 10.0, &Station::z).azimuth, 100 * kDegree + 5.0 / 30.0, 1e-9);
   EXPECT_NEAR(steepest(survey(after, 30.0), 30.0, 10.0, &Station::z).value, 0.002, 1e-12);
 }
 
@@ -63,6 +68,35 @@ TEST(UnevennessWithin, IsOfPlacesBetweenTheStationsToo) {
   EXPECT_NEAR(unevennessWithin(survey(z, 30.0), 30.0, 9.0).value, 0.5 * 0.0109 * 9.0 / apart, 1e-9);
   z[6] = NAN;
   EXPECT_NEAR(unevennessWithin(survey(z, 30.0), 30.0, 9.0).value, 0.0, 1e-9) << "nothing is known beside it";
+}
+
+TEST(UnevennessWithin, IsThatOfAllPairsOfRandomRings) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int ring = 0; ring < 300; ++ring) {
+    const std::size_t count = 3 + random() % 60;
+    std::vector<double> z(count);
+    for (double& here : z) here = unit(random) < 0.2 ? NAN : 0.02 * unit(random);
+    auto stations = survey(z, 10.0, 0.001);
+    for (Station& s : stations) s.azimuth += 0.9 * unit(random) * kTurn / static_cast<double>(count);
+    const double arc = 70.0 * unit(random);
+    const RingSeries series(stations, &Station::z, &Station::sigma_z);
+    double most = 0.0;
+    for (const RingValue& a : series.values()) {
+      for (const RingValue& b : series.values()) {
+        if (10.0 * turnAhead(a.azimuth, b.azimuth) <= arc) most = std::max(most, 0.5 * std::abs(b.value - a.value));
+      }
+      for (const double reach : {arc / 10.0, -arc / 10.0}) {
+        const auto there = series.at(a.azimuth + reach);
+        if (arc < 10.0 * kTurn / 2.0 && there) most = std::max(most, 0.5 * std::abs(there->value - a.value));
+      }
+    }
+    const PlacedValue found = unevennessWithin(stations, 10.0, arc);
+    EXPECT_NEAR(std::isnan(found.value) ? 0.0 : found.value, most, 1e-12) << ring;
+    std::vector<double> values;
+    for (const RingValue& v : series.values()) values.push_back(v.value);
+    EXPECT_NEAR(LevelWithin(series, 10.0, arc).largest(values.data()), most, 1e-12) << ring;
+  }
 }
 
 TEST(Steepest, IsOfUnevenStationsToo) {

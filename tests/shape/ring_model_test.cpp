@@ -36,6 +36,7 @@ TEST(RingModel, ItsShortestWaveIsEightDegreesLong) {
 }
 
 TEST(RingModel, ThreeStationsHaveNoShape) {
+  EXPECT_EQ(RingModel(RingData()).order(), 0);
   EXPECT_EQ(modelOf(level(3), 0.001).order(), 0);
   EXPECT_EQ(modelOf(level(4), 0.001).order(), 1);
 }
