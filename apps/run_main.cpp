@@ -1,5 +1,7 @@
 #include "run_main.h"
 
+#include <fcntl.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <Eigen/Core>
@@ -43,16 +45,50 @@ const char* reasonToEnd() {
 
 /// Instead of an abort: a library's parallel region, from which no exception comes out, may be where memory ends.
 [[noreturn]] void endAtOnce() {
-  static std::atomic<bool> begun{false};
-  if (!begun.exchange(true)) {
+  static std::atomic<pthread_t> ending{0};
+  pthread_t nobody = 0;
+  if (ending.compare_exchange_strong(nobody, pthread_self())) {
     const char* parts[] = {nameOfProgram().c_str(), ": ", reasonToEnd(), "\n"};
     for (const char* part : parts) {
       if (::write(STDERR_FILENO, part, std::strlen(part)) < 0) break;  // nobody is left to be told
     }
     results::cleanUpForGood();
+  } else if (nobody != pthread_self()) {
+    while (true) ::pause();  // another thread cleans up and ends the process
   }
   std::_Exit(kFileFailed);
 }
+
+std::atomic<bool> at_work{false};
+
+/// A library that calls exit, as OpenMP does without memory, ends the run like any other failure.
+void whenExiting() {
+  if (!at_work) return;
+  std::atexit(whenExiting);  // for the next thread: each handler is called once, and exit goes on without it
+  endAtOnce();
+}
+
+/// A stream that the caller has closed: else the next file that is opened would take its place, and what is printed.
+/// What is written to it fails.
+void openStandardStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) != -1) continue;
+    const int opened = ::open("/dev/null", O_RDONLY);
+    if (opened != stream && opened >= 0) ::close(opened);  // another one was free before
+  }
+}
+
+/// As long as the work runs, nobody but it ends the process.
+class AtWork {
+ public:
+  AtWork() {
+    std::atexit(whenExiting);
+    at_work = true;
+  }
+  ~AtWork() { at_work = false; }
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+};
 
 }  // namespace
 
@@ -64,11 +100,17 @@ int runMain(const std::string& program, const std::function<int()>& work,
   };
   try {
     nameOfProgram() = program;
+    openStandardStreams();
     std::set_terminate(endAtOnce);
     std::signal(SIGXFSZ, SIG_IGN);  // a file beyond what is allowed is a write that fails, as on a full disk
     Eigen::setNbThreads(1);  // OpenMP, by which Eigen has large products done, ends the process for want of a thread
     results::stopCleanly(program);
-    return work();
+    const AtWork at_work_now;
+    const int status = work();
+    std::cout.flush();
+    if (!std::cout)
+      throw Error(Error::Kind::File, "output", "standard output", "not written", "room for what is printed");
+    return status;
   } catch (const Error& error) {
     return failed(lineOf(error), error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed);
   } catch (const std::bad_alloc&) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/printable.h"
+#include "core/refusal.h"
 #include "results/file_calls.h"
 #include "tank_datum/core/error.h"
 
@@ -46,7 +47,7 @@ std::vector<std::string> syncedFiles(const std::string& folder) {
     sync(path);
     if (kindOf(path) == Kind::File) files.push_back(fs::path(path).lexically_relative(folder).string());
   }
-  if (failed) throw Error(Error::Kind::File, "report", folder, failed.message(), "a folder that can be listed");
+  if (failed) throw refusedBySystem("report", folder, folder, failed.value(), "a folder that can be listed");
   sync(folder);
   return files;
 }

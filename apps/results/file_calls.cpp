@@ -6,10 +6,10 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
+#include "core/refusal.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum::results {
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Error failure(const std::string& path, int reason, const char* expected = "a folder that can be written to") {
-  return Error(Error::Kind::File, "report", path, std::strerror(reason), expected);
+  return refusedBySystem("report", path, path, reason, expected);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "results/output_file.h"
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/refusal.h"
 #include "results/commit.h"
 #include "results/file_calls.h"
 #include "tank_datum/core/error.h"
@@ -66,7 +66,7 @@ OutputFile::OutputFile(const std::string& path, IsOwn own, std::string program)
     sayLines(program_, settle(folder_));
     staging_ = std::make_unique<Staging>(folder_);
   } catch (const Error& error) {
-    throw Error(Error::Kind::File, "report", path, error.refused().value, "a file in a folder that can be written to");
+    throw reworded(error, "report", path, path, "a file in a folder that can be written to");
   }
   on_stop_ = std::make_unique<OnStop>([this] { staging_->remove(); });
 }
@@ -85,8 +85,7 @@ void OutputFile::write(const std::string& content) const {
   out << content;
   out.close();
   if (out) return;
-  throw Error(Error::Kind::File, "report", path_, errno != 0 ? std::strerror(errno) : "not written",
-              "a writable file, and room for it");
+  throw refusedBySystem("report", path_, path_, errno, "a writable file, and room for it");
 }
 
 void OutputFile::commit() { commitTogether({this}); }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 
+#include "core/refusal.h"
 #include "io/sha256.h"
 #include "results/commit.h"
 #include "results/file_calls.h"
@@ -34,7 +35,7 @@ std::vector<std::string> makeAll(const std::string& path) {
     }
   } catch (const Error& error) {
     removeAll(made);
-    throw Error(Error::Kind::File, "report", path, error.refused().value, "a folder that can be made");
+    throw reworded(error, "report", path, path, "a folder that can be made");
   }
   return made;
 }

@@ -11,12 +11,12 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <regex>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "core/refusal.h"
 #include "results/file_calls.h"
 #include "results/journal.h"
 #include "tank_datum/core/error.h"
@@ -30,6 +30,10 @@ constexpr int kPatience = 1500;  // pauses, 30 s; a commit takes a fraction of o
 
 Error failure(const std::string& path, const std::string& reason, const char* expected) {
   return Error(Error::Kind::File, "report", path, reason, expected);
+}
+
+Error failure(const std::string& path, int reason, const char* expected) {
+  return refusedBySystem("report", path, path, reason, expected);
 }
 
 /// Whether the run of a staging folder lives; unknown where the lock may not be opened.
@@ -128,7 +132,7 @@ bool Staging::begin(const std::string& path) {
     if (lock_ < 0 && errno != ENOENT) {
       const int reason = errno;
       removeEmptyFolder(path);
-      throw failure(path, std::strerror(reason), "a folder that can be written to");
+      throw failure(path, reason, "a folder that can be written to");
     }
     const bool taken = lock_ < 0 || (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK);
     if (taken || !isLockOf(lock_, path)) {  // another run took the folder for a stale one
@@ -137,7 +141,7 @@ bool Staging::begin(const std::string& path) {
     }
     const std::string process = std::to_string(::getpid()) + "\n";
     if (::write(lock_, process.data(), process.size()) < 0) {
-      throw failure(path, std::strerror(errno), "a folder with room for the results");
+      throw failure(path, errno, "a folder with room for the results");
     }
     makeFolder(newFiles());
   } catch (...) {
@@ -188,7 +192,7 @@ std::string Staging::enterCommit() {
       return said;
     }
     if (errno != ENOTEMPTY && errno != EEXIST) {
-      throw failure(commit, std::strerror(errno), "a folder that can be written to");
+      throw failure(commit, errno, "a folder that can be written to");
     }
     said += settle(folder_);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -199,7 +203,7 @@ std::string Staging::enterCommit() {
 void removeStale(const std::string& folder) {
   static const std::regex pattern(R"(\.tank_datum-[0-9]{1,9}-[0-9]{1,9})");
   DIR* listing = ::opendir(folder.c_str());
-  if (listing == nullptr) throw failure(folder, std::strerror(errno), "a folder that can be listed");
+  if (listing == nullptr) throw failure(folder, errno, "a folder that can be listed");
   std::vector<std::string> found;
   while (const dirent* entry = ::readdir(listing)) {
     if (std::regex_match(entry->d_name, pattern)) found.emplace_back(entry->d_name);

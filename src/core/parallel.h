@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 
@@ -23,9 +24,24 @@ class ThreadScope {
   int outer_;
 };
 
+/// Thrown by what has been given up.
+struct GivenUp {};
+
+/// While it lives, the loops below that are begun by the thread that made it begin no more work once a flag is set.
+class CancelScope {
+ public:
+  explicit CancelScope(const std::atomic<bool>& given_up);
+  ~CancelScope();
+  CancelScope(const CancelScope&) = delete;
+  CancelScope& operator=(const CancelScope&) = delete;
+
+ private:
+  const std::atomic<bool>* outer_;
+};
+
 /// Calls work(i) for i = 0 .. count - 1, in any order, from several threads. With one thread none is started.
 /// @param threads  see threadCount()
-/// @throws what work throws first; the calls that had not begun are left out
+/// @throws what work throws first; the calls that had not begun are left out. GivenUp, see CancelScope
 void forEachIndex(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 /// The same for much work of little cost each: work(begin, end) is given runs of consecutive indices that together are

@@ -5,20 +5,55 @@
 #include <charconv>
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 namespace tank_datum {
 
-/// std::snprintf with a decimal point and without separators of thousands, whatever the locale of the host program.
-__attribute__((format(printf, 3, 4))) inline int snprintfPlain(char* text, std::size_t size, const char* format, ...) {
+inline locale_t plainLocale() {
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
-  const locale_t hosts = uselocale(plain);
-  std::va_list values;
-  va_start(values, format);
+  return plain;
+}
+
+/// What an errno means, in English whatever the locale of the host program: "No such file or directory".
+inline std::string systemText(int number) { return strerror_l(number, plainLocale()); }
+
+/// std::vsnprintf with a decimal point and without separators of thousands, whatever the locale of the host program.
+__attribute__((format(printf, 3, 0))) inline int vsnprintfPlain(char* text, std::size_t size, const char* format,
+                                                                std::va_list values) {
+  const locale_t hosts = uselocale(plainLocale());
   const int length = std::vsnprintf(text, size, format, values);
-  va_end(values);
   uselocale(hosts);
   return length;
+}
+
+/// The same of values.
+__attribute__((format(printf, 3, 4))) inline int snprintfPlain(char* text, std::size_t size, const char* format, ...) {
+  std::va_list values;
+  va_start(values, format);
+  const int length = vsnprintfPlain(text, size, format, values);
+  va_end(values);
+  return length;
+}
+
+/// All of what it writes, however long.
+__attribute__((format(printf, 1, 0))) inline std::string vformatted(const char* format, std::va_list values) {
+  std::va_list again;
+  va_copy(again, values);
+  std::string text(static_cast<std::size_t>(vsnprintfPlain(nullptr, 0, format, again)) + 1, '\0');
+  va_end(again);
+  vsnprintfPlain(text.data(), text.size(), format, values);
+  text.pop_back();
+  return text;
+}
+
+/// The same of values.
+__attribute__((format(printf, 1, 2))) inline std::string formatted(const char* format, ...) {
+  std::va_list values;
+  va_start(values, format);
+  std::string text = vformatted(format, values);
+  va_end(values);
+  return text;
 }
 
 /// Six digits at most, as a stream without a locale prints a number: "0.25", "1e+06".

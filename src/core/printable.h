@@ -26,4 +26,15 @@ inline std::string printableLines(const std::string& text) {
   return lines + printable(text.substr(begin));
 }
 
+/// Whether a text holds characters that turn the direction of what follows (U+202A to U+202E, U+2066 to U+2069): a
+/// reader sees other words than are there.
+inline bool turnsDirection(const std::string& text) {
+  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    const auto last = static_cast<unsigned char>(text[i + 2]);
+    if (text.compare(i, 2, "\xe2\x80") == 0 && last >= 0xaa && last <= 0xae) return true;
+    if (text.compare(i, 2, "\xe2\x81") == 0 && last >= 0xa6 && last <= 0xa9) return true;
+  }
+  return false;
+}
+
 }  // namespace tank_datum

@@ -2,12 +2,18 @@
 
 #include <omp.h>
 
+#include <cstddef>
+#include <memory>
 #include <thread>
 
 namespace tank_datum {
 namespace {
 
 thread_local bool at_work = false;
+
+/// Bytes kept free while threads start: their stacks would else take all addresses there are, and OpenMP ends the
+/// process where it cannot have a few hundred bytes.
+constexpr std::size_t kLeftForWork = std::size_t{256} << 20;
 
 /// The parallel regions that libraries open in the calling thread have one thread as long as this lives: FLANN opens
 /// one for every query, each a team of threads that OpenMP ends the process for when it cannot have them.
@@ -54,7 +60,9 @@ bool ThreadPool::isAtWork() { return at_work; }
 int ThreadPool::cores() { return omp_get_max_threads(); }
 
 void ThreadPool::growTo(std::size_t threads) {
+  if (threads_ >= threads) return;
   try {
+    const std::unique_ptr<std::byte[]> left(new std::byte[kLeftForWork]);
     for (; threads_ < threads; ++threads_) std::thread([this] { serve(); }).detach();
   } catch (const std::exception&) {  // no memory, or no more threads allowed: fewer do it too
   }

@@ -51,6 +51,17 @@ Normals estimateNormalsWithBuckets(const Points& points, int k, int threads) {
   return result;
 }
 
+/// Both engines round to float32, of which squares of more are infinite.
+void requireRoundable(const Points& points) {
+  constexpr double kFarthest = 1e9;  // [m]
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double largest = points[i].cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+    if (largest <= kFarthest) continue;
+    throw Error(Error::Kind::Option, "normals", "row " + std::to_string(i) + " of points", generalText(largest),
+                "coordinates that differ by 1e9 m at most");
+  }
+}
+
 }  // namespace
 
 const char* nameOf(SearchEngine engine) {
@@ -71,6 +82,7 @@ Normals estimateNormals(const Points& points, const NormalOptions& options, int 
                 "at most as many neighbours as points, " + std::to_string(points.size()));
   }
   if (points.empty()) return withRoom(0, options.k);
+  requireRoundable(points);
   switch (options.search) {
     case SearchEngine::Flann:
       return estimateNormalsWithPcl(points, options.k, threads);

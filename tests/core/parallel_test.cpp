@@ -96,6 +96,23 @@ TEST(ForEachRun, GivesEachIndexOnceInRunsThatAreNotEmpty) {
   }
 }
 
+TEST(CancelScope, EndsTheLoopsOfItsThreadOnceTheFlagIsSet) {
+  std::atomic<bool> given_up{false};
+  std::atomic<int> calls{0};
+  const auto work = [&](std::size_t i) {
+    ++calls;
+    if (i == 10) given_up = true;
+  };
+  {
+    const CancelScope cancel(given_up);
+    EXPECT_THROW(forEachIndex(1000, 1, work), GivenUp);
+    EXPECT_EQ(calls, 11);
+    EXPECT_THROW(forEachRun(1000, 2, [&](std::size_t, std::size_t) { ADD_FAILURE(); }), GivenUp);
+  }
+  forEachIndex(1000, 2, work);
+  EXPECT_EQ(calls, 1011);
+}
+
 TEST(ThreadScope, IsWhatNoNumberMeansUntilItEnds) {
   const int cores = threadCount(0);
   {

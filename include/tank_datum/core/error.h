@@ -9,9 +9,11 @@ namespace TANK_DATUM_API tank_datum {
 
 /// A refused value: of which option, what it is, and what it must be.
 struct Refusal {
-  std::string name;      ///< as the table of options has it, "setup_error"; or the file, row or figure refused
-  std::string value;     ///< in the unit that people type
-  std::string expected;  ///< ">= 0 m"
+  std::string name;       ///< as the table of options has it, "setup_error"; or the file, row or figure refused
+  std::string value;      ///< in the unit that people type
+  std::string expected;   ///< ">= 0 m"
+  std::string file = {};  ///< path of the file at fault, as it was given; empty: none, or `name` is it
+  int system_error = 0;   ///< errno where the system refused the file; 0: its content is at fault
 };
 
 /// The one exception of the library. It is thrown when the caller is at fault (a refused option) or the outside
