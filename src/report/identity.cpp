@@ -11,6 +11,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/printable.h"
 #include "core/units.h"
 #include "io/io_error.h"
 #include "report/logo.h"
@@ -22,7 +23,7 @@ namespace {
 Error refusedAbout(const std::string& path, const toml::source_region& at, const std::string& value,
                    const std::string& expected) {
   const std::string line = at.begin.line > 0 ? ":" + std::to_string(at.begin.line) : "";
-  return Error(Error::Kind::File, "about", echoPath(path) + line, value, expected);
+  return {Error::Kind::File, "about", {echoPath(path) + line, value, expected, path}};
 }
 
 std::string known() {
@@ -48,7 +49,12 @@ toml::table tableOf(const std::string& path) {
 
 /// A value as words: texts, dates and numbers.
 std::string wordsOf(const toml::node& value, const std::string& path, const std::string& key) {
-  if (const auto* text = value.as_string()) return text->get();
+  if (const auto* text = value.as_string()) {
+    if (turnsDirection(text->get())) {
+      throw refusedAbout(path, value.source(), key + ": a character that turns the text's direction", "plain text");
+    }
+    return text->get();
+  }
   std::ostringstream out;
   out.imbue(std::locale::classic());
   if (const auto* date = value.as_date()) {
@@ -82,7 +88,7 @@ Error refusedMark(const std::string& text, const char* expected) {
 ReferenceMark markOf(const std::string& text) {
   const auto sign = text.rfind('=');
   const auto refused = [&] { return refusedMark(text, "NAME=DEG, as stairs=75"); };
-  if (sign == std::string::npos || sign == 0) throw refused();
+  if (sign == std::string::npos || sign == 0 || turnsDirection(text)) throw refused();
   std::istringstream in(text.substr(sign + 1));
   in.imbue(std::locale::classic());
   double degrees = kUnknown;
@@ -140,6 +146,11 @@ std::vector<SurveyPoint> surveyPointsOf(const Identity& identity, const std::vec
     points.push_back(point);
   }
   return points;
+}
+
+void nameTank(Identity& identity, std::size_t number, std::size_t tanks) {
+  for (auto& [key, words] : identity.about)
+    if (key == "tank" && tanks > 1) words += ", tank_" + std::to_string(number);
 }
 
 }  // namespace tank_datum

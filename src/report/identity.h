@@ -17,6 +17,9 @@ const std::vector<std::string>& aboutKeys();
 ///         (Option) for a mark that is not NAME=DEG
 void readIdentity(RunOptions& run);
 
+/// Of several tanks of one scan, which share what was said of it, each has its own name: "T-12, tank_2".
+void nameTank(Identity& identity, std::size_t number, std::size_t tanks);
+
 /// The datum at a point of the survey between stations.
 struct SurveyPoint {
   int number = 0;             ///< from 1

@@ -39,8 +39,9 @@ std::string base64(const std::string& bytes) {
 std::string fileUpTo(std::size_t megabytes, const std::string& path, const char* stage) {
   const InputFile file(path);
   if (file.size() > megabytes * kMegabyte) {
-    throw Error(Error::Kind::File, stage, echoPath(path), std::to_string(file.size()) + " bytes",
-                "a file of at most " + std::to_string(megabytes) + " MB");
+    throw Error(Error::Kind::File, stage,
+                {echoPath(path), std::to_string(file.size()) + " bytes",
+                 "a file of at most " + std::to_string(megabytes) + " MB", path});
   }
   return file.head(static_cast<std::size_t>(file.size()));
 }

@@ -9,8 +9,16 @@
 namespace tank_datum {
 namespace {
 
-std::string significance(bool shown, const std::string& language) {
-  return say(language, shown ? "movement.significant" : "movement.not_significant");
+/// @param taken  out of the differences: then nothing is known of it
+std::string significance(bool shown, bool taken, const std::string& language) {
+  return say(language, taken ? "movement.taken" : shown ? "movement.significant" : "movement.not_significant");
+}
+
+/// The verdict's key: of what was taken out of the differences nothing is said.
+const char* wordOf(const Movement& movement) {
+  if (movement.moved()) return "movement.moved";
+  if (movement.removal == Removal::Nothing) return "movement.unmoved";
+  return movement.removal == Removal::Mean ? "movement.unmoved_mean" : "movement.unmoved_tilt";
 }
 
 std::string degreesText(double angle) { return fixedText(std::fmod(std::round(toDegrees(angle)), 360.0), 0) + " deg"; }
@@ -28,28 +36,36 @@ std::vector<std::string> unsaidOf(const Movement& movement) {
 }
 
 std::string movementText(const Movement& movement, const Display& display, const std::string& language) {
-  const auto lengths = [&](double value, double sigma, bool shown) {
+  const bool mean_taken = movement.removal != Removal::Nothing, tilt_taken = movement.removal == Removal::Tilt;
+  const auto lengths = [&](double value, double sigma, bool shown, bool taken) {
     return Values{{"value", display.signedShort(value, 2) + " " + display.shortUnit()},
                   {"two_sigma", display.shortText(2.0 * sigma, 2)},
-                  {"significance", significance(shown, language)}};
+                  {"significance", significance(shown, taken, language)}};
   };
   const auto arcseconds = [&](double slope) {
     return say(language, "unit.arcseconds", {{"value", fixedText(toArcSeconds(std::atan(slope)), 1)}});
   };
-  Values rest = lengths(movement.max_rest, movement.sigma_rest, movement.rest_significant);
+  Values rest = lengths(movement.max_rest, movement.sigma_rest, movement.rest_significant, false);
   rest.emplace_back("azimuth", degreesText(movement.rest_azimuth));
-  std::string text =
-      say(language, movement.moved() ? "movement.moved" : "movement.unmoved") + ": " +
-      say(language, "movement.mean", lengths(movement.mean, movement.sigma_mean, movement.mean_significant)) + "; " +
-      say(language, "movement.tilt",
-          {{"value", arcseconds(movement.tilt_change)},
-           {"two_sigma", arcseconds(2.0 * movement.sigma_tilt_change)},
-           {"azimuth", degreesText(movement.rise_azimuth)},
-           {"significance", significance(movement.tilt_significant, language)}}) +
-      "; " + say(language, "movement.rest", rest) + "; " +
-      say(language, "movement.stations",
-          {{"count", std::to_string(movement.significant)}, {"of", std::to_string(movement.matched)}}) +
-      ".";
+  const bool tilt_shown = movement.tilt_significant && !tilt_taken;  // else its direction is not known
+  const std::string risen =
+      tilt_shown ? say(language, "movement.risen", {{"azimuth", degreesText(movement.rise_azimuth)}}) : "";
+  std::string text = say(language, wordOf(movement)) + ": " +
+                     say(language, "movement.mean",
+                         lengths(movement.mean, movement.sigma_mean, movement.mean_significant, mean_taken)) +
+                     "; " +
+                     say(language, "movement.tilt",
+                         {{"value", arcseconds(movement.tilt_change)},
+                          {"two_sigma", arcseconds(2.0 * movement.sigma_tilt_change)},
+                          {"risen", risen},
+                          {"significance", significance(movement.tilt_significant, tilt_taken, language)}}) +
+                     "; " + say(language, "movement.rest", rest) + "; " +
+                     say(language, "movement.stations",
+                         {{"count", std::to_string(movement.significant)}, {"of", std::to_string(movement.matched)}}) +
+                     ".";
+  constexpr double kWorthSaying = 1.25;
+  if (movement.errors_used > kWorthSaying)
+    text += " " + say(language, "movement.errors_used", {{"factor", fixedText(movement.errors_used, 1)}});
   for (const std::string& key : unsaidOf(movement)) text += " " + say(language, key);
   return text;
 }

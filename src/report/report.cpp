@@ -3,9 +3,9 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 
+#include "core/refusal.h"
 #include "core/units.h"
 #include "io/pcd_copy.h"
 #include "io/pcd_writer.h"
@@ -30,8 +30,7 @@ void writeText(const std::string& path, const std::string& content) {
   std::ofstream out(path, std::ios::binary);
   out << content;
   out.close();
-  if (!out)
-    throw Error(Error::Kind::File, "report", path, std::strerror(errno), "a writable folder with room for the results");
+  if (!out) throw refusedBySystem("report", path, path, errno, "a writable folder with room for the results");
 }
 
 /// x, y and z are 4-byte floats relative to a local origin, since PCL 1.13 reads 8-byte ones as zeros.

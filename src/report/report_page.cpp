@@ -1,10 +1,10 @@
 #include "report/report_page.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/refusal.h"
 #include "report/datum_record.h"
 #include "report/report_template.h"
 #include "report/section_json.h"
@@ -17,6 +17,20 @@ namespace tank_datum {
 namespace {
 
 constexpr auto kReplaceBytes = nlohmann::ordered_json::error_handler_t::replace;  // of a path that is no UTF-8
+
+std::string escapedForHtml(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '<') {
+      escaped += "&lt;";
+    } else if (c == '&') {
+      escaped += "&amp;";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
 
 }  // namespace
 
@@ -42,8 +56,9 @@ std::string escapedForScript(const std::string& json) {
   return escaped;
 }
 
-std::string pageWith(const std::vector<PageData>& data) {
+std::string pageWith(const std::vector<PageData>& data, const std::string& plain) {
   std::string page(kPageBeforeData);
+  if (!plain.empty()) page += "<noscript><pre>" + escapedForHtml(plain) + "</pre></noscript>\n";
   for (const PageData& part : data) {
     const bool json = part.type == "application/json";
     if (!json && part.content.find('<') != std::string::npos) {
@@ -73,7 +88,7 @@ std::string reportPage(const Datum& datum, const Provenance& provenance) {
   if (!datum.refined.sections.empty() && datum.hasStations()) {
     data.push_back({"sections", "application/json", sectionsJson(datum)});
   }
-  return pageWith(data);
+  return pageWith(data, summary(datum, provenance));
 }
 
 std::string trendPage(const std::string& movement_json, const std::string& movement_csv, const std::string& logo) {
@@ -107,7 +122,7 @@ void writePage(const std::string& path, const std::string& page) {
   out << page;
   out.close();
   if (!out) {
-    throw Error(Error::Kind::File, "report", path, std::strerror(errno), "a writable folder with room for the results");
+    throw refusedBySystem("report", path, path, errno, "a writable folder with room for the results");
   }
 }
 

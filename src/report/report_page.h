@@ -19,9 +19,10 @@ struct PageData {
 std::string escapedForScript(const std::string& json);
 
 /// A page that opens from disk and needs nothing beside itself: the template with its styles, scripts and chart
-/// library, and the data. Text reaches the page by way of JSON strings only, never as markup.
+/// library, and the data. Text reaches the page by way of JSON strings or escaped, never as markup.
+/// @param plain  what a reader is told whose browser runs no scripts
 /// @throws Error (Option) for CSV that holds `<`, which has no escape there
-std::string pageWith(const std::vector<PageData>& data);
+std::string pageWith(const std::vector<PageData>& data, const std::string& plain = "");
 
 /// The page of several surveys of one tank, from movement.json and movement.csv.
 /// @param logo  an image as a data URI, or empty

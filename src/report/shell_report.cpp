@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdarg>
 
 #include "core/plain_text.h"
 #include "core/units.h"
@@ -9,11 +10,12 @@
 namespace tank_datum {
 namespace {
 
-template <typename... Values>
-std::string line(const char* format, Values... values) {
-  char buffer[200];
-  snprintfPlain(buffer, sizeof buffer, format, values...);
-  return std::string(buffer) + "\n";
+__attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) {
+  std::va_list values;
+  va_start(values, format);
+  const std::string text = vformatted(format, values);
+  va_end(values);
+  return text + "\n";
 }
 
 std::string text(double value) {

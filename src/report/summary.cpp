@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <cstdarg>
 
 #include "core/plain_text.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "limits/checks.h"
 #include "refusals.h"
 #include "report/check_text.h"
 #include "report/display.h"
@@ -24,17 +25,12 @@ namespace {
 
 constexpr std::size_t kSparklineColumns = 48;
 
-template <typename... Values>
-std::string line(const char* title, const char* format, Values... values) {
-  char titled[20];
-  snprintfPlain(titled, sizeof titled, "%-14s ", title);
-  std::string text = format;
-  if constexpr (sizeof...(values) > 0) {
-    text.resize(static_cast<std::size_t>(snprintfPlain(nullptr, 0, format, values...)) + 1);
-    snprintfPlain(text.data(), text.size(), format, values...);
-    text.pop_back();
-  }
-  return titled + text + "\n";
+__attribute__((format(printf, 2, 3))) std::string line(const char* title, const char* format, ...) {
+  std::va_list values;
+  va_start(values, format);
+  const std::string text = vformatted(format, values);
+  va_end(values);
+  return formatted("%-14s ", title) + text + "\n";
 }
 
 double medianSigma(const std::vector<Station>& stations) {
@@ -51,6 +47,14 @@ std::string tankLine(const Datum& datum, const Display& display) {
   return line("tank", "radius %s, centre %s, %s, shell seen over %.0f deg", radius.c_str(),
               display.longFigure(datum.circle.center.x() + datum.origin.x()).c_str(),
               display.longFigure(datum.circle.center.y() + datum.origin.y()).c_str(), toDegrees(datum.tank.coverage));
+}
+
+/// How the azimuths below are counted, where it is not counter-clockwise from +x.
+std::string azimuthsLine(const StationOptions& options) {
+  if (!options.clockwise && options.zero_azimuth == 0.0) return {};
+  return line("azimuths", "%s from %s deg counter-clockwise of +x",
+              options.clockwise ? "clockwise" : "counter-clockwise",
+              fixedText(toDegrees(options.zero_azimuth), 1).c_str());
 }
 
 /// The rows that hold nothing to measure, where there are any.
@@ -177,10 +181,8 @@ std::string checkLines(const std::vector<Check>& checks, const Display& display)
 
 std::string movementLine(const Provenance& provenance, const Display& display) {
   if (!provenance.movement || !provenance.movement->valid()) return {};
-  std::string title = line("movement", "");
-  title.pop_back();
   const std::string& language = provenance.identity.language;
-  const std::string moved = title + movementText(*provenance.movement, display, language) + "\n";
+  const std::string moved = line("movement", "%s", movementText(*provenance.movement, display, language).c_str());
   return moved + line("limits", "%s", limitRatesText(provenance.limit_rates, display, language).c_str());
 }
 
@@ -188,13 +190,10 @@ std::string verdictLine(const Analysis& analysis) {
   if (!analysis.valid()) return {};
   const Headline& h = analysis.headline;
   if (h.governing.empty()) return line("verdict", "%s: no rule could be judged", h.word.c_str());
-  if (h.word == "INCOMPLETE") return line("verdict", "%s: %s", h.word.c_str(), (h.governing + h.meaning).c_str());
-  std::string share = fixedText(100.0 * h.utilisation, 0) + " % of its limit";
-  if (h.utilisation_interval.known()) {
-    share += " (95 %: " + fixedText(100.0 * h.utilisation_interval.low, 0) + " to " +
-             fixedText(100.0 * h.utilisation_interval.high, 0) + " %)";
-  }
-  return line("verdict", "%s: %s, %s", h.word.c_str(), h.governing.c_str(), (share + h.meaning).c_str());
+  if (h.word == "INCOMPLETE")
+    return line("verdict", "%s: %s%s", h.word.c_str(), h.governing.c_str(), h.meaning.c_str());
+  return line("verdict", "%s: %s, %s%s", h.word.c_str(), h.governing.c_str(), shareOfLimit(h).c_str(),
+              h.meaning.c_str());
 }
 
 }  // namespace
@@ -213,7 +212,8 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   const Level& level = datum.level;
   const double z = datum.origin.z();
   text += tankLine(datum, display);
-  text += passedOverLine(datum.counts) + stationsLine(datum) + otherSurfaceLine(datum);
+  text += azimuthsLine(provenance.options.stations) + passedOverLine(datum.counts) + stationsLine(datum) +
+          otherSurfaceLine(datum);
   const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",

@@ -99,6 +99,8 @@ def test_the_page_shows_them(browser: Any, told: Path) -> None:
     [
         pytest.param('tnak = "x"', ["about.toml:1", "key tnak", "one of tank,"], id="other key"),
         pytest.param("tank = \n", ["about.toml:1", "TOML"], id="no TOML"),
+        pytest.param('tank = "a\u202eb"', ["about.toml:1", "direction"], id="bidi override"),
+        pytest.param('tank = "a\\u2066b"', ["about.toml:1", "direction"], id="bidi isolate"),
         pytest.param("tank = [1]", ["about.toml:1", "tank", "a text"], id="a list"),
         pytest.param('logo = "none.png"', ["none.png"], id="no such logo"),
         pytest.param('logo = "about.toml"', ["about.toml", "no image", "PNG"], id="no image"),
@@ -117,7 +119,9 @@ def test_a_bad_file_is_refused_in_a_line(
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("mark", ["stairs", "=75", "stairs=x", "stairs=75x", "stairs=400"])
+@pytest.mark.parametrize(
+    "mark", ["stairs", "=75", "stairs=x", "stairs=75x", "stairs=400", "a\u202e=7"]
+)
 def test_a_bad_mark_is_refused(run: Runner, tmp_path: Path, mark: str) -> None:
     done = run(SAMPLE, "-o", tmp_path / "out", "--mark", mark)
     assert done.returncode == 2

@@ -67,6 +67,7 @@ def test_a_tank_that_sank_as_a_whole(browser: Any, tmp_path: Path) -> None:
     assert not movement["out_of_plane"]["significant"]
     assert movement["moved"] and movement["not_given"] == []
     assert "change of mean -5.00 mm" in done.stdout and "only if both" not in done.stdout
+    assert not movement["tilt_change"]["significant"] and "risen towards" not in done.stdout
     with opened(browser, tmp_path / "m" / "report.html") as page:
         assert page.slips() == []
         said = next(line.strip() for line in done.stdout.splitlines() if "MOVED" in line)
@@ -74,12 +75,20 @@ def test_a_tank_that_sank_as_a_whole(browser: Any, tmp_path: Path) -> None:
         assert "known to 1.00\u00a0mm and 2.0 arc-seconds" in page.text("#trend .verdict")
 
 
-def test_one_height_is_not_asked_for_where_it_is_taken_out(tmp_path: Path) -> None:
+def test_one_height_is_not_asked_for_where_it_is_taken_out(browser: Any, tmp_path: Path) -> None:
     surveys = [epoch(tmp_path / f"{i}.json", 0.002 * i) for i in range(2)]
     said = {}
     for removed in ("none", "mean", "tilt"):
         done = compare(*surveys, "-o", tmp_path / removed, "--remove", removed)
         said[removed] = [words in done.stdout for words in ("share one height", "share one level")]
+        word = {
+            "none": "NO MOVEMENT SHOWN: ",
+            "mean": "BESIDE THE MEAN: ",
+            "tilt": "OUT OF PLANE: ",
+        }
+        assert ("MOVED: " in done.stdout) != (word[removed] in done.stdout)
+        with opened(browser, tmp_path / removed / "report.html") as page:
+            assert page.text("#trend .word").split(maxsplit=1)[1] in done.stdout
     assert said == {"none": [True, True], "mean": [False, True], "tilt": [False, False]}
 
 

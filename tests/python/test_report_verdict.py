@@ -57,6 +57,7 @@ def traced(folder: Path) -> set[str]:
     movement = datum.get("movement")
     if movement:
         found += [str(movement["matched"]), str(movement["significant"])]
+        found.append(f"{movement['errors']['used']:.1f}")
         for part in ("mean", "out_of_plane"):
             value, sigma = movement[part]["value"], movement[part]["sigma"]
             found += [f"{1e3 * abs(value):.2f}", f"{2e3 * sigma:.2f}"]
@@ -91,16 +92,26 @@ def test_the_word_is_the_json_word(browser: Any, judged: Path) -> None:
 
 
 def test_every_bar_is_the_share_of_a_limit(browser: Any, judged: Path) -> None:
-    shares = {}
+    shares, figures = {}, {}
     for check in read_datum(judged)["checks"]:
         if check["verdict"] in ("pass", "fail", "undecided") and check["limit"]:
             name = check["name"][0].upper() + check["name"][1:]
             share = abs(check["value"]) / check["limit"]
             shares[f"{name}, {check['code']}"] = int(np.floor(100 * share + 0.5))
+            figures[f"{name}, {check['code']}"] = [check["value"], check["limit"]]
     with opened(browser, judged / "report.html") as page:
         bars = page.page.locator(".bars li").all()
         shown = [[span.inner_text() for span in bar.locator("> span").all()] for bar in bars]
-    assert {name: int(share.split()[0]) for name, _, share in shown} == shares
+    named = [(*said.split(": "), share) for said, _, share in shown]
+    assert {name: int(share.split()[0]) for name, _, share in named} == shares
+    for name, said, _ in named:
+        value, limit, unit = re.fullmatch(r"(\S+) of (\S+)\u00a0(.+)", said).groups()
+        assert [float(value), float(limit)] == pytest.approx(
+            [SHOWN_IN[unit] * figure for figure in figures[name]], abs=0.06
+        ), said
+
+
+SHOWN_IN = {"m": 1.0, "mm": 1e3, "mm/m": 1e3, "\u00d7 10\u207b\u2076 1/m": 1e6}
 
 
 @pytest.mark.parametrize("size", [WIDE, PHONE], ids=["desktop", "phone"])

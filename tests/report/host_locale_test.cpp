@@ -1,6 +1,7 @@
 // A program that uses the library may have any locale: no text of the library follows it.
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <clocale>
 #include <cmath>
 #include <cstdio>
@@ -96,6 +97,7 @@ TEST(HostLocale, PlainNumbers) {
   EXPECT_EQ(generalText(0.25), "0.25");
   EXPECT_EQ(generalText(26000), "26000");
   EXPECT_EQ(fixedText(-0.5), "-0.500000");
+  EXPECT_EQ(systemText(ENOENT), "No such file or directory");
   char text[8];
   EXPECT_EQ(snprintfPlain(text, sizeof text, "%.3f", 1234.5), 8);  // as long as it would be
   EXPECT_STREQ(text, "1234.50");

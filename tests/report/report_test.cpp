@@ -126,6 +126,9 @@ TEST(Summary, ALeanIsTowardsAnAzimuthOfTheStations) {
   Provenance clockwise;
   clockwise.options.stations.clockwise = true;
   EXPECT_NE(summary(leaning, clockwise).find("towards 270 deg"), std::string::npos);
+  EXPECT_NE(summary(leaning, clockwise).find("\nazimuths       clockwise from 0.0 deg counter-clockwise of +x\n"),
+            std::string::npos);
+  EXPECT_EQ(summary(leaning).find("azimuths"), std::string::npos);
 }
 
 TEST(Summary, OfNothingUsableSaysWhy) {

@@ -13,6 +13,16 @@ const kShortUnit = display.short[1], kLongUnit = display.long[1], kBendUnit = di
 /** A figure in metres as one in the unit shown; null of an unknown one. */
 const toShort = (metres) => (known(metres) ? display.short[0] * metres : null);
 const toLong = (metres) => (known(metres) ? display.long[0] * metres : null);
+
+/** A note, which holds metres, in the unit shown; not where it says feet beside them. */
+function inShownUnits(text) {
+  if (!text || kLongUnit === "m") return text;
+  return text.replace(/(\d+(?:\.(\d+))?) (mm|m)(?![\w/\u00b2^]| \()/g, (_, value, decimals, unit) => {
+    const [factor, name, more] = unit === "m" ? display.long : display.short, metres = Number(value) / (unit === "m" ? 1 : 1000);
+    return `${(factor * metres).toFixed((decimals || "").length + more)} ${name}`;
+  });
+}
+
 const twice = (value) => (known(value) ? 2 * value : null);
 const bend = (perMetre) => (known(perMetre) ? display.bend[0] * perMetre : null);
 

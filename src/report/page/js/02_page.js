@@ -31,8 +31,16 @@ function whyAbsent(what) {
   return say("page.not_in_this_result_version", { what, version: datum.version });
 }
 
+/** A name that file systems hold, 255 bytes in UTF-8, with its ending. */
+function fileNameOf(name) {
+  const ending = name.slice(name.lastIndexOf("."));
+  let stem = name.slice(0, name.length - ending.length);
+  while (new TextEncoder().encode(stem + ending).length > 255) stem = [...stem].slice(0, -1).join("");
+  return stem + ending;
+}
+
 function save(name, blob) {
-  const link = make("a", { href: URL.createObjectURL(blob), download: name });
+  const link = make("a", { href: URL.createObjectURL(blob), download: fileNameOf(name) });
   document.body.append(link);
   link.click();
   link.remove();

@@ -2,15 +2,19 @@
 
 /** {way, from} by which azimuths are counted; null where the page does not know. */
 function azimuthConvention() {
-  if (datum === null || levelled) return null;
+  if (datum === null) return null;
   const { clockwise, zero_azimuth_deg: zero } = datum.options.stations;
+  if (levelled && !clockwise && zero === 0) return null;
   return { way: say(clockwise ? "azimuth.clockwise" : "azimuth.counter_clockwise"),
     from: zero === 0 ? "+x" : say("azimuth.degrees_from_x", { angle: degrees(zero, 1) }) };
 }
 
+/** Of a levelling whose options do not say it, and of several surveys. */
+const azimuthAsCounted = () => say(datum === null ? "azimuth.as_surveyed" : "azimuth.as_table");
+
 function azimuthTitle() {
   const convention = azimuthConvention();
-  return convention === null ? say("azimuth.as_surveyed") : say("azimuth.axis", convention);
+  return convention === null ? azimuthAsCounted() : say("azimuth.axis", convention);
 }
 
 /** Scales and axes of a chart against azimuth [deg]; `domain` of y in its unit. */
@@ -34,8 +38,14 @@ function drawAxes(svg, x, y, ticks, title, bottom) {
     .call(ticks ? d3.axisBottom(x).tickValues(ticks) : d3.axisBottom(x).ticks(Math.max(3, (right - left) / 80)));
   svg.append("g").attr("class", "axis").attr("transform", `translate(${left},0)`)
     .call(d3.axisLeft(y).ticks(Math.max(3, (low - high) / 45)).tickSizeOuter(0));
-  if (title) svg.append("text").attr("class", "axis-title").attr("x", 4).attr("y", 14).text(title);
-  svg.append("text").attr("class", "axis-title").attr("x", right).attr("y", low + 36).attr("text-anchor", "end").text(bottom);
+  if (title) fitText(svg.append("text").attr("class", "axis-title").attr("x", 4).attr("y", 14).text(title), right - 4);
+  fitText(svg.append("text").attr("class", "axis-title").attr("x", right).attr("y", low + 36).attr("text-anchor", "end").text(bottom), right - 4);
+}
+
+/** Letters as much smaller as a text needs to be at most so wide [px]. */
+function fitText(text, most) {
+  const wide = text.node().getComputedTextLength();
+  if (wide > most) text.style("font-size", `${(12 * most) / wide}px`);
 }
 
 /** Stretches of stations without a datum, shaded and named. */

@@ -30,26 +30,37 @@ function addSheetFoot() {
   const left = [about.tank && say("export.tank", { tank: about.tank }), about.report_number && say("identity.report_2", { report_number: about.report_number }), about.revision && say("identity.revision_2", { revision: about.revision }),
     about.survey_date, about.company].filter(Boolean).join(", ");
   const small = "font: 8pt sans-serif; color: #444c56;";
-  document.head.append(make("style", {}, `@page { @bottom-left { content: ${cssText(left)}; ${small} } `
+  document.head.append(make("style", {}, `@page { @bottom-left { content: ${cssText(left)}; width: 85%; overflow-wrap: anywhere; ${small} } `
     + `@bottom-right { content: ${pageOfPages()}; ${small} } }`));
 }
 
-/** The marks on a chart against azimuth, named at its top. */
+/** Moves a text up, a line at a time, until it covers none of `others`; where no line is free it stays. */
+function liftClear(text, others, lines) {
+  const line = 13, box = text.node().getBBox(), y = Number(text.attr("y"));
+  const covers = (lift) => others.some((o) => o.x < box.x + box.width + 2 && box.x < o.x + o.width + 2 && Math.abs(o.y - (box.y - lift)) < line - 1);
+  const lift = d3.range(0, line * lines, line).find((up) => !covers(up)) ?? 0;
+  text.attr("y", y - lift);
+  others.push({ x: box.x, y: box.y - lift, width: box.width });
+}
+
+/** The marks on a chart against azimuth, named at its foot. */
 function drawReferenceMarks(svg, axes, height) {
-  referenceMarks.forEach(({ name, azimuth_deg: azimuth }, i) => {
-    const x = axes.x(azimuth), lift = 5 + 13 * (i % 2), right = x > (axes.x.range()[0] + axes.x.range()[1]) / 2;
-    svg.append("line").attr("class", "reference-mark").attr("x1", x).attr("x2", x).attr("y1", axes.margin.top).attr("y2", height - axes.margin.bottom);
-    svg.append("text").attr("class", "axis-title").attr("x", right ? x - 3 : x + 3).attr("y", height - axes.margin.bottom - lift)
-      .attr("text-anchor", right ? "end" : "start").text(name);
-  });
+  const named = [], bottom = height - axes.margin.bottom, lines = Math.floor((bottom - axes.margin.top) / 26);
+  for (const { name, azimuth_deg: azimuth } of referenceMarks) {
+    const x = axes.x(azimuth), right = x > (axes.x.range()[0] + axes.x.range()[1]) / 2;
+    svg.append("line").attr("class", "reference-mark").attr("x1", x).attr("x2", x).attr("y1", axes.margin.top).attr("y2", bottom);
+    liftClear(svg.append("text").attr("class", "axis-title").attr("x", right ? x - 3 : x + 3).attr("y", bottom - 5)
+      .attr("text-anchor", right ? "end" : "start").text(name), named, lines);
+  }
 }
 
 /** The marks and, where they are numbered, the survey's points round the plan. */
 function drawPlanMarks(svg, place, ring, numbered = true) {
+  const named = [];
   for (const { name, azimuth_deg: azimuth } of referenceMarks) {
     const [x1, y1] = place(azimuth, 0.9 * ring), [x2, y2] = place(azimuth, ring), [x, y] = place(azimuth, (surveyPoints.length > 0 ? 1 - 21 / ring : 0.86) * ring);
     svg.append("line").attr("class", "reference-mark").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
-    svg.append("text").attr("class", "plan-label").attr("x", x).attr("y", y + 4).attr("text-anchor", x > place(0, 0)[0] ? "end" : "start").text(name);
+    liftClear(svg.append("text").attr("class", "plan-label").attr("x", x).attr("y", y + 4).attr("text-anchor", x > place(0, 0)[0] ? "end" : "start").text(name), named, 6);
   }
   for (const point of numbered ? surveyPoints : []) {
     const [x, y] = place(point.azimuth_deg, ring);

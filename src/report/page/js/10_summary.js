@@ -60,17 +60,24 @@ function verdictMeaning(given) {
   return found ? say(found[0]) : ".";
 }
 
+/** A share of a limit in per cent, on its own side of the limit. */
+function percentOf(share) {
+  const text = figure(100 * share, 0);
+  if (text !== figure(100, 0) || share === 1) return text;
+  return figure((share < 1 ? Math.floor(1e4 * share) : Math.ceil(1e4 * share)) / 100, 2);
+}
+
 /** What a verdict rests on, from its figures; where they are not all there as datum.json has it. */
 function verdictSentence(verdict, check) {
   const { word, governing, utilisation: used, utilisation_95: interval, sentence: given } = verdict || {};
   if (!given) return "";
   if (!governing) return `${say("verdict.no_rule")} ${say("common.screening")}`;
-  const rule = governingTitle(governing), percent = (value) => figure(100 * value, 0), [low, high] = interval || [null, null];
-  if (word === "INCOMPLETE" && check) return `${say("verdict.not_evaluated", { rule, note: translated(check.note) })} ${say("common.screening")}`;
+  const rule = governingTitle(governing), [low, high] = interval || [null, null];
+  if (word === "INCOMPLETE" && check) return `${say("verdict.not_evaluated", { rule, note: inShownUnits(translated(check.note)) })} ${say("common.screening")}`;
   if (word === "INCOMPLETE" || !known(used)) return given;
-  const between = known(low) && known(high) ? say("verdict.interval", { low: percent(low), high: percent(high) }) : "";
+  const between = known(low) && known(high) ? say("verdict.interval", { low: percentOf(low), high: percentOf(high) }) : "";
   const [, azimuth] = / at (\d+) deg/.exec(given) || [], place = azimuth ? ` ${say("common.at", { azimuth: degrees(Number(azimuth)) })}` : "";
-  return `${say("verdict.share", { rule, share: percent(used), interval: between, place, meaning: verdictMeaning(given) })} ${say("common.screening")}`;
+  return `${say("verdict.share", { rule, share: percentOf(used), interval: between, place, meaning: verdictMeaning(given) })} ${say("common.screening")}`;
 }
 
 /** The check that a verdict rests on. */
@@ -146,7 +153,7 @@ function addSummary() {
   section.append(make("h3", {}, say("summary.what_is_missing")), missing.length > 0 ? make("ul", {}, missing.map((item) => make("li", {}, typeset(item))))
     : make("p", {}, say("summary.nothing_every_station_is_measured")));
   const notes = datum.notes || [];
-  if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(translated(note))))));
+  if (notes.length > 0) section.append(make("h3", {}, say("common.notes")), make("ul", {}, notes.map((note) => make("li", {}, typeset(inShownUnits(translated(note)))))));
   if (kSpoken !== kLanguages.en) section.append(make("p", { class: "quiet" }, say("missing.in_english")));
   addSignature(section);
 }

@@ -43,7 +43,7 @@ function checkRow(check) {
     checked(check.limit, check),
     make("td", { class: `verdict-word ${check.verdict}`, "data-head": say("common.verdict") }, make("span", {}, words(check.verdict))),
     cellWith(say("checks.rules_source"), "", say(`source.${check.source}`), typeset(translated(check.citation) || "")),
-    typeset(translated(check.note) || "")];
+    typeset(inShownUnits(translated(check.note)) || "")];
 }
 
 /** The share of its limit that a check's figure takes; null where it has none. */
@@ -53,9 +53,9 @@ function utilisation(check) {
 
 /** A check's share of its limit in per cent, with the interval of that. */
 function shareText(check) {
-  const percent = (value) => figure((100 * value) / check.limit, 0);
+  const percent = (value) => percentOf(value / check.limit);
   const interval = known(check.low95) && known(check.high95) ? ` ${say("checks.range", { low: percent(check.low95), high: percent(check.high95) })}` : "";
-  return `${percent(Math.abs(check.value))} %${interval}`;
+  return `${percentOf(utilisation(check))} %${interval}`;
 }
 
 /** A bar for each judged check, the fullest first. */
@@ -66,7 +66,8 @@ function utilisationBars() {
   return make("ul", { class: "bars", "aria-label": say("checks.share_of_its_limit_that") }, judged.map((check) => {
     const share = utilisation(check), bar = make("i", { class: check.verdict });
     bar.style.width = `${Math.min(100, 100 * share)}%`;
-    return make("li", {}, make("span", {}, `${capital(checkName(check.name))}, ${check.code}`), make("span", { class: "track" }, bar),
+    const figures = say("checks.value_of_limit", { value: checkedFigure(check.value, check), limit: checked(check.limit, check) });
+    return make("li", {}, make("span", {}, `${capital(checkName(check.name))}, ${check.code}: ${figures}`), make("span", { class: "track" }, bar),
       make("span", { class: "number" }, shareText(check)));
   }));
 }

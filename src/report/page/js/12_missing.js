@@ -19,7 +19,7 @@ function reasonOf(first, last) {
 function missingRanges() {
   const half = stepOfAzimuth() / 2, ranges = new Map();
   for (const [first, last] of missingStretches()) {
-    const range = say("missing.to", { half: degrees(stations[first].azimuth_deg - half, 1), half_2: degrees(stations[last].azimuth_deg + half, 1) });
+    const range = say("missing.to", { half: degrees((stations[first].azimuth_deg - half + 360) % 360, 1), half_2: degrees(stations[last].azimuth_deg + half, 1) });
     const reason = reasonOf(first, last);
     ranges.set(reason, [...(ranges.get(reason) || []), range]);
   }

@@ -70,7 +70,7 @@ function drawPlan(svg, width, height, shown) {
 /** How azimuths are counted on a plan. */
 function planConvention() {
   const convention = azimuthConvention();
-  return convention === null ? say("azimuth.as_surveyed") : say("azimuth.plan", convention);
+  return convention === null ? azimuthAsCounted() : say("azimuth.plan", convention);
 }
 
 /** The ring at the mean elevation, azimuths every 30 degrees, the zero mark and the frame's axes. */

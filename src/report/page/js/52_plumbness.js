@@ -7,13 +7,19 @@ function addPlumbness(section, shell) {
   const tolerance = plumbnessTolerance();
   const lean = shell.lean ? say("plumbness.the_tank_as_a_whole", { offset: shortLength(shell.lean.offset), height: longLength(shell.lean.height, 2), direction_deg: degrees(shell.lean.direction_deg) }) : "";
   section.append(make("h3", {}, say("plumbness.plumbness")), make("p", { class: "quiet" },
-    say("plumbness.how_far_the_top_of", { plumbness_max: shortLength(shell.plumbness_max), plumbness_azimuth_deg: degrees(shell.plumbness_azimuth_deg, 1), lean })));
+    say("plumbness.how_far_the_top_of", { plumbness_max: signed(shortLength(mostOf(shell)), mostOf(shell)), plumbness_azimuth_deg: degrees(shell.plumbness_azimuth_deg, 1), lean })));
   addChart(section, {
     id: "plumbness-chart", label: say("plumbness.plumbness_of_the_shell_against"), ratio: 0.3, least: 250, most: 360,
     legend: [...toleranceLegend(tolerance, rows.map((r) => r.value)), { name: "offset", label: say("plumbness.offset_over_of_height", { top: longLength(top, 2), k_band_words: kBandWords }), colour: "shell" },
       ...(rows.some((r) => r.lower) ? [{ name: "lower", label: say("plumbness.over_less_where_the_shell"), colour: "tilt", on: true }] : [])],
     draw: (svg, width, height, shown) => drawPlumbness(svg, width, height, rows, shown, tolerance),
   });
+}
+
+/** The offset that is furthest from the foot, inwards negative. */
+function mostOf(shell) {
+  const there = shell.plumbness.find((p) => Math.abs(p.azimuth_deg - shell.plumbness_azimuth_deg) < 1e-6 && Math.abs(Math.abs(p.offset) - shell.plumbness_max) < 1e-9);
+  return there ? there.offset : shell.plumbness_max;
 }
 
 /** The tightest limit of the checks of plumbness, in the page's unit. */

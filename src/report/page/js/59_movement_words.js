@@ -1,27 +1,39 @@
 // What moved, in the words that the terminal has: as a rigid body, and the rest.
 
-const significance = (part) => say(part.significant ? "movement.significant" : "movement.not_significant");
+const significance = (part, taken) => say(taken ? "movement.taken" : part.significant ? "movement.significant" : "movement.not_significant");
 const signed = (text, value) => (known(value) && value > 0 ? `+${text}` : text);
 const arcseconds = (value, digits = 1) => say("unit.arcseconds", { value: figure(value, digits) });
 
-/** [name, value, two sigma, where, part] of mean, tilt and the rest. */
+/** Where a change of tilt rises to; null of one that is not shown, whose direction is not known. */
+const tiltAzimuth = (m) => (m.tilt_change.significant && m.removed !== "tilt" ? m.tilt_change.azimuth_deg : null);
+
+/** [name, value, two sigma, where, significance] of mean, tilt and the rest; of what was taken out nothing is known. */
 function movementParts(m) {
   const mean = m.mean, tilt = m.tilt_change, rest = m.out_of_plane;
   const slopeSigma = known(tilt.sigma) ? Math.atan(2 * tilt.sigma) * (180 / Math.PI) * 3600 : null;
-  const parts = [["movement.mean", signed(shortLength(mean.value, 2), mean.value), shortLength(twice(mean.sigma), 2), null, mean],
-    ["movement.tilt", arcseconds(tilt.angle_arcsec), arcseconds(slopeSigma), tilt.azimuth_deg, tilt]];
-  if (rest) parts.push(["movement.rest", signed(shortLength(rest.value, 2), rest.value), shortLength(twice(rest.sigma), 2), rest.azimuth_deg, rest]);
+  const parts = [["movement.mean", signed(shortLength(mean.value, 2), mean.value), shortLength(twice(mean.sigma), 2), null, significance(mean, m.removed !== "none")],
+    ["movement.tilt", arcseconds(tilt.angle_arcsec), arcseconds(slopeSigma), tiltAzimuth(m), significance(tilt, m.removed === "tilt")]];
+  if (rest) parts.push(["movement.rest", signed(shortLength(rest.value, 2), rest.value), shortLength(twice(rest.sigma), 2), rest.azimuth_deg, significance(rest, false)]);
   return parts;
 }
 
 const roundAzimuth = (azimuth) => (known(azimuth) ? degrees(Math.round(azimuth) % 360) : kUnknown);
 
+/** The word of the verdict; of what was taken out of the differences nothing is said. */
+const movementWord = (m) => say(m.moved ? "movement.moved" : { mean: "movement.unmoved_mean", tilt: "movement.unmoved_tilt" }[m.removed] || "movement.unmoved");
+
+const kErrorsWorthSaying = 1.25;  // as in the terminal
+
 /** The whole verdict of a movement. */
 function movementText(m) {
-  const parts = movementParts(m).map(([key, value, twoSigma, azimuth, part]) => (
-    say(key, { value, two_sigma: twoSigma, azimuth: roundAzimuth(azimuth), significance: significance(part) })));
+  const parts = movementParts(m).map(([key, value, twoSigma, at, shown]) => {
+    const azimuth = roundAzimuth(at), risen = known(at) ? say("movement.risen", { azimuth }) : "";
+    return say(key, { value, two_sigma: twoSigma, azimuth, risen, significance: shown });
+  });
   const moved = say("movement.stations", { count: m.significant, of: m.matched });
-  return [`${say(m.moved ? "movement.moved" : "movement.unmoved")}: ${[...parts, moved].join("; ")}.`,
+  const used = (m.errors || {}).used;
+  return [`${movementWord(m)}: ${[...parts, moved].join("; ")}.`,
+    ...(used > kErrorsWorthSaying ? [say("movement.errors_used", { factor: figure(used, 1) })] : []),
     ...(m.not_given || []).map((key) => say(key))].join(" ");
 }
 
@@ -37,8 +49,8 @@ function movementTerms(m) {
 
 /** The rigid part and the rest, each in its box. */
 function movementBoxes(m) {
-  const boxesOf = movementParts(m).map(([key, value, twoSigma, azimuth, part]) => (
-    [say(`${key}.name`), value, [`\u00b1 ${twoSigma} (2\u03c3)`, known(azimuth) ? say(`${key}.where`, { azimuth: roundAzimuth(azimuth) }) : "", significance(part)].filter(Boolean).join(", ")]));
+  const boxesOf = movementParts(m).map(([key, value, twoSigma, azimuth, shown]) => (
+    [say(`${key}.name`), value, [`\u00b1 ${twoSigma} (2\u03c3)`, known(azimuth) ? say(`${key}.where`, { azimuth: roundAzimuth(azimuth) }) : "", shown].filter(Boolean).join(", ")]));
   boxesOf.push([say("movement.largest.name"), signed(shortLength(m.max, 2), m.max), say("movement.largest.more", { azimuth: roundAzimuth(m.max_azimuth_deg), rms: shortLength(m.rms, 2) })]);
   return boxes(boxesOf);
 }
@@ -70,7 +82,7 @@ function drawMovementPlan(svg, width, height, m, power) {
   for (const s of m.stations.filter((one) => one.significant && known(one.rest))) {
     svg.append("circle").attr("class", "moved-place").attr("r", 2).attr("cx", at(s)[0]).attr("cy", at(s)[1]);
   }
-  if (known(m.tilt_change.azimuth_deg)) drawArrow(svg, place, ring, m.tilt_change.azimuth_deg, arcseconds(m.tilt_change.angle_arcsec, 0));
+  if (known(tiltAzimuth(m))) drawArrow(svg, place, ring, tiltAzimuth(m), arcseconds(m.tilt_change.angle_arcsec, 0));
   const middleText = signed(shortLength(m.mean.value), m.mean.value);
   svg.append("text").attr("class", "plan-label").attr("x", 14).attr("y", height - 8).text(say("movement.plan.mean", { value: middleText }));
   return null;

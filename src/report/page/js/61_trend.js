@@ -21,9 +21,9 @@ function addTrend() {
 function addMovements(surveys, rates) {
   const section = addSection("trend", say("trend.movement_between_surveys")), last = surveys[surveys.length - 1].movement;
   const fastest = rates.length > 0 ? fastestOf(rates) : null;
-  const word = hasMovement(last) ? `${last.moved ? say("movement.moved") : say("movement.unmoved")}` : "";
+  const word = hasMovement(last) ? movementWord(last) : "";
   section.append(make("div", { class: `verdict ${last.moved ? "undecided" : "none"}`, role: "status" },
-    word ? make("p", { class: "word" }, word) : null,
+    word ? make("p", { class: "word" }, make("span", { "aria-hidden": "true" }, last.moved ? "\u2260 " : "= "), word) : null,
     make("p", { class: "breakable" }, say("movement.since", { baseline: dated(trend.baseline, trend.baseline_date) })),
     hasMovement(last) ? make("p", {}, typeset(movementText(last).slice(word.length + 2))) : null,
     trend.limits ? make("p", {}, make("strong", {}, say("limit_rate.line")), typeset(limitRatesText(trend.limits))) : null,

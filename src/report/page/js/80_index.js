@@ -8,6 +8,11 @@ function outcomeOf(tank) {
   return words(tank.status);
 }
 
+/** Why a share stands above its own interval. */
+function raisedText({ utilisation: share, utilisation_95: interval }) {
+  return known(share) && interval && share > interval[1] ? ` ${say("out_of_plane.raised")}` : "";
+}
+
 const outcomeClass = (tank) => kVerdictClasses[outcomeOf(tank)] || "not_evaluated";
 
 function addIndex() {
@@ -21,7 +26,7 @@ function addIndex() {
     index.tanks.map((tank) => [
       make("td", { "data-head": say("common.tank") }, make("a", { href: tank.page }, tankName(tank))),
       make("td", { class: `verdict-word ${outcomeClass(tank)}`, "data-head": say("common.verdict") }, make("span", {}, words(outcomeOf(tank)))),
-      tank.verdict ? verdictSentence(tank.verdict, null) : translated(tank.message),
+      tank.verdict ? `${verdictSentence(tank.verdict, null)}${raisedText(tank.verdict)}` : translated(tank.message),
       tank.tank ? longLength(tank.tank.center[0]) : "\u2013", tank.tank ? longLength(tank.tank.center[1]) : "\u2013",
       tank.tank ? longLength(tank.tank.radius) : "\u2013",
       tank.tilt && known(tank.tilt.angle_arcsec) ? say("index.high_side", { angle_arcsec: withUnit(tank.tilt.angle_arcsec, 1, "\u2033"), direction_deg: degrees(tank.tilt.direction_deg) }) : "\u2013",
