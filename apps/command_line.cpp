@@ -6,6 +6,7 @@
 
 #include "config_lines.h"
 #include "core/printable.h"
+#include "core/refusal.h"
 #include "exit_status.h"
 #include "option_flags.h"
 #include "options/option_json.h"
@@ -73,7 +74,7 @@ bool parse(CLI::App& app, int argc, char** argv, const Command& command, int& st
     std::cerr << "tank_datum: command line: --config, " << printable(error.what()) << ", expected a readable file\n";
     status = kFileFailed;
   } catch (const CLI::ParseError& error) {
-    requireConfigLines(app.get_config_ptr()->as<std::string>());
+    for (const std::string& config : app.get_config_ptr()->results()) requireConfigLines(config);
     std::cerr << "tank_datum: command line: " << printable(error.what()) << ", expected what tank_datum --help lists\n";
     status = kWrongUse;
   }
@@ -102,14 +103,20 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   if (command.print_limits) std::cout << standardLimitsText();
   if (command.print_options) std::cout << optionsListed();
   if (command.print_limits || command.print_options) return false;
+  if (command.output == "-") {
+    throw Error(Error::Kind::Option, "command line", "--output", "-",
+                "a folder, or ./- for one of that name; --json - prints datum.json");
+  }
   if (command.output.empty() && !command.inputs().empty()) command.output = stemOf(command.inputs().front());
   requireInputsUntouched(command);
   readFilesOf(command);
   readIdentity(command);
   warnOfMetres(app, "--height", command.units);
   warnOfMetres(app, "--diameter", command.units);
-  if (command.print_config) std::cout << app.config_to_str(true, true);
-  return !command.print_config;
+  if (!command.print_config) return true;
+  refuseFirst(firstError(command));
+  std::cout << app.config_to_str(true, true);
+  return false;
 }
 
 }  // namespace tank_datum

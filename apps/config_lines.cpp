@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "flag_names.h"
@@ -36,6 +37,8 @@ std::string expectedOf(const std::string& name) {
 std::optional<std::string> refusalOf(const std::string& line) {
   const std::string name = trimmed(line.substr(0, line.find('=')));
   if (line.find('=') == std::string::npos) return expectedOf("");
+  const std::string value = trimmed(line.substr(line.find('=') + 1));
+  if (!value.empty() && value.front() == '[' && value.back() != ']') return expectedOf(name);  // would go on below
   RunOptions run;
   CLI::App app;
   const OptionFlags flags(app, optionsOf(run));
@@ -66,10 +69,13 @@ void requireConfigLines(const std::string& path) {
   }
   std::istringstream text(whole);
   std::string line;
+  std::set<std::string> named;
   for (std::size_t number = 1; std::getline(text, line); ++number) {
     line = trimmed(line);
     if (line.empty() || line.front() == '#' || line.front() == ';') continue;
-    if (const std::optional<std::string> expected = refusalOf(line)) {
+    std::optional<std::string> expected = refusalOf(line);
+    if (!expected && !named.insert(trimmed(line.substr(0, line.find('=')))).second) expected = "each option once";
+    if (expected) {
       throw Error(Error::Kind::Option, "command line", path + " line " + std::to_string(number), line, *expected);
     }
   }

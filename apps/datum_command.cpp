@@ -13,6 +13,7 @@
 #include "flag_names.h"
 #include "io/up_axis.h"
 #include "movement/baseline.h"
+#include "report/identity.h"
 #include "report/provenance.h"
 #include "results/manifest.h"
 #include "results/output_file.h"
@@ -148,7 +149,8 @@ Extracted extractRecorded(const Command& command, const std::optional<Baseline>&
   return {std::move(datums), records.take()};
 }
 
-int run(const Command& command) {
+/// @param written  set when the results are
+int run(const Command& command, bool& written) {
   refuseFirst(firstError(command));
   if (!command.baseline.empty()) settleToRead(command.baseline, kProgram);
   ResultFolder folder(command.output, kProgram);
@@ -159,7 +161,10 @@ int run(const Command& command) {
   const auto [datums, files] = extractRecorded(command, baseline, clock);
   clock.begin("report");
   std::vector<Provenance> provenances;
-  for (const Datum& datum : datums) provenances.push_back(recordOf(datum, files, baseline, command));
+  for (const Datum& datum : datums) {
+    provenances.push_back(recordOf(datum, files, baseline, command));
+    nameTank(provenances.back().identity, provenances.size(), datums.size());
+  }
   stageResults(folder, datums, provenances, command);
   clock.end();
   if (timings) timings->write(clock.json());
@@ -167,6 +172,7 @@ int run(const Command& command) {
   folder.commit();
   if (timings) timings->commit();
   if (json) json->commit();
+  written = true;
   if (command.json == "-") std::cout << jsonOf(datums, provenances, command);
   return announce(datums, provenances, command);
 }
@@ -177,9 +183,10 @@ int datumCommand(int argc, char** argv, const OpenForeign& foreign) {
   Command command;
   command.reading.foreign = foreign;
   int status = kUsable;
+  bool written = false;
   return runMain(
-      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; },
-      [&] { return earlierResults(command.output, kProgram); });
+      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command, written) : status; },
+      [&] { return written ? std::string() : earlierResults(command.output, kProgram); });
 }
 
 }  // namespace tank_datum

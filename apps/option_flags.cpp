@@ -45,7 +45,9 @@ struct OptionFlags::Declaration {
       return text([name = flag, fact](const std::string& typed) { *fact.value = lengthFrom(name, typed); });
     }
     std::optional<double>& typed = flags.facts_.emplace_back();
-    return after(app.add_option(names, typed, help), [&typed, fact] { *fact.value = typed.value_or(*fact.value); });
+    return after(app.add_option(names, typed, help), [this_option = option, &typed, fact] {
+      if (typed) *fact.value = this_option.given(*typed);
+    });
   }
   CLI::Option* operator()(const Path& path) const {
     return option.name == "config" ? config() : app.add_option(names, *path.path, help);

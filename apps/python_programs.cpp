@@ -8,12 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "core/refusal.h"
 #include "core/units.h"
 #include "movement/epoch.h"
 #include "movement/movement.h"
 #include "movement/trend.h"
 #include "movement_files.h"
 #include "options/option_table.h"
+#include "python/interrupt.h"
 #include "python/options.h"
 #include "python/result.h"
 #include "python/values.h"
@@ -98,34 +100,47 @@ class Compared {
   Comparison comparison_;
 };
 
-/// A scene as JSON text; with `output` written as tank_datum_synth does, else as arrays.
-py::dict simulate(const std::string& scene_json, const std::string& output, unsigned threads) {
-  nlohmann::ordered_json read = nlohmann::ordered_json::parse(scene_json);
+/// A scan being simulated, into a file or into memory.
+struct Simulated {
   synth::Command command;
-  command.scene = synth::sceneFromJson(read);
-  const synth::Scene scene(command.scene);
-  py::dict made;
-  synth::ScanSummary summary;
   std::vector<double> rows;
   std::vector<std::uint16_t> setups;
-  {
-    const py::gil_scoped_release unlocked;
-    if (!output.empty()) {
-      command.output = output;
-      command.truth = std::filesystem::path(output).replace_extension(".truth.json").string();
-      command.threads = threads;
+  synth::ScanSummary summary;
+  nlohmann::ordered_json truth;
+
+  void scan() {
+    const synth::Scene scene(command.scene);
+    truth = synth::toJson(synth::truthOf(scene, scene.options().truth_stations));
+    if (!command.output.empty()) {
       summary = synth::writeScan(scene, command);
-    } else {
-      const auto keep = [&](std::size_t station, const synth::Rows& more) {
-        rows.insert(rows.end(), more.begin(), more.end());
-        setups.resize(rows.size() / 4, static_cast<std::uint16_t>(station));
-      };
-      summary = synth::scanScene(scene, keep, threads);
+      return;
     }
+    const auto keep = [this](std::size_t station, const synth::Rows& more) {
+      rows.insert(rows.end(), more.begin(), more.end());
+      setups.resize(rows.size() / 4, static_cast<std::uint16_t>(station));
+    };
+    summary = synth::scanScene(scene, keep, command.threads);
   }
-  made["truth"] = toPython(synth::toJson(synth::truthOf(scene, scene.options().truth_stations)));
-  made["rays"] = summary.rays;
+};
+
+/// A scene as JSON text; with `output` written as tank_datum_synth does, else as arrays.
+py::dict simulate(const std::string& scene_json, const std::string& output, int threads) {
+  DatumOptions options;
+  options.threads = threads;
+  refuseFirst(firstError(options));
+  const auto scan = std::make_shared<Simulated>();
+  nlohmann::ordered_json read = nlohmann::ordered_json::parse(scene_json);
+  scan->command.scene = synth::sceneFromJson(read);
+  scan->command.threads = static_cast<unsigned>(threads);
+  scan->command.output = output;
+  scan->command.truth = std::filesystem::path(output).replace_extension(".truth.json").string();
+  runInterruptibly([scan] { scan->scan(); });
+  py::dict made;
+  made["truth"] = toPython(scan->truth);
+  made["rays"] = scan->summary.rays;
   if (!output.empty()) return made;
+  const auto& rows = scan->rows;
+  const auto& setups = scan->setups;
   made["points"] = matrix(setups.size(), 3, [&](std::size_t row, std::size_t c) { return rows[4 * row + c]; });
   py::array_t<double> intensity(static_cast<py::ssize_t>(setups.size()));
   for (std::size_t i = 0; i < setups.size(); ++i) intensity.mutable_data()[i] = rows[4 * i + 3];

@@ -1,6 +1,5 @@
 #include "typed_text.h"
 
-#include <charconv>
 #include <sstream>
 
 #include "core/length_units.h"
@@ -30,15 +29,9 @@ std::vector<Number> listFrom(const std::string& flag, const std::string& typed, 
 }  // namespace
 
 double lengthFrom(const std::string& flag, const std::string& typed) {
-  double value = 0.0;
-  const auto read = std::from_chars(typed.data(), typed.data() + typed.size(), value);
-  std::string unit(read.ptr, typed.data() + typed.size());
-  unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size() : unit.find_first_not_of(' '));
-  const auto known = kUnits.find(unit.empty() ? "m" : unit);
-  if (read.ec != std::errc() || known == kUnits.end()) {
-    throw unreadable(flag, typed, "a length as 8, 8m, 26.25ft, 315in or 8000mm");
-  }
-  return value * known->second;
+  const std::optional<double> length = lengthOf(typed);
+  if (!length) throw unreadable(flag, typed, kLengthWanted);
+  return *length;
 }
 
 Circle circleFrom(const std::string& flag, const std::string& typed) {

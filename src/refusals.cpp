@@ -64,9 +64,7 @@ std::string whyNoCurve(const Normals& normals, const std::vector<std::int32_t>& 
 std::string doubtfulUnits(double radius) {
   constexpr double kLargest = 150.0;  // the largest tanks have 60 m, gas holders of old 35 m, reservoirs of water 100 m
   if (!(radius > kLargest)) return {};
-  char text[64];
-  snprintfPlain(text, sizeof text, "R = %.0f m: is the scan in mm?", radius);
-  return text;
+  return formatted("R = %.0f m: is the scan in mm?", radius);
 }
 
 std::string leanText(const Datum& datum, const StationOptions& options) {

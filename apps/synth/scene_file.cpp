@@ -169,10 +169,10 @@ Json readJson(const std::string& path) {
   constexpr int kDeepest = 16;  // lists and groups in each other; a scene has four
   const auto look = [&path](int depth, Json::parse_event_t, const Json&) {
     if (depth <= kDeepest) return true;
-    throw Error(Error::Kind::File, "scene", "scene file", path, "JSON that is not nested deeper than a scene");
+    throw Error(Error::Kind::File, "scene", {"scene file", path, "JSON that is not nested deeper than a scene", path});
   };
   Json json = Json::parse(wholeFile(path, "scene"), look, false);
-  if (json.is_discarded()) throw Error(Error::Kind::File, "scene", "scene file", path, "JSON");
+  if (json.is_discarded()) throw Error(Error::Kind::File, "scene", {"scene file", path, "JSON", path});
   return json;
 }
 

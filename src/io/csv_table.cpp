@@ -21,7 +21,7 @@ CsvTable::CsvTable(const std::string& path, std::string stage)
 const std::string& CsvTable::text(std::size_t row, const std::string& column) const {
   const auto name = std::find(names_.begin(), names_.end(), column);
   if (name == names_.end()) {
-    throw Error(Error::Kind::File, stage_, "header of " + path_, "no " + column, "a column of that name");
+    throw Error(Error::Kind::File, stage_, {"header of " + path_, "no " + column, "a column of that name", path_});
   }
   return rows_[row].cells[static_cast<std::size_t>(name - names_.begin())];
 }
@@ -32,7 +32,8 @@ double CsvTable::number(std::size_t row, const std::string& column) const {
   double value = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-    throw Error(Error::Kind::File, stage_, column + " in " + placeOf(path_, rows_[row]), echo(cell), "a number");
+    throw Error(Error::Kind::File, stage_,
+                {column + " in " + placeOf(path_, rows_[row]), echo(cell), "a number", path_});
   }
   return value;
 }

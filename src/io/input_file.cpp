@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -44,7 +43,7 @@ InputFile::InputFile(std::string path, bool hashed)
     : path_(std::move(path)), hash_(hashed ? std::make_unique<ReadHash>() : nullptr) {
   // O_NONBLOCK: a pipe with nobody at the other end is refused below instead of waited for
   descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor_ < 0) throw fileError("opening", path_, std::strerror(errno), "a file that can be read");
+  if (descriptor_ < 0) throw fileError("opening", path_, errno, "a file that can be read");
   struct stat status {};
   const bool known = ::fstat(descriptor_, &status) == 0;
   if (!known || !S_ISREG(status.st_mode)) {
@@ -71,7 +70,7 @@ std::size_t InputFile::readBytes(std::uint64_t offset, void* to, std::size_t cou
         ::pread(descriptor_, static_cast<char*>(to) + done, count - done, static_cast<off_t>(offset + done));
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw fileError("reading", path_, std::strerror(errno), "a file that can be read");
+    if (got < 0) throw fileError("reading", path_, errno, "a file that can be read");
     done += static_cast<std::size_t>(got);
   }
   return done;

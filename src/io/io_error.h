@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/printable.h"
+#include "core/refusal.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -24,7 +25,12 @@ inline std::string echoPath(std::string path) { return printable(std::move(path)
 /// Error of the kind File, stage "io", about a thing (such as "POINTS") of a file.
 inline Error fileError(const std::string& thing, const std::string& path, const std::string& value,
                        const std::string& expected) {
-  return Error(Error::Kind::File, "io", thing + " of " + echoPath(path), value, expected);
+  return {Error::Kind::File, "io", {thing + " of " + echoPath(path), value, expected, path}};
+}
+
+/// The same of a file that the system refused, for the reason in errno.
+inline Error fileError(const std::string& thing, const std::string& path, int number, const std::string& expected) {
+  return refusedBySystem("io", thing + " of " + echoPath(path), path, number, expected);
 }
 
 }  // namespace tank_datum

@@ -7,15 +7,17 @@ namespace tank_datum {
 
 nlohmann::json readJson(const std::string& path, const std::string& stage, const std::string& expected) {
   const auto refused = [&](const std::string& value, const std::string& wanted) {
-    return Error(Error::Kind::File, stage, echoPath(path), value, wanted);
+    return Error(Error::Kind::File, stage, {echoPath(path), value, wanted, path});
   };
   nlohmann::json json;
   try {
     json = nlohmann::json::parse(wholeFile(path, stage));
   } catch (const Error& error) {
-    throw refused(error.refused().value, expected);
-  } catch (const nlohmann::json::exception& error) {
-    throw refused(error.what(), expected);
+    throw reworded(error, stage, echoPath(path), path, expected);
+  } catch (const nlohmann::json::parse_error& error) {
+    throw refused("no JSON at byte " + std::to_string(error.byte), expected);
+  } catch (const nlohmann::json::exception&) {
+    throw refused("a number beyond 64 bits", expected);
   }
   if (!json.is_object()) throw refused("no JSON object", expected);
   const auto schema = json.find("schema");

@@ -25,9 +25,7 @@ Error wrongUse(const std::string& what, const std::string& value, const std::str
   return Error(Error::Kind::Option, "io", what, value, expected);
 }
 
-Error writeError(const std::string& path) {
-  return fileError("writing", path, errno != 0 ? std::strerror(errno) : "failed", "a file that can be written");
-}
+Error writeError(const std::string& path) { return fileError("writing", path, errno, "a file that can be written"); }
 
 /// Hidden, in the same folder (so that the rename is one step), unique among processes and within this one.
 std::string temporaryName(const std::string& path) {

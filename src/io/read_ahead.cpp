@@ -16,10 +16,10 @@ ReadAhead::~ReadAhead() {
 }
 
 bool ReadAhead::take(ScanBlocks::Block& block) {
-  if (asked_++ == 0) start();
-  if (!thread_.joinable()) return next_(block);
+  if (asked_ == 0) start();
   std::unique_lock<std::mutex> lock(mutex_);
-  if (asked_ > 1) may_read_ahead_ = true;
+  ++asked_;
+  if (!thread_.joinable()) return next_(block);
   changed_.notify_one();
   changed_.wait(lock, [this] { return is_ready_; });
   if (failure_) std::rethrow_exception(failure_);
@@ -50,7 +50,7 @@ void ReadAhead::serve() {
     std::unique_lock<std::mutex> lock(mutex_);
     more_ = more, failure_ = failure, is_ready_ = true;
     changed_.notify_one();
-    changed_.wait(lock, [this] { return (!is_ready_ && may_read_ahead_) || given_up_; });
+    changed_.wait(lock, [this] { return (!is_ready_ && asked_ > 1) || given_up_; });
     if (given_up_) return;
   }
 }

@@ -29,14 +29,13 @@ class ReadAhead {
   void serve();
 
   ScanBlocks::Next next_;
-  std::uint64_t asked_ = 0;  // blocks, by the taker
   std::thread thread_;
   std::mutex mutex_;
+  std::uint64_t asked_ = 0;  // blocks, by the taker
   std::condition_variable changed_;
   ScanBlocks::Block ready_;  // the thread's while is_ready_ is false, else the taker's
   bool is_ready_ = false;    // or there is no more, or it could not be read
   bool more_ = true;
-  bool may_read_ahead_ = false;
   bool given_up_ = false;
   std::exception_ptr failure_;
 };

@@ -109,6 +109,11 @@ double Option::kept(double typed) const {
   return unit == Unit::Degrees ? typed * kDegree : unit == Unit::ArcSeconds ? typed / toArcSeconds(1.0) : typed;
 }
 
+double Option::given(double fact) const {
+  if (std::isnan(fact)) throw Error(Error::Kind::Option, "options", {name, "nan", expected()});
+  return fact;
+}
+
 std::string Option::expected() const {
   if (const auto* choice = std::get_if<Choice>(&value)) return alternatives(choice->words);
   if (std::holds_alternative<bool*>(value) || std::holds_alternative<Path>(value)) return {};

@@ -92,6 +92,9 @@ struct Option {
   /// A number of the struct in the unit that people type, and back.
   double typed(double kept) const;
   double kept(double typed) const;
+  /// A Fact that is given: NaN, which stands for none, is refused.
+  /// @throws Error (Option)
+  double given(double fact) const;
   /// What its value must be: "> 0 and < 90 deg", "refined or paper"; empty of flags and paths.
   std::string expected() const;
   /// Nothing when the value is fine.

@@ -12,7 +12,7 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kSectors = 720;
-constexpr double kPerMetre = 100.0;
+constexpr double kPerMetre = 100.0, kMostPlaces = 1e5;  // looked up by height: centimetres, coarser over kilometres
 constexpr double kOneFoot = 0.3;    // API 650 7.5.3: radii are measured 1 ft above the bottom's weld [m]
 constexpr double kTallest = 60.0;   // no storage tank's shell is as high [m]
 constexpr double kSteepest = 0.01;  // of a leaning shell [m/m]
@@ -43,9 +43,10 @@ ShellBands::ShellBands(const Tank& tank, const ShellOptions& options, std::uint6
   inner_ = std::pow(std::max(0.0, radius_ - widest), 2);
   outer_ = std::pow(radius_ + widest, 2);
   const double lowest = heights_.front() - half_;
-  const double centimetres = std::ceil((heights_.back() + half_ - lowest) * kPerMetre);
-  for (double i = 0.0; i <= centimetres; i += 1.0) {
-    const auto band = std::lower_bound(heights_.begin(), heights_.end(), lowest + i / kPerMetre - half_);
+  const double span = heights_.back() + half_ - lowest;
+  per_metre_ = std::min(kPerMetre, kMostPlaces / span);
+  for (double i = 0.0; i <= std::ceil(span * per_metre_); i += 1.0) {
+    const auto band = std::lower_bound(heights_.begin(), heights_.end(), lowest + i / per_metre_ - half_);
     first_band_.push_back(static_cast<std::size_t>(band - heights_.begin()));
   }
 }
@@ -55,7 +56,7 @@ bool ShellBands::placeOf(const Eigen::Vector3d& p, Place& place) const {
   const double squared = arm.head<2>().squaredNorm();
   if (squared < inner_ || squared > outer_) return false;
   const double height = arm.z() - slope_.dot(arm.head<2>());
-  const double above = (height - heights_.front() + half_) * kPerMetre;
+  const double above = (height - heights_.front() + half_) * per_metre_;
   if (!(above >= 0.0 && above < static_cast<double>(first_band_.size()))) return false;
   std::size_t band = first_band_[static_cast<std::size_t>(above)];
   while (band < heights_.size() && heights_[band] < height - half_) ++band;

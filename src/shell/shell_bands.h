@@ -55,7 +55,8 @@ class ShellBands {
   std::size_t capacity_;              ///< of a cell
   std::uint64_t stride_;              ///< odd, since rows of a scan often have even lengths
   std::vector<double> heights_;
-  std::vector<std::size_t> first_band_;   ///< by centimetres above the lowest band
+  double per_metre_;                      ///< places of first_band_ a metre
+  std::vector<std::size_t> first_band_;   ///< by places above the lowest band
   std::vector<std::vector<Cell>> bands_;  ///< by height and sector; empty until a point is seen at the height
 };
 

@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kNearlyAll = 0.9;  // of the shell's height
 
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[120];
-  snprintfPlain(text, sizeof text, format, values...);
-  return text;
-}
-
 Measure radiusMeasure(const Roundness& r) {
   Measure measure;
   measure.quantity = isAtFoot(r.height) ? "roundness_foot" : "roundness_above";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 
 #include "core/plain_text.h"
 #include "core/statistics.h"
@@ -40,8 +41,7 @@ constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3
     kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0};
 
-template <typename... Values>
-TankTest judged(const Bounds& bounds, double value, const char* format, Values... values) {
+__attribute__((format(printf, 3, 4))) TankTest judged(const Bounds& bounds, double value, const char* format, ...) {
   TankTest test;
   test.name = bounds.name;
   test.unit = bounds.unit;
@@ -52,9 +52,10 @@ TankTest judged(const Bounds& bounds, double value, const char* format, Values..
   test.outcome = beyond(bounds.fail)       ? TestOutcome::Fail
                  : beyond(bounds.doubtful) ? TestOutcome::Doubtful
                                            : TestOutcome::Pass;
-  char text[200];
-  snprintfPlain(text, sizeof text, format, values...);
-  test.finding = text;
+  std::va_list values;
+  va_start(values, format);
+  test.finding = vformatted(format, values);
+  va_end(values);
   return test;
 }
 
