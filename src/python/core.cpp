@@ -4,12 +4,14 @@
 #include <map>
 
 #include "command.h"
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "io/scan_format.h"
 #include "job.h"
 #include "report/section_json.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
+#include "values.h"
 
 namespace py = pybind11;
 
@@ -79,7 +81,13 @@ void raise(const Error& error) {
   const char* kind = error.kind() == Error::Kind::Option ? "OptionError" : "FileError";
   const py::object type = py::module_::import("tank_datum._errors").attr(kind);
   const Refusal& refused = error.refused();
-  const py::object made = type(error.what(), error.stage(), refused.name, refused.value, refused.expected);
+  const auto told = py::make_tuple(textFrom(error.what()), textFrom(error.stage()), textFrom(refused.name),
+                                   textFrom(refused.value), textFrom(refused.expected));
+  py::object made = type(*told);
+  if (error.kind() == Error::Kind::File && !refused.file.empty()) {
+    made.attr("filename") = py::module_::import("os").attr("fsdecode")(py::bytes(refused.file));
+  }
+  if (refused.system_error != 0) made.attr("errno") = refused.system_error;
   PyErr_SetObject(type.ptr(), made.ptr());
 }
 
@@ -88,6 +96,7 @@ void raise(const Error& error) {
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of tank_datum.";
   module.attr("__version__") = kVersion;
+  module.def("system_text", [](int number) { return systemText(number); });
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

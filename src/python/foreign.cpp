@@ -40,6 +40,18 @@ struct Reader {
   std::shared_ptr<PythonGate> gate;
   Shared object;
   double metres_per_unit;
+  std::string path;  // empty: it reads no file
+
+  /// The gate's, with the file in what is thrown.
+  void enter(const std::function<void()>& call) const {
+    try {
+      gate->enter(call);
+    } catch (const Error& error) {
+      Refusal refused = error.refused();
+      refused.file = path;
+      throw Error(error.kind(), error.stage(), refused);
+    }
+  }
 };
 
 Eigen::Vector3d vectorOf(const std::array<double, 3>& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
@@ -75,10 +87,10 @@ bool fetch(PyObject* iterator, double metres_per_unit, ScanBlocks::Block& block)
 template <class Argument>
 ScanBlocks::Next begin(const Reader& reader, const char* method, const Argument& argument) {
   Shared iterator;
-  reader.gate->enter([&] { iterator = shared(py::handle(reader.object.get()).attr(method)(argument), reader.gate); });
+  reader.enter([&] { iterator = shared(py::handle(reader.object.get()).attr(method)(argument), reader.gate); });
   return [reader, iterator](ScanBlocks::Block& block) {
     bool more = false;
-    reader.gate->enter([&] { more = fetch(iterator.get(), reader.metres_per_unit, block); });
+    reader.enter([&] { more = fetch(iterator.get(), reader.metres_per_unit, block); });
     return more;
   };
 }
@@ -138,7 +150,7 @@ void PythonGate::drop(PyObject* object) {
 ScanBlocks blocksFrom(const std::shared_ptr<PythonGate>& gate, const py::handle& reader, double metres_per_unit) {
   ScanBlocks blocks;
   gate->enter([&] {
-    blocks = blocksOf({gate, shared(py::reinterpret_borrow<py::object>(reader), gate), metres_per_unit});
+    blocks = blocksOf({gate, shared(py::reinterpret_borrow<py::object>(reader), gate), metres_per_unit, {}});
   });
   return blocks;
 }
@@ -147,9 +159,11 @@ std::function<ScanBlocks(const ForeignScan&)> foreignReader(const std::shared_pt
   const Shared open = shared(py::module_::import("tank_datum._foreign").attr("open_blocks"), gate);
   return [gate, open](const ForeignScan& scan) {
     ScanBlocks blocks;
-    gate->enter([&] {
-      const py::object made = py::handle(open.get())(scan.path, scan.format, scan.las_classes);
-      blocks = blocksOf({gate, shared(made, gate), scan.metres_per_unit});
+    Reader reader{gate, {}, scan.metres_per_unit, scan.path};
+    reader.enter([&] {
+      const py::object path = py::module_::import("os").attr("fsdecode")(py::bytes(scan.path));
+      reader.object = shared(py::handle(open.get())(path, scan.format, scan.las_classes), gate);
+      blocks = blocksOf(reader);
     });
     return blocks;
   };

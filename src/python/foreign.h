@@ -6,12 +6,10 @@
 #include <memory>
 #include <mutex>
 
+#include "core/parallel.h"
 #include "tank_datum/io/scan.h"
 
 namespace tank_datum::python {
-
-/// Thrown in place of a call when the run has been given up.
-struct GivenUp {};
 
 /// Lets threads of the library call Python, one at a time, until it is shut. A thread inside the interpreter when this
 /// ends would end the process.

@@ -17,6 +17,7 @@
 #include "io/up_axis.h"
 #include "movement/baseline.h"
 #include "movement/epoch.h"
+#include "report/identity.h"
 #include "report/provenance.h"
 
 namespace py = pybind11;
@@ -82,6 +83,7 @@ struct Job {
 
   void work() {
     const ThreadScope threads(task.options.datum.threads);
+    const CancelScope cancel(given_up);
     try {
       refuseFirst(firstError(task.options));
       task.wanted == Task::Wanted::Levelling ? level(baselineAsGiven()) : search(baselineAsGiven());
@@ -159,6 +161,7 @@ struct Job {
   void keep(std::vector<Datum> datums, const std::vector<InputRecord>& files, const std::optional<Baseline>& baseline) {
     for (Datum& datum : datums) {
       Provenance provenance = provenanceOf(files, task.options, baseline, datum);
+      nameTank(provenance.identity, found.results.size() + 1, datums.size());
       found.results.push_back({std::move(datum), std::move(provenance)});
     }
   }

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <vector>
 
+#include "core/length_units.h"
 #include "options/option_table.h"
 #include "report/identity.h"
 #include "tank_datum/core/unknown.h"
@@ -17,11 +19,14 @@ namespace py = pybind11;
 namespace tank_datum::python {
 namespace {
 
-std::string pathFrom(const py::handle& value) {
-  return value.is_none() ? std::string() : py::module_::import("os").attr("fspath")(value).cast<std::string>();
+constexpr std::size_t kShown = 80;  // letters of a value in a message
+
+bool isTruth(const py::handle& value) {
+  return py::isinstance<py::bool_>(value) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
 }
 
 /// Puts a Python value where the option keeps it.
+/// @throws py::cast_error for a value of another type
 struct Put {
   Option& option;
   py::handle value;
@@ -30,26 +35,93 @@ struct Put {
   void operator()(Plain* kept) const {
     *kept = value.cast<Plain>();
   }
-  void operator()(double* kept) const { *kept = option.kept(value.cast<double>()); }
+  void operator()(bool* kept) const {
+    if (!isTruth(value)) throw py::cast_error();
+    *kept = value.cast<bool>();
+  }
+  void operator()(int* kept) const { *kept = whole<int>(); }
+  void operator()(std::size_t* kept) const { *kept = whole<std::size_t>(); }
+  void operator()(double* kept) const { *kept = option.kept(number()); }
   void operator()(std::optional<Circle>* circle) const {
     circle->reset();
     if (value.is_none()) return;
     const auto [x, y, radius] = value.cast<std::tuple<double, double, double>>();
     *circle = Circle{{x, y}, radius};
   }
-  void operator()(const Fact& fact) const { *fact.value = value.is_none() ? kUnknown : value.cast<double>(); }
-  void operator()(const Path& path) const { *path.path = pathFrom(value); }
+  void operator()(const Fact& fact) const { *fact.value = value.is_none() ? kUnknown : factGiven(); }
+  void operator()(const Path& path) const { *path.path = pathGiven(); }
   void operator()(const Places& places) const {
     places.places->clear();
     if (!py::isinstance<py::dict>(value)) {
-      *places.path = pathFrom(value);
+      *places.path = pathGiven();
       return;
     }
+    if (py::len(value) == 0) throw py::cast_error();
     for (const auto& [name, at] : value.cast<std::map<std::string, std::array<double, 3>>>()) {
       (*places.places)[name] = Eigen::Vector3d(at[0], at[1], at[2]);
     }
   }
   void operator()(const Choice&) const { option.choose(value.is_none() ? std::string() : value.cast<std::string>()); }
+
+  double number() const {
+    if (isTruth(value)) throw py::cast_error();
+    return value.cast<double>();
+  }
+
+  /// Neither a fraction nor a truth value.
+  template <typename Integer>
+  Integer whole() const {
+    if (isTruth(value) || PyIndex_Check(value.ptr()) == 0) throw py::cast_error();
+    try {
+      return value.cast<Integer>();
+    } catch (const py::cast_error&) {  // too large, or below 0
+      throw Error(Error::Kind::Option, "options",
+                  {option.name, py::repr(value).cast<std::string>().substr(0, kShown),
+                   option.expected() + ", at most " + std::to_string(std::numeric_limits<Integer>::max())});
+    }
+  }
+
+  double factGiven() const {
+    if (option.unit != Unit::Metres || !py::isinstance<py::str>(value)) return option.given(number());
+    const auto typed = value.cast<std::string>();
+    const std::optional<double> length = lengthOf(typed);
+    if (!length) throw Error(Error::Kind::Option, "options", {option.name, typed, kLengthWanted});
+    return *length;
+  }
+
+  /// Its bytes, whatever their encoding.
+  std::string pathGiven() const {
+    if (value.is_none()) return {};
+    std::string path;
+    try {
+      path = py::module_::import("os").attr("fsencode")(value).cast<std::string>();
+    } catch (const py::error_already_set& raised) {
+      if (!raised.matches(PyExc_TypeError)) throw;
+      throw py::cast_error();
+    }
+    if (path.empty()) throw Error(Error::Kind::Option, "options", {option.name, "\"\"", "a path, or None"});
+    return path;
+  }
+};
+
+/// What a value of the option is in Python, for messages.
+struct TypeWanted {
+  const Option& option;
+
+  std::string operator()(const bool*) const { return "True or False"; }
+  std::string operator()(const int*) const { return "a whole number"; }
+  std::string operator()(const std::size_t*) const { return "a whole number >= 0"; }
+  std::string operator()(const double*) const { return "a number"; }
+  std::string operator()(const std::vector<double>*) const { return "a list of numbers"; }
+  std::string operator()(const std::vector<int>*) const { return "a list of whole numbers"; }
+  std::string operator()(const std::vector<std::string>*) const { return "a list of texts"; }
+  std::string operator()(const std::optional<Circle>*) const { return "(x, y, radius), or None"; }
+  std::string operator()(const Fact&) const {
+    return option.unit == Unit::Metres ? std::string(kLengthWanted) + ", or None" : "a number, or None";
+  }
+  std::string operator()(const Path&) const { return "a path, or None"; }
+  std::string operator()(const Places&) const { return "a path, a dict of (x, y, z) by name, or None"; }
+  std::string operator()(const Choice& choice) const { return option.expected() + (choice.needed ? "" : ", or None"); }
 };
 
 /// A value as Python has it; None: not given.
@@ -96,7 +168,8 @@ void put(const std::vector<Option>& options, const py::dict& given, const std::s
       std::visit(Put{found->second, value}, found->second.value);
     } catch (const py::cast_error&) {
       const auto shown = py::repr(value).cast<std::string>();
-      throw py::type_error(found->first + " = " + shown + ", expected the type of its default");
+      const std::string wanted = std::visit(TypeWanted{found->second}, found->second.value);
+      throw py::type_error(found->first + " = " + shown + ", expected " + wanted);
     }
   }
 }

@@ -1,7 +1,10 @@
 #include <pybind11/stl.h>
 
+#include <memory>
+
 #include "core/refusal.h"
 #include "core/units.h"
+#include "interrupt.h"
 #include "options/option_table.h"
 #include "result.h"
 #include "tank_datum/edge/find_edge_points.h"
@@ -63,17 +66,13 @@ py::tuple normals(const Coordinates& given, int k, const std::string& search, in
     o.normals.search = engineOf(search);
     o.threads = threads;
   });
-  const Points points = pointsFrom(given);
-  Normals found;
-  {
-    const py::gil_scoped_release unlocked;
-    found = estimateNormals(points, options.normals, threads);
-  }
-  Whole neighbours({static_cast<py::ssize_t>(found.size()), static_cast<py::ssize_t>(k)});
-  std::copy(found.neighbours.begin(), found.neighbours.end(), neighbours.mutable_data());
-  py::array_t<float> directions({static_cast<py::ssize_t>(found.size()), py::ssize_t{3}});
+  const auto found = std::make_shared<Normals>();
+  runInterruptibly([=, points = pointsFrom(given)] { *found = estimateNormals(points, options.normals, threads); });
+  Whole neighbours({static_cast<py::ssize_t>(found->size()), static_cast<py::ssize_t>(k)});
+  std::copy(found->neighbours.begin(), found->neighbours.end(), neighbours.mutable_data());
+  py::array_t<float> directions({static_cast<py::ssize_t>(found->size()), py::ssize_t{3}});
   float* at = directions.mutable_data();
-  for (const Eigen::Vector3f& n : found.normals) at = std::copy(n.data(), n.data() + 3, at);
+  for (const Eigen::Vector3f& n : found->normals) at = std::copy(n.data(), n.data() + 3, at);
   return py::make_tuple(neighbours, directions);
 }
 
@@ -103,23 +102,27 @@ Whole candidates(const Whole& neighbours, const Singles& directions, double angl
   requireWithin("neighbours", neighbours, rows);
   given.neighbours.assign(neighbours.data(), neighbours.data() + neighbours.size());
   for (std::size_t i = 0; i < rows; ++i) given.normals.emplace_back(directions.data() + 3 * i);
-  const py::gil_scoped_release unlocked;
-  const std::vector<std::int32_t> found = growCandidates(given, options.growing, threads);
-  const py::gil_scoped_acquire locked;
-  return indexArray(found);
+  const auto found = std::make_shared<std::vector<std::int32_t>>();
+  runInterruptibly([=, given = std::move(given)] { *found = growCandidates(given, options.growing, threads); });
+  return indexArray(*found);
 }
 
 py::dict edgePoints(const Coordinates& given, const Whole& chosen, const std::optional<std::array<double, 3>>& tank,
                     double tolerance) {
-  const DatumOptions options = optionsWith([&](DatumOptions& o) { o.centre_filter.tolerance = tolerance; });
+  const DatumOptions options = optionsWith([&](DatumOptions& o) {
+    o.centre_filter.tolerance = tolerance;
+    if (tank) o.tank = Circle{{(*tank)[0], (*tank)[1]}, (*tank)[2]};
+  });
   const Points points = pointsFrom(given);
   requireWithin("candidates", chosen, points.size());
   const Eigen::Vector2d origin =
       points.empty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(given.at(0, 0), given.at(0, 1));
   std::optional<Circle> start;
   if (tank) start = Circle{Eigen::Vector2d((*tank)[0], (*tank)[1]) - origin, (*tank)[2]};
-  const EdgePoints edge =
-      filterByCentre(points, {chosen.data(), chosen.data() + chosen.size()}, start, options.centre_filter);
+  const std::vector<std::int32_t> among(chosen.data(), chosen.data() + chosen.size());
+  const auto found = std::make_shared<EdgePoints>();
+  runInterruptibly([=] { *found = filterByCentre(points, among, start, options.centre_filter); });
+  const EdgePoints& edge = *found;
   py::dict made;
   made["indices"] = indexArray(edge.indices);
   py::array_t<double> azimuths(static_cast<py::ssize_t>(edge.azimuths.size()));

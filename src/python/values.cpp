@@ -11,12 +11,6 @@ namespace py = pybind11;
 namespace tank_datum::python {
 namespace {
 
-py::object textFrom(const std::string& text) {
-  PyObject* decoded = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace");
-  if (decoded == nullptr) throw py::error_already_set();
-  return py::reinterpret_steal<py::object>(decoded);
-}
-
 template <typename Value>
 std::function<void(char*, std::size_t)> writer(std::function<Value(std::size_t)> value) {
   return [value = std::move(value)](char* at, std::size_t row) {
@@ -26,6 +20,12 @@ std::function<void(char*, std::size_t)> writer(std::function<Value(std::size_t)>
 }
 
 }  // namespace
+
+py::object textFrom(const std::string& text) {
+  PyObject* decoded = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace");
+  if (decoded == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::object>(decoded);
+}
 
 py::object toPython(const nlohmann::ordered_json& json) {
   if (json.is_null()) return py::none();

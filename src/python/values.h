@@ -9,7 +9,10 @@
 
 namespace tank_datum::python {
 
-/// A JSON value as Python has it: dict, list, str, int, float, bool, None. Text that is no UTF-8 is mended as in files.
+/// Text that is no UTF-8 is mended as in files.
+pybind11::object textFrom(const std::string& text);
+
+/// A JSON value as Python has it: dict, list, str, int, float, bool, None.
 pybind11::object toPython(const nlohmann::ordered_json& json);
 
 /// A column of a structured array: its name, NumPy's name of its type, and what writes the value of a row.

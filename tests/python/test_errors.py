@@ -218,8 +218,16 @@ def test_bad_config(run: Runner, tmp_path: Path) -> None:
     for text, word in [("k=2\n", "k"), ("frobnicate=1\n", "frobnicate"), ("k=x\n", "k")]:
         config.write_text(text)
         refused(run(scan, "-o", out, "--config", config), WRONG_USE, out, word)
+    for text, line in [("stations = [90\n", 1), ("stations = 90\nstations = 80\n", 2)]:
+        config.write_text(text)
+        refused(
+            run(scan, "-o", out, "--config", config), WRONG_USE, out, f"config.toml line {line}"
+        )
     result = run(scan, "-o", out, "--config", tmp_path / "none.toml")
     refused(result, FILE_FAILED, out, "none.toml")
+    config.write_text("k = 20\n")
+    result = run(scan, "-o", out, "--config", config, "--config", config)
+    refused(result, WRONG_USE, out, "--config")
 
 
 @pytest.mark.parametrize(("kind", "said"), [("<f4", True), ("<f8", False)])

@@ -88,7 +88,7 @@ def test_dates_are_those_of_a_search(tmp_path: Path) -> None:
 
 def test_compare_says_the_same_on_its_page(browser: Any, tmp_path: Path) -> None:
     surveys = [survey(tmp_path / "a.json", None, 0.004), survey(tmp_path / "b.json", None, 0.008)]
-    assert "dates were not given" in compare(*surveys, "-o", tmp_path / "m").stdout
+    assert "not every survey has a date as" in compare(*surveys, "-o", tmp_path / "m").stdout
     dated = ("--dates", "2016-03-01,2024-10-01", "--language", "de")
     done = compare(*surveys, "-o", tmp_path / "m", *dated)
     told = next(line for line in done.stdout.splitlines() if line.startswith("limits: "))

@@ -108,7 +108,9 @@ def test_many_threads_in_little_space(command: Path, tmp_path: Path, megabytes: 
         timeout=120,
     )
     if done.returncode == FILE_FAILED:
-        assert done.stderr.count("\n") == 1, done.stderr
+        # OpenMP may say so too, in two lines of its own, before it gives up
+        assert "tank_datum: " in done.stderr, done.stderr
+        assert not list(tmp_path.rglob("*.json"))
         return
     assert done.returncode == 0, done.stderr
     for name in FOLDER:

@@ -174,6 +174,26 @@ def test_cases_are_tests(folder: Path) -> None:
     assert "stations.*.z" in result.stdout and "Traceback" not in result.stdout
 
 
+def test_pattern_for_nothing_fails_in_pytest_too(folder: Path) -> None:
+    cases = folder / "cases.toml"
+    cases.write_text(CASES.replace('"*sigma*"', '"*sigmas*" = 1e-6\n"*sigma*"'))
+    result = in_pytest(folder, "--tank-datum-cases", "cases.toml")
+    assert result.returncode == 1
+    assert "tolerance.*sigmas*, for no value of any case" in result.stdout
+
+
+def test_fixture_finds_its_cases_beside_the_test(folder: Path) -> None:
+    below = folder / "tests"
+    below.mkdir()
+    call = "def test_it(tank_datum_qa):\n    assert tank_datum_qa('{}', '{}').passed\n"
+    (below / "test_root.py").write_text(call.format("cases.toml", "rod"))
+    (below / "test_beside.py").write_text(call.format("../cases.toml", "rod"))
+    (below / "test_none.py").write_text(call.format("cases.toml", "autumn"))
+    result = in_pytest(folder, f"--rootdir={folder}", "tests")
+    assert "2 passed" in result.stdout and "1 failed" in result.stdout, result.stdout
+    assert "'autumn' in" in result.stdout and "expected one of: spring, rod" in result.stdout
+
+
 def test_documented_fixture_runs_a_case(folder: Path) -> None:
     page = (ROOT / "src/doc/qa.md").read_text()
     block = re.search(r"```python\n(.*?)```", page, re.DOTALL)

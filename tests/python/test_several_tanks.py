@@ -47,6 +47,17 @@ def test_all(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
         assert sorted(p.name for p in folder.iterdir()) == sorted(RESULTS)
 
 
+def test_each_has_its_own_name(run: Runner, two_tanks: Path, tmp_path: Path) -> None:
+    """What is said of all makes no one tank of them; of the one picked it is as it was said."""
+    (tmp_path / "about.toml").write_text('tank = "T-12"\nsite = "North"\n')
+    about = ("--about", tmp_path / "about.toml")
+    run(two_tanks, "-o", tmp_path / "all", "--all", *about)
+    told = [read_datum(tmp_path / "all" / n)["about"] for n in ("tank_1", "tank_2")]
+    assert told == [{"tank": f"T-12, tank_{n}", "site": "North"} for n in (1, 2)]
+    run(two_tanks, "-o", tmp_path / "one", "--no-report", *about)
+    assert read_datum(tmp_path / "one")["about"]["tank"] == "T-12"
+
+
 @pytest.mark.parametrize(("pick", "radius"), [(1, 4.0), (2, 3.0)])
 def test_pick(run: Runner, two_tanks: Path, tmp_path: Path, pick: int, radius: float) -> None:
     assert run(two_tanks, "-o", tmp_path / "out", "--pick", pick).returncode == 0

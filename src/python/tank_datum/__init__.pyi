@@ -2,6 +2,9 @@ from collections.abc import Sequence
 from os import PathLike
 from typing import Any, Literal, TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
 from tank_datum import stages as stages
 from tank_datum._compare import Comparison as Comparison
 from tank_datum._compare import compare as compare
@@ -10,35 +13,59 @@ from tank_datum._datum import Datum as Datum
 from tank_datum._errors import FileError as FileError
 from tank_datum._errors import OptionError as OptionError
 from tank_datum._files import load as load
+from tank_datum._points import Points
+from tank_datum._record import Record as Record
 from tank_datum._records import Antipodal as Antipodal
 from tank_datum._records import Check as Check
-from tank_datum._records import Curve as Curve
-from tank_datum._records import FoundTank as FoundTank
+from tank_datum._records import Foundation as Foundation
 from tank_datum._records import Harmonic as Harmonic
-from tank_datum._records import Limit as Limit
-from tank_datum._records import Movement as Movement
+from tank_datum._records import Levels as Levels
+from tank_datum._records import LocalSettlement as LocalSettlement
 from tank_datum._records import OutOfPlane as OutOfPlane
-from tank_datum._records import Record as Record
-from tank_datum._records import Shell as Shell
-from tank_datum._records import Tank as Tank
+from tank_datum._records import SecondDifferences as SecondDifferences
+from tank_datum._records import Spline as Spline
 from tank_datum._records import Tilt as Tilt
 from tank_datum._records import Verdict as Verdict
+from tank_datum._records import WorstPlace as WorstPlace
 from tank_datum._run import Progress
 from tank_datum._run import defaults as defaults
 from tank_datum._run import extract_datums as extract_datums
 from tank_datum._run import find_tanks as find_tanks
 from tank_datum._run import read_levelling as read_levelling
+from tank_datum._studies import Curve as Curve
+from tank_datum._studies import Limit as Limit
 from tank_datum._studies import Simulation as Simulation
 from tank_datum._studies import Truth as Truth
 from tank_datum._studies import compare_curves as compare_curves
 from tank_datum._studies import limits as limits
 from tank_datum._studies import limits_text as limits_text
 from tank_datum._studies import simulate as simulate
+from tank_datum._survey_records import Agreement as Agreement
+from tank_datum._survey_records import Input as Input
+from tank_datum._survey_records import InputFile as InputFile
+from tank_datum._survey_records import Lean as Lean
+from tank_datum._survey_records import LimitRate as LimitRate
+from tank_datum._survey_records import LimitRates as LimitRates
+from tank_datum._survey_records import MeanMovement as MeanMovement
+from tank_datum._survey_records import Movement as Movement
+from tank_datum._survey_records import RestMovement as RestMovement
+from tank_datum._survey_records import Setup as Setup
+from tank_datum._survey_records import StationMovement as StationMovement
+from tank_datum._survey_records import TankTest as TankTest
+from tank_datum._survey_records import TiltChange as TiltChange
+from tank_datum._tank_records import FoundTank as FoundTank
+from tank_datum._tank_records import Mark as Mark
+from tank_datum._tank_records import Plumbness as Plumbness
+from tank_datum._tank_records import Roundness as Roundness
+from tank_datum._tank_records import Shell as Shell
+from tank_datum._tank_records import ShellLean as ShellLean
+from tank_datum._tank_records import SurveyPoint as SurveyPoint
+from tank_datum._tank_records import Tank as Tank
 
 _Path: TypeAlias = str | PathLike[str]
 
 def extract_datum(
-    points: Any,
+    points: Points,
     *,
     progress: Progress | None = ...,
     # options, by scripts/option_docs.py
@@ -66,7 +93,7 @@ def extract_datum(
     longest_bridge_deg: float = 10.0,
     # H,H,... above the datum at which the shell is surveyed [m]; none: 0.3 and
     # every step above (> 0 and <= 100 m and above the one before)
-    heights: Sequence[float] = ...,
+    heights: Sequence[float] | NDArray[np.floating[Any]] = ...,
     # between the heights of the shell [m]; with the courses' own all are 0.3 m
     # above a seam (>= 0.1 m)
     height_step: float = 1.0,
@@ -101,7 +128,7 @@ def extract_datum(
     units: Literal["ft", "in", "m", "mm", "us-ft"] = "m",
     # classes of the points of LAS files that are read; none: all; points marked as
     # withheld never are (0 to 255 and above the one before)
-    las_classes: Sequence[int] = ...,
+    las_classes: Sequence[int] | NDArray[np.integer[Any]] = ...,
     # A,B,... setups of the scanner that are read, by their names in the results;
     # none: all
     setups: Sequence[str] = ...,
@@ -135,7 +162,7 @@ def extract_datum(
     no_checksum: bool = False,
     # shell height H for the code checks, as 8, 8m, 26.25ft, 315in; a number alone
     # is metres (> 0 and <= 100 m)
-    height: float | None = None,
+    height: float | str | None = None,
     # yield strength Y of the shell's steel [MPa] (> 50 and <= 2000 MPa)
     yield_mpa: float | None = None,
     # its elastic modulus E [MPa] (> 50000 and <= 500000 MPa)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import copy
-import importlib
 import json
 import os
+import stat
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tank_datum import _core, _html
-from tank_datum._errors import option_error
+from tank_datum._arguments import path_bytes
+from tank_datum._errors import file_error, option_error
+from tank_datum._extras import imported
 from tank_datum._figures import Figures
 
 if TYPE_CHECKING:
@@ -27,9 +29,9 @@ class Datum(Figures):
     stations: structured array of the columns of stations.csv (azimuth_deg, x, y, z, sigma_z, ...,
     flag); unknown values are NaN. edge_points: array (n, 3) of the paper's edge points, in order
     round the tank. shell_points: structured array of the columns of shell.csv (azimuth_deg,
-    height, radius, deviation, sigma, n, offset). All other figures are those of datum.json: dicts
-    whose keys are attributes too. Metres, degrees, the scan's own frame. Two are equal when all of
-    this is.
+    height, radius, deviation, sigma, n, offset). All three are read-only: `.copy()` gives one that
+    can be changed. All other figures are those of datum.json by its keys: dicts whose keys are
+    attributes too. Metres, degrees, the scan's own frame. Two are equal when all of this is.
     """
 
     stations: NDArray[Any]
@@ -48,11 +50,9 @@ class Datum(Figures):
         source: str = "",
         result: _core.Result | None = None,
     ) -> None:
-        self.stations, self.edge_points, self.shell_points = (
-            stations,
-            edge_points,
-            shell_points,
-        )
+        self.stations, self.edge_points = stations, edge_points
+        self.shell_points = shell_points
+        self._lock_arrays()
         self._record, self._files, self._result = record, files, result
         self._summary, self._source = summary, source
 
@@ -100,9 +100,7 @@ class Datum(Figures):
 
     def to_pandas(self) -> Any:
         """The stations as a DataFrame, a row each; needs pandas."""
-        pandas = importlib.import_module("pandas")
-
-        return pandas.DataFrame(
+        return imported("pandas", "to_pandas", "pandas").DataFrame(
             {n: self.stations[n] for n in self.stations.dtype.names or ()}
         )
 
@@ -115,7 +113,7 @@ class Datum(Figures):
         if self._files is None:
             with tempfile.TemporaryDirectory() as folder:
                 assert self._result is not None
-                self._result.write(folder)
+                self._result.write(os.fsencode(folder))
                 self._files = {
                     path.name: path.read_bytes() for path in Path(folder).iterdir()
                 }
@@ -127,7 +125,7 @@ class Datum(Figures):
         What the folder holds of others is kept. A signal that ends the process meanwhile ends it
         behind. Raises FileError.
         """
-        _core.save_files(os.fspath(folder), self.files())
+        _core.save_files(path_bytes("report", "folder", folder), self.files())
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the page report.html, whole or not at all.
@@ -135,6 +133,9 @@ class Datum(Figures):
         A file of the same name that is no report is kept under another name. Raises FileError;
         OptionError when the result was loaded without its page.
         """
+        to = path_bytes("report", "path", path)
+        if stat.S_ISFIFO(_mode(to)):
+            raise file_error("report", os.fsdecode(to), "a pipe", "a file")
         page = self.files().get("report.html")
         if page is None:
             raise option_error(
@@ -143,7 +144,7 @@ class Datum(Figures):
                 "not with the result loaded",
                 "a folder that holds it",
             )
-        _core.save_page(os.fspath(path), page)
+        _core.save_page(to, page)
 
     def plot(self, kind: str = "elevation", axes: Axes | None = None) -> Axes:
         """One of the report's charts with matplotlib (the extra `plot`).
@@ -179,6 +180,15 @@ class Datum(Figures):
         self.files()
         return {**self.__dict__, "_result": None}
 
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._lock_arrays()
+
+    def _lock_arrays(self) -> None:
+        """Files and pages are of these: they stay as they are."""
+        for array in (self.stations, self.edge_points, self.shell_points):
+            array.setflags(write=False)
+
     def __copy__(self) -> Datum:
         made = Datum.__new__(Datum)
         made.__dict__.update(self.__dict__)
@@ -186,10 +196,16 @@ class Datum(Figures):
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Datum:
         made = self.__copy__()
-        made.stations, made.edge_points = self.stations.copy(), self.edge_points.copy()
-        made.shell_points = self.shell_points.copy()
         made._record = copy.deepcopy(self._record, memo)
         return made
+
+
+def _mode(path: bytes) -> int:
+    """Of what has the name; 0: nothing has."""
+    try:
+        return os.stat(path).st_mode
+    except OSError:
+        return 0
 
 
 def same(a: NDArray[Any], b: NDArray[Any]) -> bool:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import errno
 import os
 from typing import Any
 
-_NUMBERS = {os.strerror(number): number for number in errno.errorcode}
+from tank_datum import _core
 
 
 class _Said(Exception):
@@ -45,15 +44,6 @@ class OptionError(_Said, ValueError):
     """
 
 
-def _path_in(name: str) -> str:
-    """The path in what was refused: "scan.pcd", "POINTS of scan.pcd", "z in stations.csv:7"."""
-    for mark in (" of ", " in "):
-        thing, found, path = name.partition(mark)
-        if found and "/" not in thing:
-            return path
-    return name
-
-
 class FileError(_Said, OSError):
     """A file that could not be read or written, or that holds something else.
 
@@ -63,9 +53,12 @@ class FileError(_Said, OSError):
 
     def __init__(self, *said: str) -> None:
         super().__init__(*said)
-        self.errno = _NUMBERS.get(self.value)
+        self.errno = None
         self.strerror = self.value or None
-        self.filename = _path_in(self.name)
+        self.filename = self.name
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return *super().__reduce__(), {"errno": self.errno, "filename": self.filename}
 
 
 def option_error(stage: str, name: str, value: object, expected: str) -> OptionError:
@@ -79,8 +72,33 @@ def option_error(stage: str, name: str, value: object, expected: str) -> OptionE
     )
 
 
-def file_error(stage: str, name: str, value: str, expected: str) -> FileError:
-    """With the message that the library would write."""
-    return FileError(
+def file_error(stage: str, path: str, value: str, expected: str) -> FileError:
+    """With the message that the library would write; the path's own bytes are in `filename`."""
+    name = shown(path)
+    made = FileError(
         f"{stage}: {name}, {value}, expected {expected}", stage, name, value, expected
     )
+    made.filename = path
+    return made
+
+
+def refused_by_system(
+    stage: str, path: str, error: OSError, expected: str
+) -> FileError:
+    """The same of what the system refused; its reason is in English in every locale."""
+    number = error.errno or None
+    reason = _core.system_text(number) if number else error.strerror or str(error)
+    made = file_error(stage, path, reason, expected)
+    made.errno = number
+    return made
+
+
+def shown(path: str) -> str:
+    """A path that any terminal and file can hold: bytes that are no UTF-8 are replaced."""
+    return os.fsencode(path).decode("utf-8", "replace")
+
+
+def short(value: object) -> str:
+    """A value for a message of one line."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 80 else f"{text[:80]}..."

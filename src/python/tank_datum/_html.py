@@ -8,31 +8,36 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from tank_datum._survey_records import Movement
+
 if TYPE_CHECKING:
+    from tank_datum._compare import Comparison
     from tank_datum._datum import Datum
 
 WIDTH, HEIGHT, MARGIN = 480.0, 90.0, 6.0  # of the picture [px]
 
 
+def _shown(value: float | None, digits: int = 0, scale: float = 1.0) -> str:
+    return "?" if value is None else f"{scale * value:.{digits}f}"
+
+
 def _rows(datum: Datum) -> list[tuple[str, str]]:
     rows = [("status", datum.status + (f": {datum.message}" if datum.message else ""))]
     if datum.tank is not None:
-        x, y = datum.tank.center
-        rows.append(
-            ("tank", f"radius {datum.tank.radius:.3f} m, centre {x:.3f}, {y:.3f}")
-        )
-    level = datum._record.get("datum")
+        at = ", ".join(_shown(place, 3) for place in datum.tank.center)
+        rows.append(("tank", f"radius {_shown(datum.tank.radius, 3)} m, centre {at}"))
+    level = datum.datum
     if level is not None:
-        seen = f"{level['measured']} measured, {level['interpolated']} interpolated, "
-        rows.append(("stations", f"{seen}{level['missing']} missing"))
-        span = f"mean {level['mean']:.4f} m, range {1e3 * level['range']:.1f} mm"
-        low = f"{level['min']:.4f} m at {level['min_azimuth_deg']:.0f} deg"
-        high = f"{level['max']:.4f} m at {level['max_azimuth_deg']:.0f} deg"
+        seen = f"{level.measured} measured, {level.interpolated} interpolated, "
+        rows.append(("stations", f"{seen}{level.missing} missing"))
+        span = f"mean {_shown(level.mean, 4)} m, range {_shown(level.range, 1, 1e3)} mm"
+        low = f"{_shown(level.min, 4)} m at {_shown(level.min_azimuth_deg)} deg"
+        high = f"{_shown(level.max, 4)} m at {_shown(level.max_azimuth_deg)} deg"
         rows.append(("datum", f"{span}: lowest {low}, highest {high}"))
     if datum.tilt is not None:
         tilt = datum.tilt
-        towards = f" towards {tilt.direction_deg:.0f} deg"
-        rows.append(("tilt", f"{tilt.angle_arcsec:.1f} arc-seconds{towards}"))
+        towards = f" towards {_shown(tilt.direction_deg)} deg"
+        rows.append(("tilt", f"{_shown(tilt.angle_arcsec, 1)} arc-seconds{towards}"))
     moved = datum.movement
     if moved is not None:
         text = moved.message or f"{moved.significant} of {moved.matched} stations moved"
@@ -81,12 +86,35 @@ def picture(datum: Datum) -> str:
     )
 
 
+def _table(rows: list[tuple[str, str]]) -> str:
+    cells = "".join(
+        f'<tr><th style="text-align:left">{escape(name)}</th>'
+        f'<td style="text-align:left">{escape(text)}</td></tr>'
+        for name, text in rows
+    )
+    return f"<table>{cells}</table>"
+
+
 def page_of(datum: Datum) -> str:
     """The verdict, the main figures, and the picture."""
     word = datum.verdict.word if datum.verdict is not None else datum.status
-    rows = "".join(
-        f'<tr><th style="text-align:left">{escape(name)}</th>'
-        f'<td style="text-align:left">{escape(text)}</td></tr>'
-        for name, text in _rows(datum)
-    )
-    return f"<div><strong>{escape(word)}</strong><table>{rows}</table>{picture(datum)}</div>"
+    return f"<div><strong>{escape(word)}</strong>{_table(_rows(datum))}{picture(datum)}</div>"
+
+
+def _moved(movement: Movement) -> str:
+    if movement.message:
+        return movement.message
+    mean = f"mean {_shown(movement.mean.value, 1, 1e3)} mm"
+    return f"{movement.significant} of {movement.matched} stations moved, {mean}"
+
+
+def movements_of(comparison: Comparison) -> str:
+    """What moved between the first survey and each of the others."""
+    dates = [f" ({date})" for date in comparison.dates] or [""] * len(comparison.names)
+    named = [n + d for n, d in zip(comparison.names, dates, strict=True)]
+    rows = [("since", named[0])]
+    rows += [
+        (name, _moved(m))
+        for name, m in zip(named[1:], comparison.movements, strict=True)
+    ]
+    return f"<div>{_table(rows)}</div>"

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Literal, TypeAlias, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from tank_datum._datum import Datum
@@ -43,7 +46,7 @@ class Options(MovementOptions, total=False):
     zero_azimuth_deg: float
     clockwise: bool
     longest_bridge_deg: float
-    heights: Sequence[float]
+    heights: Sequence[float] | NDArray[np.floating[Any]]
     height_step: float
     tank: tuple[float, float, float] | None
     pick: int
@@ -58,13 +61,13 @@ class Options(MovementOptions, total=False):
     up: Literal["x", "y", "z", "-x", "-y", "-z"]
     level: bool
     units: Literal["ft", "in", "m", "mm", "us-ft"]
-    las_classes: Sequence[int]
+    las_classes: Sequence[int] | NDArray[np.integer[Any]]
     setups: Sequence[str]
     baseline: Datum | _Path | None
     threads: int
     checksum: Literal["xxh3", "sha256", "none"]
     no_checksum: bool
-    height: float | None
+    height: float | str | None
     yield_mpa: float | None
     modulus_mpa: float | None
     roof: Literal["open", "fixed"] | None

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tank_datum._errors import OptionError, option_error
+from tank_datum._errors import OptionError, option_error, short
+from tank_datum._extras import imported
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from tank_datum._datum import Datum
+    from tank_datum._record import Record
 
 MM = 1e3
 LIMIT_95 = 1.96
@@ -32,10 +34,18 @@ def _nothing(kind: str, why: str) -> OptionError:
     )
 
 
+def _values(datum: Datum, column: str) -> NDArray[np.float64]:
+    """A column of the stations; NaN of one that the result was loaded without."""
+    stations = datum.stations
+    if column not in (stations.dtype.names or ()):
+        return np.full(len(stations), np.nan)
+    return np.asarray(stations[column], dtype=np.float64)
+
+
 def _line(
     datum: Datum, kind: str, axes: Axes, column: str, label: str, scale: float
 ) -> None:
-    values = datum.stations[column]
+    values = _values(datum, column)
     if not np.isfinite(values).any():
         raise _nothing(kind, f"{column} is not known")
     axes.plot(datum.stations["azimuth_deg"], scale * values, lw=1.2)
@@ -98,9 +108,9 @@ def _residuals(datum: Datum, kind: str, axes: Axes) -> None:
     ):
         raise _nothing(kind, "there are no edge points")
     x, y = (datum.edge_points[:, :2] - tank.center).T
-    turned = datum._record["options"]["stations"]
-    azimuth = np.degrees(np.arctan2(y, x)) - turned["zero_azimuth_deg"]
-    azimuth = np.mod(-azimuth if turned["clockwise"] else azimuth, 360.0)
+    turned = datum.options.get("stations") or {}
+    azimuth = np.degrees(np.arctan2(y, x)) - turned.get("zero_azimuth_deg", 0.0)
+    azimuth = np.mod(-azimuth if turned.get("clockwise") else azimuth, 360.0)
     known = np.isfinite(stations["z"])
     datum_there = np.interp(
         azimuth, stations["azimuth_deg"][known], stations["z"][known], period=360.0
@@ -109,7 +119,7 @@ def _residuals(datum: Datum, kind: str, axes: Axes) -> None:
     _round_the_tank(axes, "edge points above the datum [mm]")
 
 
-def _column(rows: list[dict[str, Any]], name: str) -> NDArray[np.float64]:
+def _column(rows: Sequence[Record], name: str) -> NDArray[np.float64]:
     return np.array(
         [np.nan if row[name] is None else row[name] for row in rows], dtype=float
     )
@@ -130,7 +140,7 @@ def _roundness(datum: Datum, kind: str, axes: Axes) -> None:
 
 
 def _plumbness(datum: Datum, kind: str, axes: Axes) -> None:
-    rows: list[dict[str, Any]] = [] if datum.shell is None else datum.shell.plumbness
+    rows = [] if datum.shell is None else datum.shell.plumbness
     if not rows:
         raise _nothing(kind, "the shell is not seen at two heights")
     azimuth, offset = _column(rows, "azimuth_deg"), MM * _column(rows, "offset")
@@ -170,7 +180,7 @@ def _covariance(datum: Datum, kind: str, axes: Axes) -> None:
 
 def _out_of_plane(datum: Datum, kind: str, axes: Axes) -> None:
     _line(datum, kind, axes, "u", "out of plane [mm]", MM)
-    axes.plot(datum.stations["azimuth_deg"], MM * datum.stations["u_fit"], lw=0.8)
+    axes.plot(datum.stations["azimuth_deg"], MM * _values(datum, "u_fit"), lw=0.8)
 
 
 def _curvature(datum: Datum, kind: str, axes: Axes) -> None:
@@ -195,13 +205,19 @@ KINDS: dict[str, Callable[[Datum, str, Axes], None]] = {
 }
 
 
+def _new_axes() -> Axes:
+    plt = imported("matplotlib.pyplot", "plot", "plot")
+    axes: Axes = plt.subplots(layout="constrained")[1]
+    return axes
+
+
 def draw(datum: Datum, kind: str, axes: Axes | None) -> Axes:
     """One chart; see Datum.plot."""
-    if kind not in KINDS:
-        raise option_error("plot", "kind", kind, ", ".join(KINDS))
-    if axes is None:
-        import matplotlib.pyplot as plt
-
-        axes = plt.subplots(layout="constrained")[1]
-    KINDS[kind](datum, kind, axes)
-    return axes
+    if not isinstance(kind, str) or kind not in KINDS:
+        said = kind if isinstance(kind, str) else short(kind)
+        raise option_error("plot", "kind", said, ", ".join(KINDS))
+    if axes is not None and not hasattr(axes, "scatter"):
+        raise TypeError(f"axes = {short(axes)}, expected Axes of matplotlib, or None")
+    drawn: Axes = _new_axes() if axes is None else axes
+    KINDS[kind](datum, kind, drawn)
+    return drawn

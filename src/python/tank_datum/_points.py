@@ -3,14 +3,31 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tank_datum._arguments import path_bytes
+from tank_datum._errors import short
+
 Array = NDArray[np.float32] | NDArray[np.float64]
 EXPECTED = "an array of shape (n, 3) of numbers, the path of a scan, or a function that returns blocks"
+
+
+Setups = int | np.integer[Any] | NDArray[np.integer[Any]]
+Block = NDArray[Any] | tuple[NDArray[Any], Setups]
+Scans = str | os.PathLike[str]
+Points = (
+    Scans
+    | NDArray[Any]
+    | Sequence[Scans]
+    | Sequence[Block]
+    | Iterator[Block]
+    | Callable[[], Iterable[Block]]
+)
+"""What functions take as points; arrays may be of other libraries that NumPy converts."""
 
 
 def as_points(given: Any) -> Array:
@@ -27,7 +44,7 @@ def as_points(given: Any) -> Array:
             f"points = {type(given).__name__}, {error}, expected {EXPECTED}"
         ) from None
     if array.ndim == 0 and array.dtype.kind in "OUSMm":
-        raise TypeError(f"points = {given!r}, expected {EXPECTED}")
+        raise TypeError(f"points = {short(given)}, expected {EXPECTED}")
     if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iuf":
         raise TypeError(
             f"points = an array of shape {array.shape} in {array.dtype}, expected {EXPECTED}"
@@ -45,24 +62,32 @@ def unmasked(values: Any, points: Any) -> Any:
     return np.ma.getdata(values)[~np.ma.getmaskarray(points).any(axis=1)]
 
 
-def split(points: Any) -> tuple[list[str], list[Array]]:
-    """Paths, or arrays: of one source, of a list of them, or of an iterator of blocks."""
-    sources: Iterable[Any]
-    if isinstance(points, list | tuple | Iterator):
-        sources = points
-    else:
-        sources = [points]
-    paths: list[str] = []
+def sources_of(points: Any) -> list[Any]:
+    """One source, those of a list, or the blocks of an iterator."""
+    if not isinstance(points, list | tuple | Iterator):
+        return [points]
+    sources = list(points)
+    if not sources and not isinstance(points, Iterator):
+        raise TypeError("points = [], expected an array or a path")
+    return sources
+
+
+def tell_setups(sources: Sequence[Any]) -> bool:
+    """Whether they are blocks with their setups."""
+    return bool(sources) and isinstance(sources[0], tuple) and len(sources[0]) == 2
+
+
+def split(sources: Sequence[Any]) -> tuple[list[bytes], list[Array]]:
+    """Paths, or arrays."""
+    paths: list[bytes] = []
     arrays: list[Array] = []
     for source in sources:
-        if isinstance(source, str | os.PathLike):
-            paths.append(os.fspath(source))
+        if isinstance(source, str | bytes | os.PathLike):
+            paths.append(path_bytes("scan", "points", source))
         else:
             arrays.append(as_points(source))
     if paths and arrays:
         raise TypeError(
             "points = paths and arrays together, expected the one or the other"
         )
-    if not paths and not arrays and isinstance(points, list | tuple):
-        raise TypeError("points = [], expected an array or a path")
     return paths, arrays

@@ -1,62 +1,51 @@
-"""Small typed results. Each is a dict with the keys of datum.json, which are attributes too."""
+"""Small typed results. Each is a dict with the keys of datum.json, which are attributes too.
+
+Any number may be None where it is not known.
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
-
-class Record(dict[str, Any]):
-    """A dict whose keys are attributes: `tilt.slope` is `tilt["slope"]`."""
-
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except KeyError:
-            raise AttributeError(f"{type(self).__name__} has no {name!r}") from None
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self]
-
-    def __repr__(self) -> str:
-        shown = ", ".join(f"{key}={_short(value)}" for key, value in self.items())
-        return f"{type(self).__name__}({shown})"
+from tank_datum._record import Record
+from tank_datum._survey_records import (
+    Agreement,
+    Input,
+    Lean,
+    Movement,
+    Setup,
+    StationRow,
+    TankTest,
+)
+from tank_datum._tank_records import Mark, Shell, SurveyPoint, Tank
 
 
-def _short(value: object) -> str:
-    if isinstance(value, list) and len(value) > 4:
-        return f"[{len(value)} values]"
-    return f"{value:.6g}" if isinstance(value, float) else repr(value)
+class Spline(Record):
+    """The paper's closed B-spline through the edge points [m]."""
 
-
-class Tank(Record):
-    """The tank of a datum: a circle in the scan's own frame [m]."""
-
-    center: list[float]
-    radius: float
-    sigma_radius: float | None
+    degree: int
+    closed: bool
+    control_points: int
     rms: float | None
-    coverage_deg: float | None
-    side: str | None
+    max_residual: float | None
+    check_points: int
 
 
-class FoundTank(Record):
-    """A tank that the search found, to the accuracy of a thinned sample [m]."""
+class Levels(Record):
+    """The datum's elevations in short [m]."""
 
-    center: tuple[float, float]
-    radius: float
-    rms: float
-    coverage_deg: float
-    height: float
-    """seen of the shell"""
-    side: str
-    foot: float | None
-    """elevation of the shell's foot, coarse"""
-    has_foundation: bool
-
-    @property
-    def circle(self) -> tuple[float, float, float]:
-        """x, y, radius: what the option `tank` takes."""
-        return (*self.center, self.radius)
+    surface: str | None
+    other_surface_deg: list[list[float]] | None
+    measured: int
+    interpolated: int
+    missing: int
+    mean: float
+    min: float
+    max: float
+    range: float
+    min_azimuth_deg: float
+    max_azimuth_deg: float
+    curve: Spline
 
 
 class Tilt(Record):
@@ -93,6 +82,67 @@ class Harmonic(Record):
     sigma: float | None
 
 
+class WorstPlace(Record):
+    """A figure where it is largest, in m unless said otherwise."""
+
+    value: float | None
+    sigma: float | None
+    azimuth_deg: float | None
+    length: float | None
+    """of the arc, where it is one of `arcs` [m]"""
+
+
+class SecondDifferences(Record):
+    """The classic out-of-plane rule's; the number of values is ["values"]."""
+
+    points: int
+    starts: int
+    spacing: float | None
+    worst: WorstPlace
+    message: str
+
+
+class OutOfPlane(Record):
+    """Settlement out of the plane of the tilt [m, 1/m]."""
+
+    order: int
+    message: str
+    adjusted_r2: float | None
+    rms: float | None
+    max_abs_u: float | None
+    max_abs_u_azimuth_deg: float | None
+    max_abs_u_95: list[float | None]
+    max_curvature: float | None
+    max_curvature_azimuth_deg: float | None
+    max_curvature_95: list[float | None]
+    sigma_curvature: float | None
+    curvature_limit: float | None
+    top_ovality: WorstPlace | None
+    longest_gap: float
+    """between stations [rad]"""
+    u_fit_sigma: list[float | None]
+    curvature_sigma: list[float | None]
+    second_differences: SecondDifferences
+    arcs: list[WorstPlace]
+
+
+class LocalSettlement(Record):
+    """A local shape of the datum, a dip or a rise [m]."""
+
+    azimuth_deg: float
+    width_deg: float
+    height: float
+    sigma: float
+
+
+class Foundation(Record):
+    """Differences of level along the shell within 9 m, 3 m, and in all."""
+
+    level_9m: WorstPlace
+    level_3m: WorstPlace
+    level_total: WorstPlace
+
+
 class Check(Record):
     """A figure beside the limit of a code, in `unit`."""
 
@@ -101,6 +151,8 @@ class Check(Record):
     name: str
     value: float | None
     sigma: float | None
+    low95: float | None
+    high95: float | None
     limit: float | None
     unit: str
     azimuth_deg: float | None
@@ -118,72 +170,40 @@ class Verdict(Record):
     word: str
     governing: str
     utilisation: float | None
-    utilisation_95: list[float | None]
+    utilisation_95: list[float | None] | None
     """95 % interval of the same"""
     sentence: str
 
 
-class Movement(Record):
-    """Movement since an earlier survey [m]; `message` says why there is none."""
+class Results(Record):
+    """The whole of datum.json; the covariance is Datum.covariance's."""
 
-    baseline: str
-    removed: str
+    schema: int
+    version: str
+    input: Input
+    options: dict[str, Any] | None
+    status: str
     message: str
-    matched: int
-    significant: int
-    mean: dict[str, Any]
-    tilt_change: dict[str, Any]
-    max: float | None
-    max_azimuth_deg: float | None
-    rms: float | None
-    stations: list[dict[str, Any]]
-
-
-class Shell(Record):
-    """The shell above the datum."""
-
-    roundness: list[dict[str, Any]]
-    plumbness: list[dict[str, Any]]
-    plumbness_max: float | None
-    lean: dict[str, Any] | None
-
-
-class OutOfPlane(Record):
-    """Settlement out of the plane of the tilt."""
-
-    order: int
-    adjusted_r2: float | None
-    max_abs_u: float | None
-    max_curvature: float | None
-    second_differences: dict[str, Any]
-
-
-class Limit(Record):
-    """A row of the limits of the codes: factor times powers of D H Y E L S, at most `at_most`."""
-
-    code: str
-    clause: str
-    name: str
-    quantity: str
-    judged: bool
-    factor: float
-    powers: dict[str, int]
-    at_most: float | None
-    unit: str
-    diameter_from: float
-    diameter_to: float | None
-    roof: str | None
-    foundation: str | None
     service: str | None
-    trust: str
-    citation: str
-
-
-class Curve(Record):
-    """How well one of the paper's curves goes through the stations between its points [m]."""
-
-    kind: str
-    """Lagrange, Bezier, polynomial or B-spline"""
-    rms: float
-    largest: float
-    overshoot: float
+    advice: list[str] | None
+    about: dict[str, Any] | None
+    marks: list[Mark] | None
+    survey_points: list[SurveyPoint] | None
+    tank: Tank | None
+    tests: list[TankTest] | None
+    lean: Lean | None
+    datum: Levels | None
+    tilt: Tilt | None
+    antipodal: Antipodal | None
+    harmonics: list[Harmonic] | None
+    out_of_plane: OutOfPlane | None
+    local_settlements: list[LocalSettlement] | None
+    foundation: Foundation | None
+    checks: list[Check] | None
+    verdict: Verdict | None
+    notes: list[str] | None
+    setups: list[Setup] | None
+    agreement: Agreement | None
+    stations: list[StationRow] | None
+    shell: Shell | None
+    movement: Movement | None

@@ -8,12 +8,13 @@ from collections.abc import Callable, Iterable
 from typing import Any, cast
 
 from tank_datum import _core
+from tank_datum._arguments import path_bytes, real
 from tank_datum._datum import Datum
-from tank_datum._errors import FileError
+from tank_datum._errors import FileError, short
 from tank_datum._options import Options, Unpack
-from tank_datum._points import split
-from tank_datum._records import FoundTank
+from tank_datum._points import Points, sources_of, split, tell_setups
 from tank_datum._stream import Stream
+from tank_datum._tank_records import FoundTank
 
 Progress = Callable[[str], object] | Callable[[str, int, int], object]
 
@@ -24,7 +25,7 @@ def defaults() -> dict[str, Any]:
 
 
 def extract_datum(
-    points: Any,
+    points: Points,
     *,
     progress: Progress | None = None,
     **options: Any,
@@ -34,10 +35,10 @@ def extract_datum(
     points:
         an array of shape (n, 3) of numbers of any type and stride, vertical z, in `units`; the
         path of a scan of any format, of which E57, LAZ and COPC need the extra `formats`; a list of
-        arrays or of paths, which are stations of one tank; an iterator of blocks of points, which
-        are kept in memory; or a function that returns a fresh iterator of blocks for each of the
-        few passes over a scan, of which one block at a time is held. Such a block is an array, or
-        a tuple of an array and its setup: a number, or one for each point. Points that are not
+        paths, which are stations of one tank; a list or an iterator of blocks of points, which are
+        kept in memory; or a function that returns a fresh iterator of blocks for each of the few
+        passes over a scan, of which one block at a time is held. A block is an array, or a tuple
+        of an array and its setup: a number, or one for each point. Points that are not
         finite, and masked rows, are dropped. float32 and float64 are not copied.
     progress:
         called with the name of each stage as it begins; when it takes three arguments with stage,
@@ -56,7 +57,7 @@ def extract_datum(
 
 
 def extract_datums(
-    points: Any, *, progress: Progress | None = None, **options: Unpack[Options]
+    points: Points, *, progress: Progress | None = None, **options: Unpack[Options]
 ) -> list[Datum]:
     """The datum of every tank in a scan, the best seen first; as the command's --all.
 
@@ -69,7 +70,7 @@ def extract_datums(
 
 
 def find_tanks(
-    points: Any, *, progress: Progress | None = None, **options: Unpack[Options]
+    points: Points, *, progress: Progress | None = None, **options: Unpack[Options]
 ) -> list[FoundTank]:
     """The tanks that stand in a scan, the best seen first, to the accuracy of a thinned sample.
 
@@ -88,7 +89,10 @@ def read_levelling(
     diameter: of the tank [m]. options: `units` of elevation and sigma, what the checks need, and a
     `baseline`. Raises OptionError naming file and line, FileError.
     """
-    given = {"levelling": os.fspath(path), "diameter": float(diameter)}
+    given = {
+        "levelling": path_bytes("levelling", "path", path),
+        "diameter": real("diameter", diameter),
+    }
     keywords, more = _with_baseline(dict(options))
     return Datum._of(
         _core.run("read_levelling", [], [], keywords, {**given, **more}, None)[0]
@@ -98,12 +102,11 @@ def read_levelling(
 def _run(
     function: str, points: Any, progress: Progress | None, options: dict[str, Any]
 ) -> list[Any]:
-    stream = (
-        Stream(cast("Callable[[], Iterable[Any]]", points))
-        if callable(points)
-        else None
-    )
-    paths, arrays = ([], []) if stream else split(points)
+    stream = _stream_of(points)
+    sources = [] if stream else sources_of(points)
+    if tell_setups(sources):
+        stream = Stream(lambda: sources)
+    paths, arrays = ([], []) if stream else split(sources)
     keywords, given = _with_baseline(options)
     if stream:
         given["blocks"] = stream
@@ -115,12 +118,18 @@ def _run(
         raise
 
 
+def _stream_of(points: Any) -> Stream | None:
+    if not callable(points) or hasattr(points, "__array__"):
+        return None
+    return Stream(cast("Callable[[], Iterable[Any]]", points))
+
+
 def _with_baseline(options: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Keywords for the compiled part, and the baseline's text when it is a Datum."""
     baseline = options.get("baseline")
     if not isinstance(baseline, Datum):
         return options, {}
-    return {**options, "baseline": baseline.source}, {
+    return {**options, "baseline": os.fsencode(baseline.source)}, {
         "baseline_json": baseline.to_json()
     }
 
@@ -131,6 +140,8 @@ def _teller(
     """What the compiled part calls: with stage, rows and total, or where that is all, the stage."""
     if progress is None:
         return None
+    if not callable(progress):
+        raise TypeError(f"progress = {short(progress)}, expected a function, or None")
     told: Callable[..., object] = progress
     try:
         inspect.signature(told).bind("", 0, 0)

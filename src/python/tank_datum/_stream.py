@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tank_datum._errors import short
 from tank_datum._foreign import Block, Place, Unreadable
-from tank_datum._points import Array, as_points, unmasked
+from tank_datum._points import Array, as_points, tell_setups, unmasked
 
+Numbered = tuple[NDArray[np.float64], NDArray[np.uint32]]
+SMALL = 1 << 14  # rows
 SETUP = "a number from 0 to 4294967294, or one for each point"
 FRESH = "a function that returns a fresh iterator over the same points each time"
 
@@ -31,19 +34,26 @@ class Stream:
         self.setups: dict[int, tuple[str, Place | None]] = {}
         self._rows: int | None = None
         self.raised: BaseException | None = None  # by the caller's function
-        first = next(iter(source()), np.empty((0, 3)))
-        self.tells_setups = isinstance(first, tuple) and len(first) == 2
+        first = next(self._pass(), np.empty((0, 3)))
+        self.tells_setups = tell_setups([first])
         self.step = _step(as_points(self._parts(first)[0]))
+
+    def _pass(self) -> Iterator[Any]:
+        """The items of a pass, from the caller's function."""
+        items = self._source()
+        if not isinstance(items, Iterable):
+            raise TypeError(
+                f"points = a function that returns {short(items)}, expected {FRESH}"
+            )
+        return iter(items)
 
     def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
         """A pass. What the caller's function raises is kept in `raised`."""
         rows = 0
         try:
-            for item in self._source():
-                points, setups = self._parts(item)
-                block = as_points(points).astype(np.float64, copy=False)
+            for block, setups in _joined(self._numbered(item) for item in self._pass()):
                 rows += len(block)
-                yield block, _numbers(unmasked(setups, points), len(block)), 0, 0
+                yield block, setups, 0, 0
         except GeneratorExit:
             raise
         except BaseException as error:
@@ -54,6 +64,11 @@ class Stream:
             raise Unreadable("points", met, FRESH)
         self._rows = rows
 
+    def _numbered(self, item: Any) -> Numbered:
+        points, setups = self._parts(item)
+        block = as_points(points).astype(np.float64, copy=False)
+        return block, _numbers(unmasked(setups, points), len(block))
+
     def _parts(self, item: Any) -> tuple[Any, Any]:
         """The points of an item, and what it says of their setups."""
         if not self.tells_setups:
@@ -63,6 +78,28 @@ class Stream:
                 "points = a block without its setup, expected one, as in the first"
             )
         return item
+
+
+def _joined(blocks: Iterable[Numbered]) -> Iterator[Numbered]:
+    """Small ones together: each costs as much as thousands of rows. What waits is a copy."""
+    waiting: list[Numbered] = []
+    rows = 0
+    for block, setups in blocks:
+        if len(block) < SMALL:
+            waiting.append((block.copy(), np.broadcast_to(setups, len(block)).copy()))
+            rows += len(block)
+        if waiting and (rows >= SMALL or len(block) >= SMALL):
+            yield _together(waiting)
+            waiting, rows = [], 0
+        if len(block) >= SMALL:
+            yield block, setups
+    if waiting:
+        yield _together(waiting)
+
+
+def _together(blocks: list[Numbered]) -> Numbered:
+    points, setups = zip(*blocks, strict=True)
+    return np.concatenate(points), np.concatenate(setups)
 
 
 def _step(points: Array) -> float:

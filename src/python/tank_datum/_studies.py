@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,9 +15,41 @@ from numpy.typing import ArrayLike, NDArray
 from tank_datum_qa._regular_file import read_regular_text
 
 from tank_datum import _core
+from tank_datum._arguments import real, whole
 from tank_datum._datum import Datum
-from tank_datum._errors import file_error, option_error
-from tank_datum._records import Curve, Limit, Record
+from tank_datum._errors import file_error, option_error, refused_by_system, short
+from tank_datum._record import Record
+
+
+class Limit(Record):
+    """A row of the limits of the codes: factor times powers of D H Y E L S, at most `at_most`."""
+
+    code: str
+    clause: str
+    name: str
+    quantity: str
+    judged: bool
+    factor: float
+    powers: dict[str, int]
+    at_most: float | None
+    unit: str
+    diameter_from: float
+    diameter_to: float | None
+    roof: str | None
+    foundation: str | None
+    service: str | None
+    trust: str
+    citation: str
+
+
+class Curve(Record):
+    """How well one of the paper's curves goes through the stations between its points [m]."""
+
+    kind: str
+    """Lagrange, Bezier, polynomial or B-spline"""
+    rms: float
+    largest: float
+    overshoot: float
 
 
 def limits(path: str | os.PathLike[str] | None = None) -> list[Limit]:
@@ -24,7 +57,9 @@ def limits(path: str | os.PathLike[str] | None = None) -> list[Limit]:
 
     Raises OptionError naming file and line, FileError.
     """
-    return [Limit(row) for row in _core.limits("" if path is None else os.fspath(path))]
+    return [
+        Limit(row) for row in _core.limits(b"" if path is None else os.fsencode(path))
+    ]
 
 
 def limits_text() -> str:
@@ -52,17 +87,21 @@ def compare_curves(
     if isinstance(line, Datum):
         table = np.column_stack([line.stations["azimuth_deg"], line.stations["z"]])
     else:
-        table = np.asarray(line, dtype=np.float64)
+        try:
+            table = np.asarray(line, dtype=np.float64)
+        except (TypeError, ValueError):
+            wanted = "a Datum, or an array (n, 2) of numbers"
+            raise TypeError(f"line = {short(line)}, expected {wanted}") from None
     if table.ndim != 2 or table.shape[1] != 2:
         raise option_error(
             "curves", "line", f"shape {table.shape}", "(n, 2): azimuth, elevation"
         )
-    if not 0.0 < to_deg - from_deg <= 360.0:
+    if not 0.0 < real("to_deg", to_deg) - real("from_deg", from_deg) <= 360.0:
         raise option_error(
             "options", "to_deg", to_deg, "more than from_deg, by a turn at most"
         )
     arc = _arc(table[np.isfinite(table).all(axis=1)], from_deg, to_deg)
-    found = _core.compare_curves(arc, points, degree)
+    found = _core.compare_curves(arc, whole("points", points), whole("degree", degree))
     if not found:
         raise option_error("curves", "known places", len(arc), f"more than {points}")
     return [Curve(figures) for figures in found]
@@ -99,6 +138,19 @@ class Simulation:
     truth: Truth
     rays: int
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Simulation):
+            return NotImplemented
+        return (
+            self.truth == other.truth
+            and self.rays == other.rays
+            and np.array_equal(self.points, other.points)
+            and np.array_equal(self.intensity, other.intensity)
+            and np.array_equal(self.setups, other.setups)
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
     def by_setup(self) -> list[NDArray[np.float64]]:
         """The points of each scanner."""
         return [self.points[self.setups == number] for number in np.unique(self.setups)]
@@ -116,8 +168,11 @@ def simulate(
     keeps its default. output: a PCD to write, with OUT.truth.json beside it; then the arrays are
     empty. The points depend on the scene alone. Raises OptionError naming the key, FileError.
     """
-    text = json.dumps(scene) if isinstance(scene, Mapping) else _scene_text(Path(scene))
-    made = _core.simulate(text, "" if output is None else os.fspath(output), threads)
+    text = (
+        _scene_json(scene) if isinstance(scene, Mapping) else _scene_text(Path(scene))
+    )
+    file = b"" if output is None else os.fsencode(output)
+    made = _core.simulate(text, file, whole("threads", threads))
     return Simulation(
         points=made.get("points", np.empty((0, 3))),
         intensity=made.get("intensity", np.empty(0)),
@@ -127,15 +182,46 @@ def simulate(
     )
 
 
+def _scene_json(scene: Mapping[str, Any]) -> str:
+    """NumPy's numbers and arrays are those of JSON."""
+    wanted = "a dict of numbers, texts, lists and dicts"
+    try:
+        text = json.dumps(scene, default=_plain)
+    except (TypeError, ValueError, RecursionError) as error:
+        raise option_error("scene", "scene", str(error), wanted) from None
+    if bad := _not_finite("scene", json.loads(text)):
+        raise option_error("scene", bad, "not finite", "a finite number")
+    return text
+
+
+def _not_finite(place: str, value: object) -> str:
+    """Where the first number is that JSON has no word for; or nothing."""
+    if isinstance(value, dict):
+        inner = [(f"{place}.{key}", one) for key, one in value.items()]
+    elif isinstance(value, list):
+        inner = [(f"{place}[{i}]", one) for i, one in enumerate(value)]
+    else:
+        return place if isinstance(value, float) and not math.isfinite(value) else ""
+    return next((bad for at, one in inner if (bad := _not_finite(at, one))), "")
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, np.generic | np.ndarray):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TypeError(f"{short(value)}, of {type(value).__name__}")
+
+
 def _scene_text(path: Path) -> str:
     try:
         text = read_regular_text(path)
         json.loads(text)
     except OSError as error:
-        raise file_error(
-            "scene", str(path), error.strerror or "", "a scene file (JSON)"
+        raise refused_by_system(
+            "scene", str(path), error, "a scene file (JSON)"
         ) from None
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise file_error(
             "scene", str(path), str(error), "a scene file (JSON)"
         ) from None

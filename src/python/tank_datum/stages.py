@@ -6,12 +6,15 @@ OptionError that names it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tank_datum import _core
+from tank_datum._arguments import indices, real, whole
+from tank_datum._errors import short
 from tank_datum._points import as_points
 
 __all__ = [
@@ -32,6 +35,12 @@ class Normals(NamedTuple):
     neighbours: NDArray[np.int32]
     normals: NDArray[np.float32]
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Normals) and _same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
 
 class EdgePoints(NamedTuple):
     """Candidates near the circle of the datum, in order round it."""
@@ -44,16 +53,27 @@ class EdgePoints(NamedTuple):
     tolerance: float
     """distance from the circle within which they lie [m]"""
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, EdgePoints) and _same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+
+def _same(a: Sequence[Any], b: Sequence[Any]) -> bool:
+    """Whether all fields are equal, NaN where NaN."""
+    return all(np.array_equal(x, y, equal_nan=True) for x, y in zip(a, b, strict=True))
+
 
 def neighbours(
-    points: Any, k: int = 20, *, search: Search = "flann", threads: int = 0
+    points: NDArray[Any], k: int = 20, *, search: Search = "flann", threads: int = 0
 ) -> NDArray[np.int32]:
     """Indices (n, k) of the k nearest of every point, itself included, nearest first."""
     return normals(points, k, search=search, threads=threads).neighbours
 
 
 def normals(
-    points: Any, k: int = 20, *, search: Search = "flann", threads: int = 0
+    points: NDArray[Any], k: int = 20, *, search: Search = "flann", threads: int = 0
 ) -> Normals:
     """Steps 1 and 2 of the method: neighbours, and normals whose sign means nothing.
 
@@ -61,7 +81,9 @@ def normals(
     Archives 2018). Raises OptionError for k below 3 or above the number of points.
     """
     array = np.asarray(as_points(points), dtype=np.float64)
-    return Normals(*_core.normals(array, k, search, threads))
+    return Normals(
+        *_core.normals(array, whole("k", k), search, whole("threads", threads))
+    )
 
 
 def candidates(
@@ -71,12 +93,14 @@ def candidates(
 
     Their normal is further than the angle from that of a point whose neighbour they are.
     """
-    return _core.candidates(found.neighbours, found.normals, angle_deg, threads)
+    near = indices("neighbours", found.neighbours)
+    angle = real("angle_deg", angle_deg)
+    return _core.candidates(near, found.normals, angle, whole("threads", threads))
 
 
 def edge_points(
-    points: Any,
-    chosen: NDArray[np.int32],
+    points: NDArray[Any],
+    chosen: NDArray[np.integer[Any]],
     *,
     tank: tuple[float, float, float] | None = None,
     tolerance: float = 0.0,
@@ -87,6 +111,11 @@ def edge_points(
     tolerance: [m]; 0 is 0.1 m or a tenth of the radius, whichever is less.
     """
     array = np.asarray(as_points(points), dtype=np.float64)
-    return EdgePoints(
-        **_core.edge_points(array, np.asarray(chosen, np.int32), tank, tolerance)
-    )
+    kept = indices("candidates", chosen)
+    if kept.ndim != 1:
+        raise TypeError(f"candidates = shape {kept.shape}, expected (n,)")
+    circle = None if tank is None else tuple(real("tank", part) for part in tank)
+    if circle is not None and len(circle) != 3:
+        raise TypeError(f"tank = {short(tank)}, expected (x, y, radius)")
+    within = real("tolerance", tolerance)
+    return EdgePoints(**_core.edge_points(array, kept, circle, within))

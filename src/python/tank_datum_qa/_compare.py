@@ -62,9 +62,14 @@ def _numbers(a: Scalar, b: Scalar) -> bool:
 
 def _difference(a: Scalar, b: Scalar) -> float | None:
     """How far two values are apart: 0 when equal, None when that is no number."""
-    if _numbers(a, b):
-        return abs(float(a) - float(b))  # type: ignore[arg-type]
-    return 0.0 if a == b else None
+    if not _numbers(a, b):
+        return 0.0 if a == b else None
+    one, other = float(a), float(b)  # type: ignore[arg-type]
+    apart = abs(one - other)
+    if math.isfinite(apart):
+        return apart
+    both_nan = math.isnan(one) and math.isnan(other)
+    return 0.0 if one == other or both_nan else None  # NaN is beyond every tolerance
 
 
 def _short(value: Scalar) -> str:

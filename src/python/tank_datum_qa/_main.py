@@ -10,11 +10,17 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import tank_datum_qa
-from tank_datum_qa._cases import Case, CasesError, read_cases, unused_rules
+from tank_datum_qa._cases import Case, CasesError, read_cases
 from tank_datum_qa._junit import write_junit
 from tank_datum_qa._result_folder import OutputIsInputError, require_apart
 from tank_datum_qa._result_journal import ResultError
-from tank_datum_qa._run import Outcome, default_command, programs_of, run_case
+from tank_datum_qa._run import (
+    Outcome,
+    default_command,
+    programs_of,
+    refuse_unused,
+    run_case,
+)
 from tank_datum_qa._scratch import exit_on_signals, scratch, stop_programs
 
 PASSED, FAILED, WRONG_USE = 0, 1, 2
@@ -85,19 +91,6 @@ def run_all(cases: list[Case], options: argparse.Namespace) -> list[Outcome]:
             pool.shutdown(wait=False, cancel_futures=True)
             stop_programs()
             raise
-
-
-def refuse_unused(outcomes: list[Outcome]) -> None:
-    """Raises CasesError for a common tolerance that is for no value of any case."""
-    if any(outcome.error for outcome in outcomes):
-        return  # whose values are not known
-    values = set().union(*(outcome.values for outcome in outcomes))
-    tolerances = outcomes[0].case.tolerances
-    common = [pattern for pattern, _ in tolerances.rules[tolerances.own :]]
-    for pattern in unused_rules(common, values):
-        raise CasesError(
-            f"tolerance.{pattern}, for no value of any case, expected a pattern that is for some"
-        )
 
 
 def print_table(outcomes: list[Outcome]) -> None:

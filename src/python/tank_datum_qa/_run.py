@@ -10,7 +10,7 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tank_datum_qa._cases import Case, unused_rules
+from tank_datum_qa._cases import Case, CasesError, unused_rules
 from tank_datum_qa._compare import Change, compare, values_of
 from tank_datum_qa._result_folder import ResultFolder
 from tank_datum_qa._result_journal import ResultError, settle_to_read
@@ -150,3 +150,16 @@ def is_result(folder: Path) -> bool:
         if isinstance(table, dict) and keys <= table.keys():
             return True
     return False
+
+
+def refuse_unused(outcomes: list[Outcome]) -> None:
+    """Raises CasesError for a common tolerance that is for no value of any case."""
+    if any(outcome.error for outcome in outcomes):
+        return  # whose values are not known
+    values = set().union(*(outcome.values for outcome in outcomes))
+    tolerances = outcomes[0].case.tolerances
+    common = [pattern for pattern, _ in tolerances.rules[tolerances.own :]]
+    for pattern in unused_rules(common, values):
+        raise CasesError(
+            f"tolerance.{pattern}, for no value of any case, expected a pattern that is for some"
+        )

@@ -10,7 +10,13 @@ import pytest
 
 from tank_datum_qa import RunCase
 from tank_datum_qa._cases import Case, CasesError, read_cases
-from tank_datum_qa._run import Outcome, default_command, programs_of, run_case
+from tank_datum_qa._run import (
+    Outcome,
+    default_command,
+    programs_of,
+    refuse_unused,
+    run_case,
+)
 
 
 class CaseFailed(Exception):
@@ -60,11 +66,17 @@ def _run(case: Case, config: pytest.Config, folder: Path) -> Outcome:
 class CasesFile(pytest.File):
     """A file of cases."""
 
+    def __init__(self, **more: Any) -> None:
+        super().__init__(**more)
+        self.count = 0
+        self.outcomes: list[Outcome] = []
+
     def collect(self) -> Iterator[CaseItem]:
         try:
             cases = read_cases(self.path)
         except CasesError as error:
             raise self.CollectError(str(error)) from None
+        self.count = len(cases)
         for case in cases:
             yield CaseItem.from_parent(self, name=case.name, case=case)
 
@@ -72,16 +84,25 @@ class CasesFile(pytest.File):
 class CaseItem(pytest.Item):
     """One case."""
 
-    def __init__(self, *, case: Case, **more: Any) -> None:
-        super().__init__(**more)
+    def __init__(self, *, case: Case, parent: CasesFile, **more: Any) -> None:
+        super().__init__(parent=parent, **more)
         self.case = case
+        self.file = parent
 
     def runtest(self) -> None:
         factory = pytest.TempPathFactory.from_config(self.config, _ispytest=True)
         folder = factory.mktemp("tank_datum_qa")
         outcome = _run(self.case, self.config, folder)
+        self.file.outcomes.append(outcome)
         if not outcome.passed:
             raise CaseFailed("\n".join(outcome.lines(failed_only=True)))
+        if (
+            len(self.file.outcomes) == self.file.count
+        ):  # what no case needs shows with the last
+            try:
+                refuse_unused(self.file.outcomes)
+            except CasesError as error:
+                raise CaseFailed(str(error)) from None
 
     def repr_failure(self, excinfo: Any, style: Any = None) -> str:
         if isinstance(excinfo.value, CaseFailed):
@@ -96,11 +117,16 @@ class CaseItem(pytest.Item):
 def tank_datum_qa(request: pytest.FixtureRequest, tmp_path: Path) -> RunCase:
     """tank_datum_qa(file, name): runs a case of a file; `.passed` says whether it holds.
 
-    `.changes` are what moved, `.lines()` their table. Raises KeyError without such a case.
+    The file is beside the test's own, or in pytest's root folder. `.changes` are what moved,
+    `.lines()` their table. Raises KeyError without such a case.
     """
 
     def run(file: str | Path, name: str) -> Outcome:
-        cases = {case.name: case for case in read_cases(Path(file))}
+        beside = request.path.parent / file
+        path = beside if beside.exists() else request.config.rootpath / file
+        cases = {case.name: case for case in read_cases(path)}
+        if name not in cases:
+            raise KeyError(f"{name!r} in {path}, expected one of: {', '.join(cases)}")
         return _run(cases[name], request.config, tmp_path)
 
     return run
