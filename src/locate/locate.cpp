@@ -40,13 +40,15 @@ struct Found {
   std::vector<RejectedCircle> rejected;
 };
 
-Found tanksOf(const Sample& sample, const LocateOptions& options) {
+Found tanksOf(const Sample& sample, const Points& looked_at, const LocateOptions& options) {
   const std::vector<WallCell> walls = mapWalls(sample.points, sample.voxel);
   Found all;
   for (const auto& found : findWallCircles(walls, sample.voxel, options)) {
     std::string reason = found.rejected;
     if (reason.empty()) {
-      Tank tank = describe(sample, found.circle, found.rms);
+      Tank tank = describe(sample.points, sample, found.circle, found.rms);
+      // the ground may lie too thin for the sample, where one scanner sees it
+      if (!tank.has_foundation) tank = describe(looked_at, sample, found.circle, found.rms);
       lookBehind(tank, walls);
       if (tank.coverage >= options.min_arc) {
         all.tanks.push_back(std::move(tank));
@@ -57,6 +59,31 @@ Found tanksOf(const Sample& sample, const LocateOptions& options) {
     all.rejected.push_back({found.circle, found.coverage, reason});
   }
   return all;
+}
+
+/// Of all samples.
+Found tanksOf(const std::vector<Sample>& samples, const Points& looked_at, const LocateOptions& options, int threads) {
+  std::vector<Found> found(samples.size());
+  forEachIndex(samples.size(), threads, [&](std::size_t i) { found[i] = tanksOf(samples[i], looked_at, options); });
+  Found all;
+  for (Found& of_sample : found) {
+    std::move(of_sample.tanks.begin(), of_sample.tanks.end(), std::back_inserter(all.tanks));
+    std::move(of_sample.rejected.begin(), of_sample.rejected.end(), std::back_inserter(all.rejected));
+  }
+  return all;
+}
+
+bool holdStrays(const std::vector<Sample>& samples) {
+  return std::any_of(samples.begin(), samples.end(), [](const Sample& sample) { return sample.strays; });
+}
+
+/// The tank on a known circle; its foot is not valid where the sample shows none.
+Tank describeKnown(const std::vector<Sample>& samples, const Circle& circle) {
+  if (samples.empty()) return {};
+  const Sample& sample = samples.front();
+  Tank tank = describe(sample.points, sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
+  if (tank.foot.valid()) lookBehind(tank, mapWalls(sample.points, sample.voxel));
+  return tank;
 }
 
 }  // namespace
@@ -70,19 +97,19 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, in
                               std::vector<RejectedCircle>* rejected) {
   const Points looked_at = lookAt(scan, threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
-  std::vector<Found> found(samples.size());
-  forEachIndex(samples.size(), threads, [&](std::size_t i) { found[i] = tanksOf(samples[i], options); });
-  std::vector<Tank> tanks;
-  for (Found& of_sample : found) {
-    std::move(of_sample.tanks.begin(), of_sample.tanks.end(), std::back_inserter(tanks));
-    if (rejected) std::move(of_sample.rejected.begin(), of_sample.rejected.end(), std::back_inserter(*rejected));
-  }
+  Found found = tanksOf(samples, looked_at, options, threads);
+  if (found.tanks.empty() && holdStrays(samples))
+    found = tanksOf(samplesOfAll(looked_at, options, threads), looked_at, options, threads);
+  std::vector<Tank>& tanks = found.tanks;
   dropNested(tanks);
   const auto longer = [](const auto& a, const auto& b) {
     return a.coverage * a.circle.radius > b.coverage * b.circle.radius;
   };
   std::sort(tanks.begin(), tanks.end(), longer);
-  if (rejected) std::stable_sort(rejected->begin(), rejected->end(), longer);
+  if (rejected) {
+    *rejected = std::move(found.rejected);
+    std::stable_sort(rejected->begin(), rejected->end(), longer);
+  }
   for (Tank& tank : tanks) tank.near_foot = tank.foot.valid() ? shareNearFoot(scan, looked_at, tank) : 0.0;
   return tanks;
 }
@@ -90,11 +117,10 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, in
 std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const LocateOptions& options, int threads) {
   const Points looked_at = lookAt(scan, threads);
   const std::vector<Sample> samples = samplesOf(looked_at, options, threads);
-  if (samples.empty()) return std::nullopt;
-  const Sample& sample = samples.front();
-  Tank tank = describe(sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
+  Tank tank = describeKnown(samples, circle);
+  if (!tank.foot.valid() && holdStrays(samples))
+    tank = describeKnown(samplesOfAll(looked_at, options, threads), circle);
   if (!tank.foot.valid()) return std::nullopt;
-  lookBehind(tank, mapWalls(sample.points, sample.voxel));
   tank.near_foot = shareNearFoot(scan, looked_at, tank);
   return tank;
 }

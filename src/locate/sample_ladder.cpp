@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/point_extent.h"
 #include "locate/stray_points.h"
@@ -28,16 +29,11 @@ double finestVoxel(const Points& points) {
   return kRung * std::exp2(std::ceil(std::log2(reach / kHalfRange / kRung)));
 }
 
-std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& options, int threads) {
-  constexpr double kSmallPart = 1.0 / 60.0;  // of the scan's reach: tanks fill a good part of their scan
+namespace {
+
+/// @param sample  of points, in the finest voxels
+std::vector<Sample> ladderOf(VoxelSample sample, bool strays, double coarsest) {
   std::vector<Sample> samples;
-  if (looked_at.empty()) return samples;
-  const double coarsest = std::max(0.25 * options.min_radius, kSmallPart * extentOf(looked_at).reach);
-  const double finest = finestVoxel(looked_at);
-  VoxelSample sample(looked_at, options.sample_points, finest, threads);
-  const bool strays = holdsStrays(sample);
-  if (strays)
-    sample = VoxelSample(withoutStrays(looked_at, closingEdge(sample)), options.sample_points, finest, threads);
   for (; sample.size() > 50; sample.coarsen()) {
     const double share = sample.shareHolding(2);
     // where most voxels hold several points, one that holds a single one is a stray beam
@@ -45,6 +41,29 @@ std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& opti
     if (samples.size() >= 3 && sample.voxel() > coarsest) break;
   }
   return samples;
+}
+
+double coarsestVoxel(const Points& looked_at, const LocateOptions& options) {
+  constexpr double kSmallPart = 1.0 / 60.0;  // of the scan's reach: tanks fill a good part of their scan
+  return std::max(0.25 * options.min_radius, kSmallPart * extentOf(looked_at).reach);
+}
+
+}  // namespace
+
+std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& options, int threads) {
+  if (looked_at.empty()) return {};
+  const double finest = finestVoxel(looked_at);
+  VoxelSample sample(looked_at, options.sample_points, finest, threads);
+  const bool strays = holdsStrays(sample);
+  if (strays)
+    sample = VoxelSample(withoutStrays(looked_at, closingEdge(sample)), options.sample_points, finest, threads);
+  return ladderOf(std::move(sample), strays, coarsestVoxel(looked_at, options));
+}
+
+std::vector<Sample> samplesOfAll(const Points& looked_at, const LocateOptions& options, int threads) {
+  if (looked_at.empty()) return {};
+  VoxelSample sample(looked_at, options.sample_points, finestVoxel(looked_at), threads);
+  return ladderOf(std::move(sample), false, coarsestVoxel(looked_at, options));
 }
 
 }  // namespace tank_datum

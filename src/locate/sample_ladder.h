@@ -31,4 +31,8 @@ double finestVoxel(const Points& points);
 /// stands around it.
 std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& options, int threads);
 
+/// The same with all points, where strays were left out: beside ground that was scanned from a step away, walls at the
+/// end of a scanner's reach look like them.
+std::vector<Sample> samplesOfAll(const Points& looked_at, const LocateOptions& options, int threads);
+
 }  // namespace tank_datum

@@ -16,12 +16,12 @@ constexpr double kShortOfRingwall = 0.075;  // half of the way to the face of th
 
 /// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
 /// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
-Circle refineCircle(const Sample& sample, const Circle& circle, const PeriodicFit& foot, double band) {
+Circle refineCircle(const Points& points, double voxel, const Circle& circle, const PeriodicFit& foot, double band) {
   std::vector<Eigen::Vector2d> plan;
-  for (const auto& p : sample.points) {
+  for (const auto& p : points) {
     const Eigen::Vector2d arm = p.head<2>() - circle.center;
     const double above = p.z() - foot(std::atan2(arm.y(), arm.x()));
-    if (above > 2.0 * sample.voxel && std::abs(arm.norm() - circle.radius) <= band) plan.push_back(p.head<2>());
+    if (above > 2.0 * voxel && std::abs(arm.norm() - circle.radius) <= band) plan.push_back(p.head<2>());
   }
   constexpr std::size_t kPlenty = 50'000;
   const std::size_t stride = plan.size() / kPlenty + 1;
@@ -50,13 +50,13 @@ PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vecto
   return fit;
 }
 
-Tank describe(const Sample& sample, const Circle& circle, double rms) {
+Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms) {
   Tank tank;
   tank.circle = circle;
   tank.rms = rms;
   tank.resolution = sample.voxel;
   tank.strays = sample.strays;
-  auto sectors = sectorsOf(sample.points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
+  auto sectors = sectorsOf(points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
   const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
   std::vector<double> azimuths, feet, heights;
   std::vector<char> outside, inside;  // whether a foundation was seen on that side
@@ -82,7 +82,8 @@ Tank describe(const Sample& sample, const Circle& circle, double rms) {
     azimuths.erase(azimuths.begin() + static_cast<std::ptrdiff_t>(i));
   }
   if (!feet.empty()) tank.foot = fitFootHeights(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
-  if (tank.foot.valid()) tank.circle = refineCircle(sample, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
+  if (tank.foot.valid())
+    tank.circle = refineCircle(points, sample.voxel, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
   return tank;
 }
 

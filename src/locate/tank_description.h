@@ -12,8 +12,9 @@ namespace tank_datum {
 /// @param window  how far from the fit a foot may lie [m]
 PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window);
 
-/// Looks at the sample around a known circle: foot, side, coverage, height.
-/// @param rms  of the shell about the circle [m]
-Tank describe(const Sample& sample, const Circle& circle, double rms);
+/// Looks at points around a known circle: foot, side, coverage, height.
+/// @param points  of the sample that shows the circle, or those that it was thinned from
+/// @param rms     of the shell about the circle [m]
+Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms);
 
 }  // namespace tank_datum

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "locate/sample_ladder.h"
 #include "support/made_clouds.h"
 #include "support/scanned_tanks.h"
 
@@ -47,6 +48,17 @@ ObjectOptions thing(const std::string& kind, double azimuth_deg, double gap) {
   object.kind = kind;
   object.azimuth = radians(azimuth_deg), object.gap = gap;
   return object;
+}
+
+/// Ground a step away from each scanner is so dense that the shell looks like stray points beside it.
+TEST(LocateTanks, DenseGroundBesideTheScannersHidesNoTank) {
+  Points points = pointsOf(yard());
+  for (const Eigen::Vector2d& at : {Eigen::Vector2d(18.0, 0.0), {0.0, 18.0}, {-18.0, 0.0}, {0.0, -18.0}}) {
+    for (int i = 0; i < 90'000; ++i)
+      points.emplace_back(at.x() + 0.005 * (i % 300), at.y() + 0.005 * (i / 300), -0.2 + 0.001 * (i % 7));
+  }
+  ASSERT_TRUE(samplesOf(lookAt(Scan::fromPoints(points), 1), {}, 1).front().strays);
+  expectThe20mTank(locate(points));
 }
 
 TEST(LocateTanks, SayWhatShareOfTheScanIsNearTheFoot) {

@@ -36,7 +36,7 @@ double footAbove(double off) {
   addFace(sample.points, 0.0, 0.4, 4.4);
   addFace(sample.points, off, 0.0, 0.36);
   addGround(sample.points, 0.0);
-  return describe(sample, {{0.0, 0.0}, kRadius}, 0.002).foot(1.0);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002).foot(1.0);
 }
 
 TEST(Describe, AFaceBelowTheShellIsARingwallsFrom75MillimetresOutside) {
@@ -49,7 +49,7 @@ TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
   Sample sample{{}, 0.1, false};
   addFace(sample.points, 0.0, 0.4, 4.4);
   addGround(sample.points, 0.3);
-  const Tank tank = describe(sample, {{0.0, 0.0}, kRadius}, 0.002);
+  const Tank tank = describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002);
   EXPECT_EQ(tank.side, kOutside);
   EXPECT_TRUE(tank.has_foundation);
   EXPECT_NEAR(tank.circle.radius, kRadius, 1e-9);
