@@ -121,13 +121,10 @@ double riseOf(const RingRun& run, const std::vector<double>& levels, const std::
   return rise;
 }
 
-/// goesOnBelow() of a station without a fit, for a level that is known to a part of the reach.
-bool isShellBelow(const Foot& foot, std::size_t station, double level) {
-  constexpr double kAllowed = 0.01;  // of the reach
-  FootFit fit;
-  fit.z = level - kAllowed * foot.reach, fit.sigma = fit.along = fit.bend = 0.0;
-  fit.noise = foot.scales.shell_noise, fit.half_width = foot.half_step;
-  return goesOnBelow(foot, station, fit);
+/// What a shell has to be seen below a level for that not to be an error of either [m].
+double leastBelow(const Foot& foot, const FootFit& level) {
+  constexpr double kLeast = 0.002;  // of the reach
+  return kLeast * foot.reach + 3.0 * std::hypot(level.sigma, level.noise);
 }
 
 /// What the shell beside the end of a run says: whether it is seen to go on below the run's elevation.
@@ -135,32 +132,52 @@ enum class Says { Nothing, GoesOn, Ends };
 
 Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<double>& levels) {
   constexpr std::size_t kFewest = 3;  // stations whose shell is seen
+  constexpr double kAllowed = 0.01;   // of the reach
   const std::size_t count = levels.size(), near = nearStations(foot);
   std::size_t seen = 0, below = 0;
   for (std::size_t away = 1; away <= near; ++away) {
     const std::size_t i = (end + (step > 0 ? away : count - away)) % count;
     if (!foot.shell_seen[i] || std::isfinite(levels[i])) continue;
     ++seen;
-    below += isShellBelow(foot, i, levels[end]) ? 1 : 0;
+    below += countShell(foot, i, levelAt(foot, levels[end] - kAllowed * foot.reach, 0.0)).goOn() ? 1 : 0;
   }
   return seen < kFewest ? Says::Nothing : 2 * below > seen ? Says::GoesOn : Says::Ends;
 }
 
 }  // namespace
 
-bool goesOnBelow(const Foot& foot, std::size_t station, const FootFit& fit) {
-  constexpr double kLeast = 0.002, kHigh = 0.04;  // of the reach
+bool ShellCounts::isGoodPart() const {
+  constexpr double kShare = 0.25;
+  return static_cast<double>(below) > kShare * static_cast<double>(above);
+}
+
+bool ShellCounts::goOn() const {
   constexpr std::size_t kStray = 3;
-  constexpr double kShare = 0.25;  // of the points that as much of the shell has above
-  const double least = kLeast * foot.reach + 3.0 * std::hypot(fit.sigma, fit.noise), high = kHigh * foot.reach + least;
-  std::size_t below = 0, above = 0;
-  foot.ring.visitAround(foot.directions[station], fit.half_width, fit.z, 2.0 * high, [&](const FootPoint& p) {
+  return below > kStray && isGoodPart();
+}
+
+ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& level, double depth) {
+  const double least = leastBelow(foot, level);
+  ShellCounts counts;
+  foot.ring.visitAround(foot.directions[station], level.half_width, level.z, 2.0 * depth, [&](const FootPoint& p) {
     if (std::abs(p.d) > 2.0 * foot.scales.shell_noise) return;
-    const double height = p.z - fit.z - fit.along * p.t - fit.bend * p.t * p.t;
-    below += height < -least && height > -high;
-    above += height > least && height < high;
+    const double height = p.z - level.z - level.along * p.t - level.bend * p.t * p.t;
+    counts.below += height < -least && height > -depth;
+    counts.above += height > least && height < depth;
   });
-  return below > kStray && static_cast<double>(below) > kShare * static_cast<double>(above);
+  return counts;
+}
+
+ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& level) {
+  constexpr double kDepth = 0.04;  // of the reach
+  return countShell(foot, station, level, kDepth * foot.reach + leastBelow(foot, level));
+}
+
+FootFit levelAt(const Foot& foot, double z, double sigma) {
+  FootFit level;
+  level.z = z, level.sigma = sigma, level.along = level.bend = 0.0;
+  level.noise = foot.scales.shell_noise, level.half_width = foot.half_step;
+  return level;
 }
 
 std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels) {

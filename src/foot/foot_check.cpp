@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/statistics.h"
 
 namespace tank_datum {
 namespace {
-
-/// A run of neighbouring stations without a step between them.
-struct Run {
-  std::size_t first, count;
-};
 
 bool isStep(const FootFit& a, const FootFit& b, double arc) {
   constexpr double kSteepest = 0.02;  // of a datum along its shell; ten times what the codes allow [m/m]
@@ -37,21 +33,39 @@ void addDifferences(const std::vector<FootFit>& fits, std::size_t lag, std::vect
   }
 }
 
+/// What is known of the stations while steps are looked for.
+struct Stepped {
+  const std::vector<FootFit>& fits;
+  double arc;  ///< between stations [m]
+  std::vector<bool> dropped, kept;
+
+  bool stands(std::size_t i) const { return fits[i].valid() && !dropped[i]; }
+  /// A run that is kept may lie as far below those beside it as it likes.
+  bool stepBetween(std::size_t a, std::size_t b, std::size_t apart) const {
+    const bool into_kept = kept[a] != kept[b] && (fits[a].z < fits[b].z) == kept[a];
+    return !into_kept && isStep(fits[a], fits[b], static_cast<double>(apart) * arc);
+  }
+};
+
 /// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
-std::vector<Run> runsBetweenSteps(const std::vector<FootFit>& fits, const std::vector<bool>& dropped, double step) {
+std::vector<StepRun> runsBetweenSteps(const Stepped& ring) {
   std::vector<std::size_t> seen, starts;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (fits[i].valid() && !dropped[i]) seen.push_back(i);
+  for (std::size_t i = 0; i < ring.fits.size(); ++i) {
+    if (ring.stands(i)) seen.push_back(i);
   }
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const std::size_t at = seen[i], before = seen[(i + seen.size() - 1) % seen.size()];
-    const std::size_t apart = (at + fits.size() - before) % fits.size();
-    if (isStep(fits[at], fits[before], static_cast<double>(apart) * step)) starts.push_back(i);
+  const auto before = [&](std::size_t k) { return seen[(k + seen.size() - 1) % seen.size()]; };
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const std::size_t apart = (seen[k] + ring.fits.size() - before(k)) % ring.fits.size();
+    if (ring.stepBetween(seen[k], before(k), apart)) starts.push_back(k);
   }
-  std::vector<Run> runs;
+  std::vector<StepRun> runs;
   for (std::size_t s = 0; s < starts.size() && starts.size() > 1; ++s) {
     const std::size_t next = starts[(s + 1) % starts.size()];
-    runs.push_back({seen[starts[s]], (next + seen.size() - starts[s] - 1) % seen.size() + 1});
+    StepRun run;
+    for (std::size_t k = starts[s]; run.stations.empty() || k != next; k = (k + 1) % seen.size())
+      run.stations.push_back(seen[k]);
+    run.beside = std::min(ring.fits[before(starts[s])].z, ring.fits[seen[next]].z);
+    runs.push_back(std::move(run));
   }
   return runs;
 }
@@ -85,19 +99,18 @@ bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, dou
   return off.size() < 10 || std::abs(median(off)) <= kSection + 2.0 * fit.sigma;
 }
 
-std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step) {
-  std::vector<bool> dropped(fits.size(), false);
-  for (auto runs = runsBetweenSteps(fits, dropped, step); !runs.empty(); runs = runsBetweenSteps(fits, dropped, step)) {
-    const auto shortest =
-        std::min_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.count < b.count; });
-    std::size_t left = shortest->count;
-    for (std::size_t i = shortest->first; left > 0; i = (i + 1) % fits.size()) {
-      if (!fits[i].valid() || dropped[i]) continue;
-      dropped[i] = true;
-      --left;
-    }
+Steps findSteps(const std::vector<FootFit>& fits, double step, const std::function<bool(const StepRun&)>& is_foot) {
+  Stepped ring{fits, step, std::vector<bool>(fits.size(), false), std::vector<bool>(fits.size(), false)};
+  for (auto runs = runsBetweenSteps(ring); !runs.empty(); runs = runsBetweenSteps(ring)) {
+    const auto shortest = std::min_element(runs.begin(), runs.end(), [](const StepRun& a, const StepRun& b) {
+      return a.stations.size() < b.stations.size();
+    });
+    const auto below = [&](std::size_t i) { return fits[i].z < shortest->beside; };
+    const bool dip = !ring.kept[shortest->stations.front()] &&
+                     std::all_of(shortest->stations.begin(), shortest->stations.end(), below) && is_foot(*shortest);
+    for (const std::size_t i : shortest->stations) (dip ? ring.kept : ring.dropped)[i] = true;
   }
-  return dropped;
+  return {std::move(ring.dropped), std::move(ring.kept)};
 }
 
 double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {

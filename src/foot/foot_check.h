@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "foot/foot_fit.h"
@@ -14,12 +15,23 @@ namespace tank_datum {
 bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, double prior_slope,
                    const FootProfile& profile);
 
+/// A run of neighbouring stations without a step between them.
+struct StepRun {
+  std::vector<std::size_t> stations;
+  double beside = 0;  ///< the lower elevation of the stations beside its ends [m]
+};
+
+/// Of each station whether it is to be dropped, and whether it lies in a dip of the datum between steps.
+struct Steps {
+  std::vector<bool> dropped, dips;
+};
+
 /// Stations that stand off their neighbours by a step. A steel shell cannot follow one, so the lesser part round the
 /// tank is something else: while there are steps, the shortest run of stations between two of them is taken away.
-/// @param fits  in order round the tank, not valid where nothing is measured
-/// @param step  arc between stations [m]
-/// @return true for the stations to drop
-std::vector<bool> findSteps(const std::vector<FootFit>& fits, double step);
+/// @param fits     in order round the tank, not valid where nothing is measured
+/// @param step     arc between stations [m]
+/// @param is_foot  of a run that lies below those beside it, whether the shell is seen to go down to it: a dip
+Steps findSteps(const std::vector<FootFit>& fits, double step, const std::function<bool(const StepRun&)>& is_foot);
 
 /// The error that every station has on top of its standard error: the surface's own roughness and what no station knows
 /// about. From the third differences of elevations one, two and three windows apart, which a datum without its shape

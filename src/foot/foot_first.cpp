@@ -3,12 +3,15 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/ring_runs.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
+#include "foot/foot_banks.h"
 #include "foot/foot_choice.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
+#include "foot/lowest_layer.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/locate/tank.h"
 
@@ -85,6 +88,57 @@ FootElevations nearestToShell(const Foot& foot) {
   return {filled, filled, std::vector<bool>(guesses.size(), true)};
 }
 
+/// The stretch that was chosen nearest to a station; null where none was.
+const FootCandidate* nearestChosen(const std::vector<const FootCandidate*>& chosen, std::size_t station) {
+  const std::size_t count = chosen.size();
+  for (std::size_t away = 0; away <= count / 2; ++away) {
+    for (const std::size_t i : {(station + away) % count, (station + count - away) % count})
+      if (chosen[i] != nullptr) return chosen[i];
+  }
+  return nullptr;
+}
+
+/// The lowest surface of a station's own points below the level that its neighbours give; NaN where there is none.
+double levelBelow(const Foot& foot, std::size_t station, double expected, const FootCandidate& like) {
+  constexpr std::size_t kFew = 5;
+  constexpr double kDeep = 0.2, kLayer = 0.02;  // of the reach
+  std::vector<double> heights;
+  for (const FootPoint& p : foot.points[station]) {
+    const double z = p.z - like.slope * p.d;
+    if (p.d >= like.from && p.d <= like.to && z < expected && z > expected - kDeep * foot.reach) heights.push_back(z);
+  }
+  if (heights.size() < kFew) return kUnknown;
+  keepLowestLayer(heights, std::max(kLayer * foot.reach, 6.0 * foot.scales.shell_noise));
+  return heights.size() < kFew ? kUnknown : median(heights);
+}
+
+/// Adds the levels of dips that a section over several degrees smears: in runs of stations where nothing was chosen,
+/// the surface below the level that the neighbours give, unless the shell is seen to end above it. (What lies above
+/// that level may be soil.)
+/// @param chosen  the stretch of every station, null where there is none
+void addDips(const Foot& foot, const std::vector<const FootCandidate*>& chosen, std::vector<double>& guesses) {
+  constexpr std::size_t kEnough = 5;  // points of the shell above the level to tell that it ends there
+  const std::size_t count = guesses.size();
+  const std::vector<double> expected = filledUp(guesses);
+  std::vector<char> unknown(count);
+  for (std::size_t i = 0; i < count; ++i) unknown[i] = chosen[i] == nullptr ? 1 : 0;
+  std::vector<double> found = guesses;
+  for (std::size_t i = 0; i < count; ++i) {
+    const FootCandidate* like = unknown[i] != 0 ? nearestChosen(chosen, i) : nullptr;
+    if (like != nullptr && foot.shell_seen[i]) found[i] = levelBelow(foot, i, expected[i], *like);
+  }
+  const std::vector<double> deep = filledUp(found);  // where a row of points misses a station, the shell may be seen
+  for (const RingRun& run : runsRound(unknown)) {
+    ShellCounts shell;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      const std::size_t i = k % count;
+      if (foot.shell_seen[i]) shell.add(countShell(foot, i, levelAt(foot, expected[i], 0.0), expected[i] - deep[i]));
+    }
+    if (shell.above >= kEnough && !shell.isGoodPart()) continue;  // the shell ends above that surface
+    for (std::size_t k = run.first; k <= run.last; ++k) guesses[k % count] = found[k % count];
+  }
+}
+
 /// The elevation of every station whose place has a stretch that the shell stands on; NaN elsewhere.
 std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
   constexpr std::size_t kMostPlaces = 360;
@@ -97,11 +151,14 @@ std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
   const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
   const auto choice = chooseRoundRing(candidates, arc, foot.reach);
   std::vector<double> guesses(count, kUnknown);
+  std::vector<const FootCandidate*> chosen(count, nullptr);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = std::min(places - 1, i / stride);
     if (!choice[k]) continue;
-    guesses[i] = guessAt(foot.points[i], candidates[k][*choice[k]], foot.reach);
+    chosen[i] = &candidates[k][*choice[k]];
+    guesses[i] = guessAt(foot.points[i], *chosen[i], foot.reach);
   }
+  addDips(foot, chosen, guesses);
   return guesses;
 }
 

@@ -84,9 +84,17 @@ bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
   return own.valid() && own.slope < std::min(usual, pass.priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
 }
 
+/// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
+bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>& fits) {
+  ShellCounts shell;
+  for (const std::size_t i : run.stations)
+    shell.add(countShell(foot, i, levelAt(foot, run.beside, 0.0), run.beside - fits[i].z));
+  return shell.goOn();
+}
+
 }  // namespace
 
-std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
+FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   constexpr std::size_t kAsMany = 2;  // stations that stand to one below which the shell goes on; else none stands
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
@@ -98,7 +106,7 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
     } else if (!fit.valid() || !supported[i]) {
       reasons[i] = Unmeasured::Hidden;
     } else {
-      before[i] = goesOnBelow(foot, i, fit);
+      before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
       const bool other = before[i] || isSteep(fit, pass.priors) ||
                          !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i)) ||
                          isGrazedAt(foot, i, pass) || isHeap(foot, i, pass);
@@ -115,12 +123,13 @@ std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, levels);
   const std::vector<bool> hanging = findHangingRuns(foot, levels);
-  const std::vector<bool> steps = findSteps(kept, 2.0 * foot.half_step * foot.radius);
+  Steps steps = findSteps(kept, 2.0 * foot.half_step * foot.radius,
+                          [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (reasons[i] == Unmeasured::None && (none || steps[i] || banks[i] || hanging[i]))
+    if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i]))
       reasons[i] = Unmeasured::OtherSurface;
   }
-  return reasons;
+  return {std::move(reasons), std::move(steps.dips)};
 }
 
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {
@@ -129,10 +138,10 @@ std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {
   return elevations;
 }
 
-std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<Unmeasured>& outliers) {
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers) {
   std::vector<double> kept = elevations;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (outliers[i] != Unmeasured::None) kept[i] = kUnknown;
+    if (outliers.reasons[i] != Unmeasured::None) kept[i] = kUnknown;
   }
   const auto known = [](double z) { return std::isfinite(z); };
   return 2 * std::count_if(kept.begin(), kept.end(), known) > std::count_if(elevations.begin(), elevations.end(), known)

@@ -81,12 +81,18 @@ FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const
 FootFit fitStation(const Foot& foot, std::size_t station, double level, const FootProfile& profile,
                    const FootPriors& priors);
 
+/// Which fits of a pass do not stand.
+struct FootOutliers {
+  std::vector<Unmeasured> reasons;  ///< of each station; None: it stands
+  std::vector<bool> dips;           ///< stations that stand, below those beside them by a step
+};
+
 /// What one pass found.
 struct FootPass {
   FootSections sections;
   FootPriors priors;
   std::vector<FootFit> fits;
-  std::vector<Unmeasured> outliers;  ///< of each station why its fit does not stand; None: it does
+  FootOutliers outliers;
 };
 
 /// The stations' elevations as the ring's own covariance lets neighbours help.
@@ -99,12 +105,12 @@ struct FootLevels {
 FootLevels levelStations(const Foot& foot, const FootPass& pass);
 
 /// Why stations do not stand: their fit has no support of its own, lies on something else, or steps off its neighbours.
-std::vector<Unmeasured> findOutliers(const Foot& foot, const FootPass& pass);
+FootOutliers findOutliers(const Foot& foot, const FootPass& pass);
 
 /// Elevations of fits; NaN where one is not valid [m].
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits);
 
 /// Elevations to stack the next section with: without outliers, unless they are most of what there is.
-std::vector<double> withoutOutliers(const std::vector<double>& elevations, const std::vector<Unmeasured>& outliers);
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers);
 
 }  // namespace tank_datum

@@ -7,6 +7,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
+#include "foot/foot_bridges.h"
 #include "foot/foot_check.h"
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
@@ -111,7 +112,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
     elevations = elevationsAfter(pass, elevations.seen);
   }
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {
-    if (pass.outliers[i] != Unmeasured::None) pass.fits[i] = {};
+    if (pass.outliers.reasons[i] != Unmeasured::None) pass.fits[i] = {};
   }
   return pass;
 }
@@ -166,22 +167,6 @@ std::vector<StationDatum> withReasons(std::vector<StationDatum> stations, const 
   return stations;
 }
 
-/// The stations with the short gaps among them bridged: over the shell, and where there is one along the process.
-std::vector<StationDatum> withGapsBridged(std::vector<StationDatum> stations, const RingProcess& process,
-                                          const Circle& circle, double sigma_bend, const StationOptions& options) {
-  std::vector<bool> measured;
-  for (const StationDatum& s : stations) measured.push_back(s.flag == StationFlag::Measured);
-  const std::vector<StationFlag> flags = flagsOf(measured, options);
-  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].flag = flags[i];
-  stations = bridgeGaps(stations, circle.center, sigma_bend);
-  for (std::size_t i = 0; i < stations.size() && process.valid(); ++i) {
-    if (stations[i].flag != StationFlag::Interpolated) continue;
-    stations[i].z = process.value[i];
-    stations[i].sigma_z = std::max(stations[i].sigma_z, process.sigma[i]);
-  }
-  return stations;
-}
-
 /// What belongs to the stations asked for, in their order, of what belongs to the fitted ones; of nothing, nothing.
 template <typename T>
 std::vector<T> asAsked(const std::vector<T>& all, const StationOptions& fitted, const StationOptions& asked) {
@@ -214,10 +199,11 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;
   found.refined.sigma_radius = round.sigma_radius;
-  const auto stations =
-      withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center), pass.outliers);
+  const auto stations = withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center),
+                                    pass.outliers.reasons);
   const double sigma_bend = kHighestWave / tank.circle.radius;
-  found.stations = asAsked(withGapsBridged(stations, levels.process, round.circle, sigma_bend, fitted), fitted, asked);
+  found.stations =
+      asAsked(withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted}), fitted, asked);
   found.refined.sections = asAsked(profilesOf(foot, elevations, levels.fits, shell.lines, band), fitted, asked);
   return found;
 }

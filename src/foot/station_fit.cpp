@@ -1,11 +1,34 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/units.h"
 #include "foot/foot_fit.h"
 #include "foot/foot_state.h"
 
 namespace tank_datum {
+namespace {
+
+/// What windows of growing width say of a level: the part that their intervals share. A window that leaves it is wider
+/// than its parabola can follow (intersection of confidence intervals, Goldenshluger and Nemirovski 1997).
+class Agreement {
+ public:
+  bool holds(const FootFit& fit) const {
+    return fit.z - kApart * fit.sigma <= high_ && fit.z + kApart * fit.sigma >= low_;
+  }
+
+  void add(const FootFit& fit) {
+    if (!fit.valid()) return;
+    low_ = std::max(low_, fit.z - kApart * fit.sigma);
+    high_ = std::min(high_, fit.z + kApart * fit.sigma);
+  }
+
+ private:
+  static constexpr double kApart = 2.5;  // standard errors
+  double low_ = -std::numeric_limits<double>::infinity(), high_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
 
 FootFit fitStation(const Foot& foot, std::size_t station, double level, const FootProfile& profile,
                    const FootPriors& priors) {
@@ -19,20 +42,27 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
   const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
   FootPrior known_slope = prior;
   known_slope.sigma_slope = priors.settled ? kSettledSlope : std::min(prior.sigma_slope, kKnownSlope);
+  const auto pointsWithin = [&](double half) {
+    return foot.ring.around(foot.directions[station], half, level, foot.reach);
+  };
+  FootFit fit;
+  Agreement agreement;
   for (double half = foot.half_step;; half *= 1.4) {
-    const auto points = foot.ring.around(foot.directions[station], half, level, foot.reach);
-    FootFit fit = fitFoundation(points, profile, start, slope, known_slope);
+    FootFit wider = fitFoundation(pointsWithin(half), profile, start, slope, known_slope);
+    if (fit.valid() && !agreement.holds(wider)) break;  // the surface is no parabola over so long an arc
+    wider.half_width = half;
+    fit = wider;
+    agreement.add(fit);
     const bool wide = half > widest && (fit.points >= kEnough || half > kWidestSparse);
-    if (fit.sigma < std::max(kGoodEnough, foot.options.wanted_sigma) || wide) {
-      if (priors.settled) {
-        fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
-      } else {
-        fit = fitFoundation(points, profile, start, slope, prior);
-      }
-      fit.half_width = half;
-      return fit;
-    }
+    if (fit.sigma < std::max(kGoodEnough, foot.options.wanted_sigma) || wide) break;
   }
+  if (priors.settled) {
+    fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
+    return fit;
+  }
+  FootFit free = fitFoundation(pointsWithin(fit.half_width), profile, start, slope, prior);
+  free.half_width = fit.half_width;
+  return free;
 }
 
 }  // namespace tank_datum

@@ -83,6 +83,12 @@ std::vector<LocalSettlement> localSettlementsOf(const RingModel& model) {
   return all;
 }
 
+/// Stations where the datum is known to lie lower than its neighbours say, by what is not known.
+std::size_t countShellBelow(const std::vector<Station>& stations) {
+  const auto below = [](const Station& s) { return s.reason == Unmeasured::ShellBelow; };
+  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), below));
+}
+
 std::vector<std::string> notesOf(const std::vector<Station>& stations, const Tilt& tilt, const Analysis& analysis) {
   std::vector<std::string> notes = {
       "Screening for a storage-tank engineer, not a code evaluation. Bottom and edge settlement are not covered.",
@@ -104,6 +110,14 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
     snprintfPlain(text, sizeof text,
                   "A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
                   analysis.longest_gap);
+    notes.push_back(text);
+  }
+  if (const auto below = countShellBelow(stations); below > 0) {
+    char text[200];
+    snprintfPlain(text, sizeof text,
+                  "The shell is seen below the level that the neighbours give (stations: %zu): "
+                  "rules on the shape are undecided where they do not fail.",
+                  below);
     notes.push_back(text);
   }
   if (std::none_of(stations.begin(), stations.end(), [](const Station& s) { return s.sigma_z > 0.0; })) {
@@ -138,7 +152,8 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   addTopOvality(radius, options.facts.height, result);
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
   const double widest = step > kSurveySpacing ? kWidestSpacing : kSurveySpacing;
-  for (Measure& m : result.measures) m.whole_ring = result.longest_gap <= widest + 1e-6;
+  const bool whole = result.longest_gap <= widest + 1e-6 && countShellBelow(stations) == 0;
+  for (Measure& m : result.measures) m.whole_ring = whole;
   addTilt(ring.tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
   addAntipodal(stations, result.measures);

@@ -39,6 +39,8 @@ const char* nameOf(Unmeasured reason) {
       return "other_surface";
     case Unmeasured::OffCircle:
       return "off_circle";
+    case Unmeasured::ShellBelow:
+      return "shell_below";
   }
   return "";
 }

@@ -25,7 +25,7 @@ TEST(FindSteps, AStepOfTwoMillimetresIsNoneHoweverSureTheStations) {
   const auto dropped = [](double step) {
     std::vector<FootFit> fits(360, fitAt(0.0, 1e-7));
     for (std::size_t i = 100; i < 130; ++i) fits[i].z = step;
-    const std::vector<bool> gone = findSteps(fits, 0.001);
+    const std::vector<bool> gone = findSteps(fits, 0.001, [](const StepRun&) { return false; }).dropped;
     return std::count(gone.begin(), gone.end(), true);
   };
   EXPECT_EQ(dropped(0.0018), 0);
@@ -143,7 +143,7 @@ std::vector<Unmeasured> outliersOfLevelRing(MadeFoot& made, std::optional<std::s
   FootProfile& whole = pass.sections.whole;
   whole.bin = 0.003, whole.band_from = 0.015, whole.noise = 0.0005, whole.band_to = whole.edge = 0.3;
   pass.priors.slope.assign(360, 0.0);
-  return findOutliers(foot, pass);
+  return findOutliers(foot, pass).reasons;
 }
 
 /// Whether a station without a point of its own, between others of so many, is taken for something else.

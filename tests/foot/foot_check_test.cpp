@@ -138,7 +138,7 @@ void raise(std::vector<FootFit>& fits, std::size_t first, std::size_t count, dou
 
 /// Which stations are dropped.
 std::vector<std::size_t> droppedOf(const std::vector<FootFit>& fits, double step = kStep) {
-  const std::vector<bool> dropped = findSteps(fits, step);
+  const std::vector<bool> dropped = findSteps(fits, step, [](const StepRun&) { return false; }).dropped;
   EXPECT_EQ(dropped.size(), fits.size());
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < dropped.size(); ++i) {
@@ -199,8 +199,30 @@ TEST(FindSteps, AStepIsAQuestionOfArcAndOfSigma) {
   EXPECT_TRUE(droppedOf(fits).empty());
 }
 
+/// Stations dropped of a ring where ten lie so far off the others, to which the shell is seen to go down or not.
+std::size_t droppedWhereTenLie(double off, bool shell) {
+  auto fits = smoothRing();
+  for (std::size_t i = 100; i < 110; ++i) fits[i].z += off;
+  std::size_t asked = 0;
+  const Steps steps = findSteps(fits, kStep, [&](const StepRun& run) {
+    EXPECT_EQ(run.stations.size(), 10U);
+    EXPECT_NEAR(run.beside, std::min(fits[99].z, fits[110].z), 1e-12);
+    return ++asked, shell;
+  });
+  EXPECT_EQ(asked, off < 0.0 ? 1U : 0U);
+  const auto count = [](const std::vector<bool>& is) { return std::count(is.begin(), is.end(), true); };
+  EXPECT_EQ(count(steps.dropped) + count(steps.dips), 10);
+  return static_cast<std::size_t>(count(steps.dropped));
+}
+
+TEST(FindSteps, StationsToWhichTheShellIsSeenToGoDownAreADip) {
+  EXPECT_EQ(droppedWhereTenLie(-0.05, true), 0U);
+  EXPECT_EQ(droppedWhereTenLie(-0.05, false), 10U);
+  EXPECT_EQ(droppedWhereTenLie(0.05, true), 10U) << "what lies higher may be soil";
+}
+
 TEST(FindSteps, OfNothingDropNothing) {
-  EXPECT_TRUE(findSteps({}, kStep).empty());
+  EXPECT_TRUE(findSteps({}, kStep, [](const StepRun&) { return false; }).dropped.empty());
   EXPECT_TRUE(droppedOf(std::vector<FootFit>(360)).empty());
   EXPECT_TRUE(droppedOf({fitOf(2.0)}).empty());
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "support/made_feet.h"
 
@@ -83,6 +84,23 @@ TEST(FirstElevations, TheTiltOfTheTankDoesNotBlurTheWindowsOfSparseStations) {
   tank.foot.coefficients = Eigen::Vector3d(0.0, 0.04, 0.0);
   const std::vector<double> known = firstElevations(made.foot(), tank).known;
   for (const int s : {45, 90, 135}) EXPECT_NEAR(known[static_cast<std::size_t>(s)], tilted(s), 0.001) << s;
+}
+
+/// What is first known of a dip eleven stations wide and 12 mm deep, where a station has so many points on the pad and
+/// the shell is seen down to so far below its neighbours' level.
+double inADip(int count, double shell_down_to) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const double off = std::abs(s - 100) / 6.0, z = off < 1.0 ? -0.012 * std::pow(std::cos(0.5 * kPi * off), 2.0) : 0.0;
+    made.addStation(s, count, 0.014, 0.3, [z](double) { return z; });
+    for (double up = std::max(z, -shell_down_to); up < 0.03; up += 0.001) made.add(s * made.step(), 0.0, up);
+  }
+  return firstLook(made)[100];
+}
+
+TEST(FirstElevations, ADipIsTakenFromAStationsOwnPointsWhereTheShellIsSeenToGoDownToIt) {
+  EXPECT_LT(inADip(6, 0.012), -0.008);
+  EXPECT_FALSE(inADip(6, 0.0) < -0.004) << "what lies below may be the ground under a plate that is not seen";
 }
 
 /// The elevation of stations with so many points 30 mm from the shell, raised by so much, and sixty far out.

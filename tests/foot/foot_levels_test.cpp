@@ -116,6 +116,35 @@ TEST(LevelStations, ASlopeThatIsSettledIsLearntNoFurtherThanATenthOfAMillimetreA
   EXPECT_LT(left, 0.7);
 }
 
+/// The level of station 100 of a quiet ring where so many neighbours lie 8 mm lower, and their windows say so; and
+/// where one does, with the shell seen down to it or not.
+double levelOfDip(int wide, bool shell) {
+  MadeFoot made;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  const auto dips = [wide](int s) { return std::abs(s - 100) <= wide / 2; };
+  for (int s = 0; s < 360; ++s) {
+    const double z = dips(s) ? -0.008 : 0.0;
+    made.addStation(s, 12, 0.02, 0.28, [&](double) { return z + 0.0005 * normal(random); });
+    for (int i = 0; shell && i < 12; ++i) made.add(s * made.step(), 0.0, z + 0.001 * (i + 1));
+  }
+  Ready r = ready(made);
+  for (int s = 0; s < 360; ++s)
+    if (dips(s)) r.pass.fits[static_cast<std::size_t>(s)].z = -0.008;
+  level(r);
+  return r.pass.fits[100].z;
+}
+
+TEST(LevelStations, NeighboursThatLieLowerTogetherKeepTheLevelOfTheirOwnWindows) {
+  EXPECT_NEAR(levelOfDip(3, false), -0.008, 1e-9);
+  EXPECT_NEAR(levelOfDip(5, false), -0.008, 1e-9);
+}
+
+TEST(LevelStations, AStationThatLiesLowerAloneIsBelievedWhereTheShellGoesDownToIt) {
+  EXPECT_GT(levelOfDip(1, false), -0.006);
+  EXPECT_NEAR(levelOfDip(1, true), -0.008, 1e-9);
+}
+
 TEST(LevelStations, AQuietDatumMayStillDipByAHundredthOfTheReach) {
   MadeFoot made;
   made.addAll(12, 0.02, 0.28, [](double) { return 0.0; });

@@ -24,7 +24,7 @@ FootPass levelPass(double half_width, double band_to) {
   return pass;
 }
 
-Unmeasured reasonAt50(const Foot& foot, const FootPass& pass) { return findOutliers(foot, pass)[50]; }
+Unmeasured reasonAt50(const Foot& foot, const FootPass& pass) { return findOutliers(foot, pass).reasons[50]; }
 
 /// Whether a station on a level pad is dropped beside which the shell is seen by so many points a centimetre below the
 /// pad, and by so many up to two above it.

@@ -72,6 +72,24 @@ TEST(FitStation, TheLevelOfASettledSlopeIsAsSureAsTheSlopeInTheMiddle) {
   EXPECT_NEAR(fit.sigma, 0.15 * 0.01, 0.00005);
 }
 
+/// How many times its own stretch a station looks at that knows its level to 0.48 mm, where all beyond lies higher.
+double windowBesideSteps(double high) {
+  MadeFoot made;
+  made.options.widest_window = 10.0;
+  Scatter scatter(0.003);
+  for (int s = 0; s < 360; ++s)
+    made.addStation(s, 40, 0.02, 0.28, [&](double) { return scatter.next() + (s == 100 ? 0.0 : high); });
+  const Foot& foot = made.foot();
+  FootProfile pad = padOf(0.003);
+  pad.blur = 0.05;
+  return fitStation(foot, 100, 0.0, pad, priorsOf(1e-4, true)).half_width / foot.half_step;
+}
+
+TEST(FitStation, AWindowGrowsOnlyAsLongAsWiderOnesAgreeWithNarrowerOnes) {
+  EXPECT_EQ(windowBesideSteps(0.0015), windowBesideSteps(0.0));
+  EXPECT_LT(windowBesideSteps(0.003), 0.5 * windowBesideSteps(0.0));
+}
+
 /// How many times its own stretch a station looks at that may not look beyond two stations, where every n-th station
 /// has so many points.
 double sparseWindow(int points, int every) {

@@ -59,6 +59,27 @@ TEST(Analyse, ASparseLevellingIsWholeUpToTheCodesOwnSpacing) {
   EXPECT_FALSE(whole(21.0, false));
 }
 
+/// Where the datum is known to lie lower than its neighbours say, nothing on the shape passes.
+TEST(Analyse, WhereTheShellIsSeenBelowItsNeighboursNoRuleOnTheShapePasses) {
+  const auto analysis = [](Unmeasured reason) {
+    std::vector<double> z = level(360);
+    z[100] = kUnknown;
+    auto stations = survey(z, 10.0, 0.0002);
+    stations[100].reason = reason;
+    return analyse({stations, fitTilt(stations, {0.0, 0.0}, {}), 10.0}, AnalysisOptions());
+  };
+  const auto whole = [](const Analysis& found) {
+    return std::any_of(found.measures.begin(), found.measures.end(),
+                       [](const Measure& m) { return m.whole_ring && m.quantity == "out_of_plane"; });
+  };
+  EXPECT_TRUE(whole(analysis(Unmeasured::Hidden)));
+  EXPECT_FALSE(whole(analysis(Unmeasured::ShellBelow)));
+  EXPECT_FALSE(
+      notes(analysis(Unmeasured::Hidden), "The shell is seen below the level that the neighbours give (stations: 1)"));
+  EXPECT_TRUE(notes(analysis(Unmeasured::ShellBelow),
+                    "The shell is seen below the level that the neighbours give (stations: 1)"));
+}
+
 /// What is interpolated between few measured stations is a part of the figures and of their intervals.
 TEST(Analyse, InterpolatedStationsMoveNoInterval) {
   const auto interval = [](bool interpolated) {

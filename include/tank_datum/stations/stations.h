@@ -39,9 +39,10 @@ enum class Unmeasured {
   OtherSurface,  ///< what is seen there is not the surface on which its neighbours lie, or no foot: the shell goes on
                  ///< below
   OffCircle,     ///< what stands there is not the shell
+  ShellBelow,    ///< the shell is seen to go on below the level that its neighbours give
 };
 
-/// The name used in files: "", "no_shell", "hidden", "other_surface", "off_circle".
+/// The name used in files: "", "no_shell", "hidden", "other_surface", "off_circle", "shell_below".
 const char* nameOf(Unmeasured reason);
 
 /// The datum at one azimuth, as the stages at the foot find it.

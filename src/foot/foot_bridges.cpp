@@ -1,0 +1,84 @@
+#include "foot/foot_bridges.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+#include "core/ring_runs.h"
+#include "foot/foot_banks.h"
+#include "stations/stations.h"
+
+namespace tank_datum {
+namespace {
+
+/// The stations with the short gaps among them bridged: over the shell, and where there is one along the process.
+std::vector<StationDatum> bridged(std::vector<StationDatum> stations, const RingProcess& process,
+                                  const BridgeScales& scales) {
+  std::vector<bool> measured;
+  for (const StationDatum& s : stations) measured.push_back(s.flag == StationFlag::Measured);
+  const std::vector<StationFlag> flags = flagsOf(measured, scales.stations);
+  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].flag = flags[i];
+  stations = bridgeGaps(stations, scales.circle.center, scales.sigma_bend);
+  for (std::size_t i = 0; i < stations.size() && process.valid(); ++i) {
+    if (stations[i].flag != StationFlag::Interpolated) continue;
+    stations[i].z = process.value[i];
+    stations[i].sigma_z = std::max(stations[i].sigma_z, process.sigma[i]);
+  }
+  return stations;
+}
+
+/// The shell about the level that a gap's bridge, or what the others say of it, has at its stations.
+std::vector<ShellCounts> shellAboutBridges(const Foot& foot, const std::vector<StationDatum>& stations,
+                                           const RingProcess& expected) {
+  std::vector<ShellCounts> counts(stations.size());
+  forEachIndex(stations.size(), 0, [&](std::size_t i) {
+    const StationDatum& s = stations[i];
+    const bool bridged = s.flag == StationFlag::Interpolated;
+    if (s.flag == StationFlag::Measured || !foot.shell_seen[i] || !(bridged || expected.valid())) return;
+    counts[i] = countShell(
+        foot, i, bridged ? levelAt(foot, s.z, s.sigma_z) : levelAt(foot, expected.value[i], expected.sigma[i]));
+  });
+  return counts;
+}
+
+/// Whether the shell goes on below at three neighbours of a gap together.
+bool goesOnIn(const RingRun& gap, const std::vector<ShellCounts>& counts) {
+  for (std::size_t k = gap.first; k <= gap.last; ++k) {
+    ShellCounts three;
+    for (std::size_t n = std::max(gap.first, k - std::min<std::size_t>(k, 1)); n <= std::min(gap.last, k + 1); ++n)
+      three.add(counts[n % counts.size()]);
+    if (three.goOn()) return true;
+  }
+  return false;
+}
+
+/// The stations without a datum in gaps where the shell is seen to go on below: the datum lies lower there, by what is
+/// not known.
+/// @param expected  elevation and its standard error at every station, as the others say
+std::vector<StationDatum> withoutGapsAboveShell(std::vector<StationDatum> stations, const Foot& foot,
+                                                const RingProcess& expected) {
+  const std::vector<ShellCounts> counts = shellAboutBridges(foot, stations, expected);
+  std::vector<char> gap;
+  for (const StationDatum& s : stations) gap.push_back(s.flag == StationFlag::Measured ? 0 : 1);
+  for (const RingRun& run : runsRound(gap)) {
+    if (!goesOnIn(run, counts)) continue;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      StationDatum& s = stations[k % stations.size()];
+      StationDatum unknown;
+      unknown.direction = s.direction;
+      unknown.n_shell = s.n_shell;
+      unknown.n_foundation = s.n_foundation;
+      unknown.reason = s.reason == Unmeasured::NoShell ? s.reason : Unmeasured::ShellBelow;
+      s = unknown;
+    }
+  }
+  return stations;
+}
+
+}  // namespace
+
+std::vector<StationDatum> withGapsBridged(const std::vector<StationDatum>& stations, const RingProcess& process,
+                                          const Foot& foot, const BridgeScales& scales) {
+  return withoutGapsAboveShell(bridged(stations, process, scales), foot, process);
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,61 @@
+#include "foot/foot_bridges.h"
+
+#include <gtest/gtest.h>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+/// Stations of a level ring, of which some are not measured; where those are, the shell is seen down to so far below
+/// the others with so many points a station.
+std::vector<StationDatum> bridgedOver(const std::vector<int>& gap, double down_to, int count) {
+  MadeFoot made;
+  for (const int s : gap) {
+    for (int i = 0; i < count; ++i) made.add(s * made.step(), 0.0, -down_to * (i + 0.5) / count);
+    for (int i = 0; i < 4; ++i) made.add(s * made.step(), 0.0, 0.006 + 0.004 * i);
+  }
+  const Foot& foot = made.foot();
+  std::vector<StationDatum> stations(360);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    StationDatum& s = stations[i];
+    s.direction = foot.directions[i];
+    s.flag = StationFlag::Measured;
+    s.z = 0.0, s.sigma_z = 0.0002, s.radius = kRadius, s.sigma_radius = 0.0001;
+  }
+  for (const int s : gap) {
+    stations[static_cast<std::size_t>(s)].flag = StationFlag::Missing;
+    stations[static_cast<std::size_t>(s)].reason = Unmeasured::Hidden;
+  }
+  return withGapsBridged(stations, {}, foot, {{{0.0, 0.0}, kRadius}, 1e-4, {}});
+}
+
+TEST(WithGapsBridged, AGapWhoseShellEndsAtTheBridgeIsBridged) {
+  for (const StationDatum& s : bridgedOver({100, 101, 102}, 0.0, 8)) {
+    EXPECT_NE(s.flag, StationFlag::Missing);
+    EXPECT_NEAR(s.z, 0.0, 1e-9);
+  }
+}
+
+TEST(WithGapsBridged, AGapBelowWhoseBridgeTheShellGoesOnHasNoDatum) {
+  const auto stations = bridgedOver({100, 101, 102, 200}, 0.02, 8);
+  for (const std::size_t i : {100U, 101U, 102U, 200U}) {
+    EXPECT_EQ(stations[i].flag, StationFlag::Missing) << i;
+    EXPECT_EQ(stations[i].reason, Unmeasured::ShellBelow) << i;
+    EXPECT_TRUE(std::isnan(stations[i].z)) << i;
+  }
+  EXPECT_EQ(stations[99].flag, StationFlag::Measured);
+}
+
+TEST(WithGapsBridged, ThreeNeighboursTellTogether) {
+  const auto below = [](const std::vector<int>& gap, int count) {
+    return bridgedOver(gap, 0.02, count)[100].reason == Unmeasured::ShellBelow;
+  };
+  EXPECT_FALSE(below({100}, 3)) << "three points of the shell may be stray";
+  EXPECT_TRUE(below({100, 101, 102}, 3));
+}
+
+}  // namespace
+}  // namespace tank_datum
