@@ -77,7 +77,8 @@ Json datumSection(const Datum& datum) {
   const double z = datum.origin.z();
   const bool refined = datum.refined.valid();
   return {{"surface", refined ? Json(nameOf(datum.refined.profile.surface)) : Json(nullptr)},
-          {"other_surface_deg", arcsJson(onOtherSurface(datum.stations), datum.stations)},
+          {"other_surface_deg", arcsJson(withReason(datum.stations, Unmeasured::OtherSurface), datum.stations)},
+          {"shell_below_deg", arcsJson(withReason(datum.stations, Unmeasured::ShellBelow), datum.stations)},
           {"measured", level.measured},
           {"interpolated", level.interpolated},
           {"missing", level.missing},

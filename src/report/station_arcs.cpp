@@ -35,17 +35,17 @@ Json arcsJson(const std::vector<char>& is, const std::vector<Station>& stations)
   return list;
 }
 
-std::vector<char> onOtherSurface(const std::vector<Station>& stations) {
-  std::vector<char> other;
-  for (const Station& s : stations) other.push_back(s.reason == Unmeasured::OtherSurface ? 1 : 0);
-  return other;
+std::vector<char> withReason(const std::vector<Station>& stations, Unmeasured reason) {
+  std::vector<char> has;
+  for (const Station& s : stations) has.push_back(s.reason == reason ? 1 : 0);
+  return has;
 }
 
-std::string arcsText(const std::vector<char>& is, const std::vector<Station>& stations) {
-  constexpr std::size_t kShown = 5, kShort = 2;  // arcs; stations of one that is not named
+std::string arcsText(const std::vector<char>& is, const std::vector<Station>& stations, std::size_t shortest) {
+  constexpr std::size_t kShown = 5;  // arcs
   if (is.empty()) return {};
   std::vector<Arc> arcs = arcsOf(is, stations);
-  arcs.erase(std::remove_if(arcs.begin(), arcs.end(), [](const Arc& arc) { return arc.stations <= kShort; }),
+  arcs.erase(std::remove_if(arcs.begin(), arcs.end(), [&](const Arc& arc) { return arc.stations < shortest; }),
              arcs.end());
   std::stable_sort(arcs.begin(), arcs.end(), [](const Arc& a, const Arc& b) { return a.stations > b.stations; });
   const std::size_t more = arcs.size() - std::min(arcs.size(), kShown);

@@ -79,10 +79,20 @@ std::string stationsLine(const Datum& datum) {
 
 /// Where soil or a kerb lies at the shell, or a sector of the foundation stands off the rest.
 std::string otherSurfaceLine(const Datum& datum) {
-  const std::string arcs = arcsText(onOtherSurface(datum.stations), datum.stations);
+  constexpr std::size_t kNamed = 3;  // stations of an arc; of shorter ones there are many beside a foot
+  const std::string arcs = arcsText(withReason(datum.stations, Unmeasured::OtherSurface), datum.stations, kNamed);
   if (arcs.empty() || !datum.refined.valid()) return {};
   return line("other surface", "at %s something else than the %s meets the shell, soil or a kerb: not measured",
               arcs.c_str(), nameOf(datum.refined.profile.surface));
+}
+
+/// Where the datum is known to lie lower than the stations beside a gap say.
+std::string shellBelowLine(const Datum& datum) {
+  const std::string arcs = arcsText(withReason(datum.stations, Unmeasured::ShellBelow), datum.stations, 1);
+  if (arcs.empty()) return {};
+  return line("shell below",
+              "at %s the shell is seen below the level of the stations beside: the datum lies lower there",
+              arcs.c_str());
 }
 
 std::string methodLines(const Datum& datum, const Display& display) {
@@ -213,7 +223,7 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   const double z = datum.origin.z();
   text += tankLine(datum, display);
   text += azimuthsLine(provenance.options.stations) + passedOverLine(datum.counts) + stationsLine(datum) +
-          otherSurfaceLine(datum);
+          otherSurfaceLine(datum) + shellBelowLine(datum);
   const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",

@@ -37,6 +37,7 @@ KEYS: dict[str, Any] = {
     "datum": {
         "surface": TEXT,
         "other_surface_deg": LIST,
+        "shell_below_deg": LIST,
         "measured": int,
         "interpolated": int,
         "missing": int,

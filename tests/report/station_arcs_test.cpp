@@ -17,10 +17,12 @@ std::vector<Station> stationsOn(const std::vector<int>& other) {
 }
 
 nlohmann::ordered_json jsonOf(const std::vector<Station>& stations) {
-  return arcsJson(onOtherSurface(stations), stations);
+  return arcsJson(withReason(stations, Unmeasured::OtherSurface), stations);
 }
 
-std::string textOf(const std::vector<Station>& stations) { return arcsText(onOtherSurface(stations), stations); }
+std::string textOf(const std::vector<Station>& stations) {
+  return arcsText(withReason(stations, Unmeasured::OtherSurface), stations, 3);
+}
 
 TEST(StationArcs, AreToldByTheirFirstAndLastStation) {
   const auto stations = stationsOn({5, 6, 7, 35, 0, 1});

@@ -36,6 +36,7 @@ class Levels(Record):
 
     surface: str | None
     other_surface_deg: list[list[float]] | None
+    shell_below_deg: list[list[float]] | None
     measured: int
     interpolated: int
     missing: int

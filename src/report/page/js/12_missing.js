@@ -5,6 +5,7 @@ const kReasons = {
   hidden: say("missing.the_foundation_is_not_seen"),
   other_surface: say("missing.what_is_seen_there_is"),
   off_circle: say("missing.what_stands_there_is_not"),
+  shell_below: say("missing.the_shell_is_seen_below"),
 };
 
 /** The reason that most of the stations from one to another have. */

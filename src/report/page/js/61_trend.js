@@ -1,6 +1,6 @@
 // The page of several surveys: the movement of each since the first, and how fast each station moves.
 
-const kTrendUnit = trend ? trend.trend.unit.replace("m/", `${kShortUnit}/`) : "";
+const kTrendUnit = trend ? say(trend.trend.unit === "m/year" ? "trend.unit_per_year" : "trend.unit_per_survey", { unit: kShortUnit }) : "";
 const rateOf = (s) => `${figure(toShort(s.rate), 2 + display.short[2])} \u00b1 ${withUnit(toShort(twice(s.sigma)), 2 + display.short[2], kTrendUnit)}`;
 const dated = (name, date) => (date ? `${name} (${date})` : name);
 
