@@ -148,7 +148,7 @@ Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<
 
 bool ShellCounts::isGoodPart() const {
   constexpr double kShare = 0.25;
-  return static_cast<double>(below) > kShare * static_cast<double>(above);
+  return below > 0 && static_cast<double>(below) >= kShare * static_cast<double>(above);
 }
 
 bool ShellCounts::goOn() const {

@@ -7,6 +7,9 @@
 
 namespace tank_datum {
 
+/// Stations that stand to one below which the shell goes on, with fewer of which none stands.
+constexpr std::size_t kAsMany = 2;
+
 /// Points of the shell just below a level, and in as much of it above.
 struct ShellCounts {
   std::size_t below = 0, above = 0;

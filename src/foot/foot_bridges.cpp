@@ -51,26 +51,36 @@ bool goesOnIn(const RingRun& gap, const std::vector<ShellCounts>& counts) {
   return false;
 }
 
+/// A station of which only its points are known.
+StationDatum unknown(const StationDatum& station, Unmeasured reason) {
+  StationDatum missing;
+  missing.direction = station.direction;
+  missing.n_shell = station.n_shell;
+  missing.n_foundation = station.n_foundation;
+  missing.reason = reason;
+  return missing;
+}
+
 /// The stations without a datum in gaps where the shell is seen to go on below: the datum lies lower there, by what is
-/// not known.
+/// not known. Where that is a third of all, what the others lie on is not the foot either.
 /// @param expected  elevation and its standard error at every station, as the others say
 std::vector<StationDatum> withoutGapsAboveShell(std::vector<StationDatum> stations, const Foot& foot,
                                                 const RingProcess& expected) {
   const std::vector<ShellCounts> counts = shellAboutBridges(foot, stations, expected);
   std::vector<char> gap;
   for (const StationDatum& s : stations) gap.push_back(s.flag == StationFlag::Measured ? 0 : 1);
+  std::size_t below = 0;
   for (const RingRun& run : runsRound(gap)) {
     if (!goesOnIn(run, counts)) continue;
     for (std::size_t k = run.first; k <= run.last; ++k) {
       StationDatum& s = stations[k % stations.size()];
-      StationDatum unknown;
-      unknown.direction = s.direction;
-      unknown.n_shell = s.n_shell;
-      unknown.n_foundation = s.n_foundation;
-      unknown.reason = s.reason == Unmeasured::NoShell ? s.reason : Unmeasured::ShellBelow;
-      s = unknown;
+      s = unknown(s, s.reason == Unmeasured::NoShell ? s.reason : Unmeasured::ShellBelow);
+      ++below;
     }
   }
+  const auto measured = static_cast<std::size_t>(std::count(gap.begin(), gap.end(), 0));
+  if (measured >= kAsMany * below) return stations;
+  for (StationDatum& s : stations) s = unknown(s, s.reason == Unmeasured::None ? Unmeasured::OtherSurface : s.reason);
   return stations;
 }
 

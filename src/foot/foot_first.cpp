@@ -113,11 +113,11 @@ double levelBelow(const Foot& foot, std::size_t station, double expected, const 
 }
 
 /// Adds the levels of dips that a section over several degrees smears: in runs of stations where nothing was chosen,
-/// the surface below the level that the neighbours give, unless the shell is seen to end above it. (What lies above
+/// the surface below the level that the neighbours give, where the shell is seen to go down to it. (What lies above
 /// that level may be soil.)
 /// @param chosen  the stretch of every station, null where there is none
 void addDips(const Foot& foot, const std::vector<const FootCandidate*>& chosen, std::vector<double>& guesses) {
-  constexpr std::size_t kEnough = 5;  // points of the shell above the level to tell that it ends there
+  constexpr std::size_t kLongest = 6;  // longer parts of the ring are no dips
   const std::size_t count = guesses.size();
   const std::vector<double> expected = filledUp(guesses);
   std::vector<char> unknown(count);
@@ -129,12 +129,13 @@ void addDips(const Foot& foot, const std::vector<const FootCandidate*>& chosen, 
   }
   const std::vector<double> deep = filledUp(found);  // where a row of points misses a station, the shell may be seen
   for (const RingRun& run : runsRound(unknown)) {
+    if (run.last - run.first >= count / kLongest) continue;
     ShellCounts shell;
     for (std::size_t k = run.first; k <= run.last; ++k) {
       const std::size_t i = k % count;
       if (foot.shell_seen[i]) shell.add(countShell(foot, i, levelAt(foot, expected[i], 0.0), expected[i] - deep[i]));
     }
-    if (shell.above >= kEnough && !shell.isGoodPart()) continue;  // the shell ends above that surface
+    if (!shell.isGoodPart()) continue;  // a surface is seen as well, so that few points of the shell will do
     for (std::size_t k = run.first; k <= run.last; ++k) guesses[k % count] = found[k % count];
   }
 }

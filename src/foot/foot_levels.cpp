@@ -4,7 +4,7 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
-#include "foot/foot_banks.h"
+#include "foot/foot_bends.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
@@ -159,36 +159,6 @@ std::vector<double> sharedSigmas(const FootPass& pass) {
   return shared;
 }
 
-/// Stations about places where the stretches' own levels lie off the process, neighbours to the same side or down to
-/// where the shell is seen to go: the ring bends there as it does nowhere else, and what it does elsewhere is no help
-/// as far as the process is alike.
-std::vector<bool> findBends(const Foot& foot, const OwnFits& own, const RingProcess& process) {
-  constexpr double kFar = 2.5, kAlso = 1.5;  // standard deviations
-  const std::size_t count = own.levels.size();
-  std::vector<std::size_t> middles;
-  std::vector<double> offs;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(own.levels[i])) continue;
-    middles.push_back(i);
-    offs.push_back((own.levels[i] - process.value[i]) /
-                   std::hypot(std::hypot(own.sigmas[i], process.nugget), process.sigma[i]));
-  }
-  const auto reach =
-      std::min(count / 2, static_cast<std::size_t>(process.length / kTwoPi * static_cast<double>(count)));
-  std::vector<bool> bends(count, false);
-  for (std::size_t k = 0; k < middles.size(); ++k) {
-    const double after = offs[(k + 1) % offs.size()], before = offs[(k + offs.size() - 1) % offs.size()];
-    const auto follows = [&](double other) { return std::abs(other) > kAlso && other * offs[k] > 0.0; };
-    const auto goesDown = [&] {
-      return offs[k] < 0.0 && countShell(foot, middles[k], levelAt(foot, process.value[middles[k]], 0.0)).goOn();
-    };
-    if (std::abs(offs[k]) <= kFar || !(follows(after) || follows(before) || goesDown())) continue;
-    for (std::size_t away = 0; away <= reach; ++away)
-      bends[(middles[k] + away) % count] = bends[(middles[k] + count - away) % count] = true;
-  }
-  return bends;
-}
-
 /// Levels without those of steep dips: a process that follows them follows the roughness of the rest as well.
 std::vector<double> withoutDips(std::vector<double> levels, const FootPass& pass) {
   const std::vector<bool>& dips = pass.outliers.dips;
@@ -205,7 +175,7 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
   const OwnFits own = fitStretches(foot, pass, counts);
   FootLevels levels{pass.fits, followRing(withoutDips(own.levels, pass), own.sigmas, kDip * foot.reach)};
   if (!levels.process.valid()) return levels;
-  const std::vector<bool> bends = findBends(foot, own, levels.process);
+  const std::vector<Bend> bends = findBends(foot, own.levels, own.sigmas, levels.process);
   const std::vector<double> shared = sharedSigmas(pass);
   levels.process = withShared(std::move(levels.process), shared);
   const RingProcess& process = levels.process;
@@ -224,9 +194,8 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
       fit.sigma = alone;
       continue;
     }
-    if (bends[i]) {
-      fit = pass.fits[i];
-      fit.sigma = std::hypot(std::hypot(fit.sigma, process.nugget), shared[i]);
+    if (bends[i] != Bend::None) {
+      fit = bentFit(pass.fits[i], process, i, shared[i], bends[i]);
       continue;
     }
     const double gain = own.of_station[i]->sigma / process.sigma[i];

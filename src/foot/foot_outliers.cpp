@@ -95,7 +95,6 @@ bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>
 }  // namespace
 
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
-  constexpr std::size_t kAsMany = 2;  // stations that stand to one below which the shell goes on; else none stands
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
   std::vector<char> before(reasons.size(), 0);

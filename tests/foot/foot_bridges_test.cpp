@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "support/made_feet.h"
 
 namespace tank_datum {
@@ -11,7 +14,8 @@ using namespace made_feet;
 
 /// Stations of a level ring, of which some are not measured; where those are, the shell is seen down to so far below
 /// the others with so many points a station.
-std::vector<StationDatum> bridgedOver(const std::vector<int>& gap, double down_to, int count) {
+std::vector<StationDatum> bridgedOver(const std::vector<int>& gap, double down_to, int count,
+                                      double longest_bridge = StationOptions().longest_bridge) {
   MadeFoot made;
   for (const int s : gap) {
     for (int i = 0; i < count; ++i) made.add(s * made.step(), 0.0, -down_to * (i + 0.5) / count);
@@ -29,7 +33,9 @@ std::vector<StationDatum> bridgedOver(const std::vector<int>& gap, double down_t
     stations[static_cast<std::size_t>(s)].flag = StationFlag::Missing;
     stations[static_cast<std::size_t>(s)].reason = Unmeasured::Hidden;
   }
-  return withGapsBridged(stations, {}, foot, {{{0.0, 0.0}, kRadius}, 1e-4, {}});
+  StationOptions options;
+  options.longest_bridge = longest_bridge;
+  return withGapsBridged(stations, {}, foot, {{{0.0, 0.0}, kRadius}, 1e-4, options});
 }
 
 TEST(WithGapsBridged, AGapWhoseShellEndsAtTheBridgeIsBridged) {
@@ -55,6 +61,19 @@ TEST(WithGapsBridged, ThreeNeighboursTellTogether) {
   };
   EXPECT_FALSE(below({100}, 3)) << "three points of the shell may be stray";
   EXPECT_TRUE(below({100, 101, 102}, 3));
+}
+
+TEST(WithGapsBridged, WhereTheShellGoesOnBelowAThirdOfTheStationsNoneStands) {
+  const auto measured = [](int wide) {
+    std::vector<int> gap;
+    for (int s = 0; s < wide; ++s) gap.push_back(100 + s);
+    const auto stations = bridgedOver(gap, 0.02, 8, kTwoPi / 2.0);
+    return std::count_if(stations.begin(), stations.end(),
+                         [](const StationDatum& s) { return s.flag == StationFlag::Measured; });
+  };
+  EXPECT_EQ(measured(60), 300);
+  EXPECT_EQ(measured(115), 245);
+  EXPECT_EQ(measured(125), 0);
 }
 
 }  // namespace

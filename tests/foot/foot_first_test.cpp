@@ -86,12 +86,13 @@ TEST(FirstElevations, TheTiltOfTheTankDoesNotBlurTheWindowsOfSparseStations) {
   for (const int s : {45, 90, 135}) EXPECT_NEAR(known[static_cast<std::size_t>(s)], tilted(s), 0.001) << s;
 }
 
-/// What is first known of a dip eleven stations wide and 12 mm deep, where a station has so many points on the pad and
-/// the shell is seen down to so far below its neighbours' level.
-double inADip(int count, double shell_down_to) {
+/// What is first known of a dip 12 mm deep in its middle, where a station has so many points on the pad and the shell
+/// is seen to so far below its neighbours' level.
+double inADip(int count, double shell_down_to, double half_width = 6.0) {
   MadeFoot made;
   for (int s = 0; s < 360; ++s) {
-    const double off = std::abs(s - 100) / 6.0, z = off < 1.0 ? -0.012 * std::pow(std::cos(0.5 * kPi * off), 2.0) : 0.0;
+    const double off = std::abs(s - 100) / half_width;
+    const double z = off < 1.0 ? -0.012 * std::pow(std::cos(0.5 * kPi * off), 2.0) : 0.0;
     made.addStation(s, count, 0.014, 0.3, [z](double) { return z; });
     for (double up = std::max(z, -shell_down_to); up < 0.03; up += 0.001) made.add(s * made.step(), 0.0, up);
   }
@@ -101,6 +102,7 @@ double inADip(int count, double shell_down_to) {
 TEST(FirstElevations, ADipIsTakenFromAStationsOwnPointsWhereTheShellIsSeenToGoDownToIt) {
   EXPECT_LT(inADip(6, 0.012), -0.008);
   EXPECT_FALSE(inADip(6, 0.0) < -0.004) << "what lies below may be the ground under a plate that is not seen";
+  EXPECT_FALSE(inADip(4, 0.012) < -0.004) << "five points show a surface";
 }
 
 /// The elevation of stations with so many points 30 mm from the shell, raised by so much, and sixty far out.
