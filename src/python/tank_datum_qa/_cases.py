@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -20,6 +21,16 @@ FILES_OF = {
     "compare": ("movement.json", "movement.csv"),
 }
 """what is compared of each command's results, unless the case says"""
+KEYS = (
+    "command",
+    "files",
+    "fixture",
+    "inputs",
+    "name",
+    "options",
+    "status",
+    "tolerance",
+)
 IGNORE = "ignore"
 OUTPUTS = re.compile(r"-o|--output\b|--timings\b")
 """the options after which a command writes somewhere else"""
@@ -82,13 +93,11 @@ def _rules(where: str, table: Any) -> tuple[tuple[str, float | None], ...]:
         raise _refuse(where, table, "a table of pattern = number")
     rules: list[tuple[str, float | None]] = []
     for pattern, value in table.items():
-        number = (
-            isinstance(value, int | float)
-            and not isinstance(value, bool)
-            and value >= 0
-        )
-        if value != IGNORE and not number:
-            raise _refuse(f"{where}.{pattern}", value, f'a number >= 0 or "{IGNORE}"')
+        whole = isinstance(value, int) and not isinstance(value, bool)
+        number = isinstance(value, float) or (whole and value <= sys.float_info.max)
+        if value != IGNORE and not (number and value >= 0):
+            expected = f'a number >= 0 or "{IGNORE}"'
+            raise _refuse(f"{where}.{pattern}", value, expected)
         rules.append((pattern, None if value == IGNORE else float(value)))
     return tuple(rules)
 
@@ -106,32 +115,49 @@ def _texts(where: str, value: Any, least: int) -> tuple[str, ...]:
         raise _refuse(where, value, "a list of texts")
     if len(value) < least:
         raise _refuse(where, value, f"at least {least}")
+    for text in value:
+        if "\0" in text:
+            raise _refuse(where, text, "texts without the character NUL")
     return tuple(value)
+
+
+def _files(where: str, value: Any) -> tuple[str, ...]:
+    """Names in the folder of results itself, which no link of a path leads out of."""
+    files = _texts(where, value, 1)
+    for file in files:
+        if Path(file).name != file or file in ("", ".."):
+            raise _refuse(where, file, "names of files in the fixture")
+    return files
+
+
+def _options(where: str, value: Any) -> tuple[str, ...]:
+    options = _texts(where, value, 0)
+    for option in options:
+        if OUTPUTS.match(option):
+            raise _refuse(where, option, "no option that names an output")
+    return options
+
+
+def _inputs(where: str, value: Any, command: str) -> tuple[str, ...]:
+    inputs = _texts(where, value, 2 if command == "compare" else 1)
+    if command == "levelling" and len(inputs) > 1:
+        raise _refuse(where, list(inputs), "one table of stations")
+    return inputs
 
 
 def _case(
     where: str, table: Any, root: Path, common: tuple[tuple[str, float | None], ...]
 ) -> Case:
-    known = {
-        "name",
-        "command",
-        "inputs",
-        "options",
-        "fixture",
-        "status",
-        "files",
-        "tolerance",
-    }
     if not isinstance(table, dict):
         raise _refuse(where, table, "a table")
     for key in table:
-        if key not in known:
-            raise _refuse(where, key, f"one of {', '.join(sorted(known))}")
+        if key not in KEYS:
+            raise _refuse(where, key, f"one of {', '.join(KEYS)}")
     name = table.get("name")
     if not (isinstance(name, str) and name):
         raise _refuse(f"{where}.name", name, "a text")
     status = table.get("status", 0)
-    if status not in (0, 1):
+    if isinstance(status, bool) or status not in (0, 1):
         raise _refuse(f"{name}.status", status, "0 or 1: other runs leave no results")
     fixture = table.get("fixture", name)
     if not (isinstance(fixture, str) and _is_below(root, root / fixture)):
@@ -139,31 +165,18 @@ def _case(
             f"{name}.fixture", fixture, "the name of a folder below the cases file's"
         )
     command = table.get("command", "extract")
-    if command not in FILES_OF:
+    if not isinstance(command, str) or command not in FILES_OF:
         raise _refuse(f"{name}.command", command, "extract, compare or levelling")
-    files = _texts(f"{name}.files", table.get("files", list(FILES_OF[command])), 1)
-    for file in files:
-        if Path(file).name != file:
-            raise _refuse(f"{name}.files", file, "names of files in the fixture")
-    options = _texts(f"{name}.options", table.get("options", []), 0)
-    for option in options:
-        if OUTPUTS.match(option):
-            raise _refuse(f"{name}.options", option, "no option that names an output")
     own = _rules(f"{name}.tolerance", table.get("tolerance", {}))
-    inputs = _texts(
-        f"{name}.inputs", table.get("inputs"), 2 if command == "compare" else 1
-    )
-    if command == "levelling" and len(inputs) > 1:
-        raise _refuse(f"{name}.inputs", list(inputs), "one table of stations")
     return Case(
         name=name,
-        inputs=inputs,
+        inputs=_inputs(f"{name}.inputs", table.get("inputs"), command),
         fixture=root / fixture,
         root=root,
         command=command,
-        options=options,
+        options=_options(f"{name}.options", table.get("options", [])),
         status=status,
-        files=files,
+        files=_files(f"{name}.files", table.get("files", list(FILES_OF[command]))),
         tolerances=Tolerances(own + common, len(own)),
     )
 
