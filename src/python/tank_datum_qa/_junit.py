@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
 from tank_datum_qa._result_folder import ResultFolder
 from tank_datum_qa._run import Outcome
+
+NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write_junit(path: Path, outcomes: list[Outcome]) -> None:
@@ -21,17 +24,22 @@ def write_junit(path: Path, outcomes: list[Outcome]) -> None:
             suite,
             "testcase",
             classname=f"qa.{outcome.case.command}",
-            name=outcome.case.name,
+            name=_xml_text(outcome.case.name),
             time=f"{outcome.seconds:.3f}",
         )
         if not outcome.passed:
             failure = ElementTree.SubElement(
-                case, "failure", message=_headline(outcome)
+                case, "failure", message=_xml_text(_headline(outcome))
             )
-            failure.text = "\n".join(outcome.lines(failed_only=True))
+            failure.text = _xml_text("\n".join(outcome.lines(failed_only=True)))
     with ResultFolder(path.parent, "qa", own=is_junit) as new:
         tree = ElementTree.ElementTree(suite)
         tree.write(new / path.name, encoding="utf-8", xml_declaration=True)
+
+
+def _xml_text(text: str) -> str:
+    """A text without the characters that XML has no place for, which are escaped."""
+    return NO_XML.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def _headline(outcome: Outcome) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import os
 import shlex
 import sys
@@ -12,6 +13,7 @@ from pathlib import Path
 import tank_datum_qa
 from tank_datum_qa._cases import Case, CasesError, read_cases
 from tank_datum_qa._junit import write_junit
+from tank_datum_qa._programs import stop_programs
 from tank_datum_qa._result_folder import OutputIsInputError, require_apart
 from tank_datum_qa._result_journal import ResultError
 from tank_datum_qa._run import (
@@ -21,7 +23,7 @@ from tank_datum_qa._run import (
     refuse_unused,
     run_case,
 )
-from tank_datum_qa._scratch import exit_on_signals, scratch, stop_programs
+from tank_datum_qa._scratch import exit_on_signals, scratch
 
 PASSED, FAILED, WRONG_USE = 0, 1, 2
 
@@ -124,7 +126,15 @@ def junit_failure(options: argparse.Namespace, outcomes: list[Outcome]) -> str:
     return ""
 
 
+def escape_what_cannot_be_shown() -> None:
+    """A character that the terminal has no place for ends no run."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+
+
 def main(arguments: list[str] | None = None) -> int:
+    escape_what_cannot_be_shown()
     options = parsed(sys.argv[1:] if arguments is None else arguments)
     exit_on_signals()
     try:

@@ -12,9 +12,9 @@ from pathlib import Path
 
 from tank_datum_qa._cases import Case, CasesError, unused_rules
 from tank_datum_qa._compare import Change, compare, values_of
+from tank_datum_qa._programs import run as run_program
 from tank_datum_qa._result_folder import ResultFolder
 from tank_datum_qa._result_journal import ResultError, settle_to_read
-from tank_datum_qa._scratch import run as run_program
 
 HEADER = ("file", "key", "what", "values", "largest", "allowed", "where", "verdict")
 
@@ -109,10 +109,10 @@ def _run_and_compare(
 ) -> None:
     case = outcome.case
     call = words_of(case, program, results)
-    run = run_program(call, case.root)
-    if run.returncode != case.status:
-        said = run.stderr.strip() or "nothing on stderr"
-        outcome.error = f"exit status {run.returncode}, expected {case.status}: {said}"
+    status, said = run_program(call, case.root)
+    if status != case.status:
+        said = said or "nothing on stderr"
+        outcome.error = f"exit status {status}, expected {case.status}: {said}"
         return
     settle_to_read(case.fixture, "qa")
     outcome.changes = compare(case, results)

@@ -1,4 +1,4 @@
-"""A folder for the while, and the programs that run in it: neither outlives the run."""
+"""A folder for the while, which does not outlive the run, and what ends a run from outside."""
 
 from __future__ import annotations
 
@@ -6,12 +6,10 @@ import fcntl
 import os
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
-import threading
 import time
-from collections.abc import Generator, Sequence
+from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
@@ -20,9 +18,6 @@ from tank_datum_qa._result_journal import no_stop
 
 PREFIX = "tank_datum_qa-"
 SETTLED = 60.0  # seconds after which a folder without a lock is no longer being made
-
-_running: set[subprocess.Popen[str]] = set()
-_stopped = threading.Event()
 
 
 @contextmanager
@@ -62,32 +57,6 @@ def clear_stale(place: Path) -> None:
             pass  # its run lives
         finally:
             os.close(lock)
-
-
-def run(words: Sequence[str], folder: Path) -> subprocess.CompletedProcess[str]:
-    """Runs a program to its end, or until stop_programs."""
-    with subprocess.Popen(
-        words,
-        cwd=folder,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as program:
-        _running.add(program)
-        try:
-            if _stopped.is_set():
-                program.terminate()
-            out, said = program.communicate()
-        finally:
-            _running.discard(program)
-    return subprocess.CompletedProcess(words, program.returncode, out, said)
-
-
-def stop_programs() -> None:
-    """Ends what runs; they clean up themselves."""
-    _stopped.set()
-    for program in list(_running):
-        program.terminate()
 
 
 def exit_on_signals() -> None:
