@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from tank_datum_qa._cases import Case, Tolerances
-
-Scalar = str | float | bool | None
+from tank_datum_qa._values import Scalar, Table, csv_table, csv_value, json_values
 
 
 @dataclass(frozen=True)
@@ -45,17 +42,6 @@ class Change:
         )
 
 
-def _flat(value: Any, path: str = "") -> Iterator[tuple[str, Scalar]]:
-    if isinstance(value, dict):
-        for key, inner in value.items():
-            yield from _flat(inner, f"{path}.{key}" if path else key)
-    elif isinstance(value, list):
-        for index, inner in enumerate(value):
-            yield from _flat(inner, f"{path}.{index}" if path else str(index))
-    else:
-        yield path, value
-
-
 def _numbers(a: Scalar, b: Scalar) -> bool:
     return all(isinstance(v, int | float) and not isinstance(v, bool) for v in (a, b))
 
@@ -63,8 +49,12 @@ def _numbers(a: Scalar, b: Scalar) -> bool:
 def _difference(a: Scalar, b: Scalar) -> float | None:
     """How far two values are apart: 0 when equal, None when that is no number."""
     if not _numbers(a, b):
+        same = a == b and isinstance(a, bool) == isinstance(b, bool)  # true is not 1
+        return 0.0 if same else None
+    try:
+        one, other = float(a), float(b)  # type: ignore[arg-type]
+    except OverflowError:  # a whole number beyond all others
         return 0.0 if a == b else None
-    one, other = float(a), float(b)  # type: ignore[arg-type]
     apart = abs(one - other)
     if math.isfinite(apart):
         return apart
@@ -138,8 +128,8 @@ def compare_json(
     file: str, fixture: Path, result: Path, tolerances: Tolerances
 ) -> list[Change]:
     """Every key of two JSON files, nested ones as a.b; arrays as one, a.*.b."""
-    old = dict(_flat(json.loads(fixture.read_text(encoding="utf-8"))))
-    new = dict(_flat(json.loads(result.read_text(encoding="utf-8"))))
+    old = json_values(fixture)
+    new = json_values(result)
     changes = [
         *_only_in(file, [k for k in old if k not in new], "is missing", tolerances)
     ]
@@ -152,26 +142,27 @@ def compare_json(
     return changes + [change for change in columns if change]
 
 
-def _cell(text: str) -> Scalar:
-    try:
-        number = float(text)
-    except ValueError:
-        return text
-    return number if math.isfinite(number) else text
-
-
-def _table(path: Path) -> tuple[list[str], list[list[str]]]:
-    with path.open(newline="", encoding="utf-8") as lines:
-        rows = list(csv.reader(lines))
-    return (rows[0], rows[1:]) if rows else ([], [])
+def _surplus(
+    file: str, old: Table, new: Table, tolerances: Tolerances
+) -> Iterator[Change]:
+    """The rows whose cells beyond the last column differ."""
+    (old_names, old_rows), (new_names, new_rows) = old, new
+    places = [
+        f"row {i + 1}"
+        for i, (one, other) in enumerate(zip(old_rows, new_rows, strict=True))
+        if one[len(old_names) :] != other[len(new_names) :]
+    ]
+    if places and tolerances.of(file, "") is not None:
+        what = "cells beyond the columns differ"
+        yield Change(file, "", what, len(places), where=places[0])
 
 
 def compare_csv(
     file: str, fixture: Path, result: Path, tolerances: Tolerances
 ) -> list[Change]:
     """Every column of two CSV files, row by row."""
-    old_names, old_rows = _table(fixture)
-    new_names, new_rows = _table(result)
+    old_names, old_rows = old = csv_table(fixture)
+    new_names, new_rows = new = csv_table(result)
     changes: list[Change | None] = [
         Change(file, name, "is missing") for name in old_names if name not in new_names
     ]
@@ -184,10 +175,13 @@ def compare_csv(
     for name in (n for n in old_names if n in new_names):
         old_at, new_at = old_names.index(name), new_names.index(name)
         pairs = [
-            _Pair(name, f"row {i + 1}", _cell(old[old_at]), _cell(new[new_at]))
-            for i, (old, new) in enumerate(zip(old_rows, new_rows, strict=True))
+            _Pair(
+                name, f"row {i + 1}", csv_value(one, old_at), csv_value(other, new_at)
+            )
+            for i, (one, other) in enumerate(zip(old_rows, new_rows, strict=True))
         ]
         changes.append(_column(file, name, pairs, tolerances))
+    changes += _surplus(file, old, new, tolerances)
     return [change for change in changes if change]
 
 
@@ -206,7 +200,7 @@ def compare_file(
             return compare_json(file, fixture, result, tolerances)
         if file.endswith(".csv"):
             return compare_csv(file, fixture, result, tolerances)
-    except (ValueError, IndexError) as error:
+    except ValueError as error:
         return [Change(file, "", f"cannot be read: {error}")]
     if fixture.read_bytes() == result.read_bytes():
         return []
@@ -229,9 +223,8 @@ def values_of(case: Case, results: Path) -> Iterator[tuple[str, str]]:
         for path in (case.fixture / file, results / file):
             try:
                 if file.endswith(".json"):
-                    text = path.read_text(encoding="utf-8")
-                    yield from ((file, key) for key, _ in _flat(json.loads(text)))
+                    yield from ((file, key) for key in json_values(path))
                 elif file.endswith(".csv"):
-                    yield from ((file, name) for name in _table(path)[0])
+                    yield from ((file, name) for name in csv_table(path)[0])
             except (OSError, ValueError):
                 continue

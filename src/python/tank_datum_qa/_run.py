@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import sys
@@ -15,6 +14,7 @@ from tank_datum_qa._compare import Change, compare, values_of
 from tank_datum_qa._programs import run as run_program
 from tank_datum_qa._result_folder import ResultFolder
 from tank_datum_qa._result_journal import ResultError, settle_to_read
+from tank_datum_qa._values import read_json
 
 HEADER = ("file", "key", "what", "values", "largest", "allowed", "where", "verdict")
 
@@ -144,7 +144,7 @@ def is_result(folder: Path) -> bool:
         ("movement.json", {"schema", "version", "surveys", "movements"}),
     ):
         try:
-            table = json.loads((folder / name).read_bytes())
+            table = read_json(folder / name)
         except (OSError, ValueError):
             continue
         if isinstance(table, dict) and keys <= table.keys():
