@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree
 
-from tank_datum_qa._result_folder import ResultFolder
+from tank_datum_qa._output_file import write_output
 from tank_datum_qa._run import Outcome
 
 NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -32,9 +32,8 @@ def write_junit(path: Path, outcomes: list[Outcome]) -> None:
                 case, "failure", message=_xml_text(_headline(outcome))
             )
             failure.text = _xml_text("\n".join(outcome.lines(failed_only=True)))
-    with ResultFolder(path.parent, "qa", own=is_junit) as new:
-        tree = ElementTree.ElementTree(suite)
-        tree.write(new / path.name, encoding="utf-8", xml_declaration=True)
+    text = ElementTree.tostring(suite, encoding="utf-8", xml_declaration=True)
+    write_output(path, text, "qa", is_junit)
 
 
 def _xml_text(text: str) -> str:

@@ -238,10 +238,12 @@ def require_apart(inputs: list[Path], outputs: list[Path]) -> None:
     """Raises OutputIsInputError for an output that is, links to or is a hard link of an input."""
     for output in outputs:
         for path in inputs:
-            there = output.exists() and path.exists()
-            same = (
-                output.samefile(path) if there else output.resolve() == path.resolve()
-            )
-            if same:
+            if _is_same(output, path):
                 what = "expected a place outside of the inputs"
                 raise OutputIsInputError(f"{output}, the input {path}, {what}")
+
+
+def _is_same(one: Path, other: Path) -> bool:
+    if os.path.exists(one) and os.path.exists(other):
+        return os.path.samefile(one, other)
+    return os.path.realpath(one) == os.path.realpath(other)
