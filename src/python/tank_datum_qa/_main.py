@@ -13,6 +13,7 @@ from pathlib import Path
 import tank_datum_qa
 from tank_datum_qa._cases import Case, CasesError, read_cases
 from tank_datum_qa._junit import write_junit
+from tank_datum_qa._order import rounds_of
 from tank_datum_qa._programs import stop_programs
 from tank_datum_qa._result_folder import OutputIsInputError, require_apart
 from tank_datum_qa._result_journal import ResultError
@@ -78,17 +79,19 @@ def chosen(options: argparse.Namespace) -> list[Case]:
 
 
 def run_all(cases: list[Case], options: argparse.Namespace) -> list[Outcome]:
+    """The outcomes in the order of the cases. Raises CasesError."""
     programs = programs_of(options.command)
+    rounds = rounds_of(cases) if options.update else [cases]
+    outcomes: dict[str, Outcome] = {}
     with scratch() as place, ThreadPoolExecutor(options.jobs) as pool:
-        jobs = []
         try:
-            for number, case in enumerate(cases):
-                folder = place / str(number)
-                folder.mkdir()
-                jobs.append(
-                    pool.submit(run_case, case, programs, folder, update=options.update)
-                )
-            return [job.result() for job in jobs]
+            for together in rounds:
+                jobs = [
+                    pool.submit(run_case, case, programs, place, update=options.update)
+                    for case in together
+                ]
+                outcomes |= {job.result().case.name: job.result() for job in jobs}
+            return [outcomes[case.name] for case in cases]
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             stop_programs()

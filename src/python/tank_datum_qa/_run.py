@@ -5,16 +5,16 @@ from __future__ import annotations
 import os
 import shutil
 import sys
+import tempfile
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from tank_datum_qa._cases import Case, CasesError, unused_rules
 from tank_datum_qa._compare import Change, compare, values_of
+from tank_datum_qa._fixture import rewrite
 from tank_datum_qa._programs import run as run_program
-from tank_datum_qa._result_folder import ResultFolder
 from tank_datum_qa._result_journal import ResultError, settle_to_read
-from tank_datum_qa._values import read_json
 
 HEADER = ("file", "key", "what", "values", "largest", "allowed", "where", "verdict")
 
@@ -91,10 +91,13 @@ def words_of(case: Case, program: str, results: Path) -> list[str]:
 def run_case(
     case: Case, programs: dict[str, str], folder: Path, *, update: bool
 ) -> Outcome:
-    """Runs a case into a folder of its own and compares; with `update` the fixture follows."""
-    outcome, results = Outcome(case), folder / "results"
+    """Runs a case into a new folder in this one, and compares; with `update` the fixture follows."""
+    outcome = Outcome(case)
     began = time.monotonic()
     try:
+        results = (
+            Path(tempfile.mkdtemp(prefix="tank_datum_qa-", dir=folder)) / "results"
+        )
         _run_and_compare(outcome, programs[case.command], results, update=update)
     except ResultError as error:
         outcome.error = str(error)
@@ -125,31 +128,6 @@ def _run_and_compare(
         return
     if update and outcome.changes:
         outcome.updated = rewrite(case, results)
-
-
-def rewrite(case: Case, results: Path) -> list[str]:
-    """Puts the results in the fixture's place, all or none; others' files keep another name."""
-    written = [file for file in case.files if (results / file).exists()]
-    ours = is_result(case.fixture)
-    with ResultFolder(case.fixture, "qa", own=lambda _: ours) as new:
-        for file in written:
-            shutil.copyfile(results / file, new / file)
-    return written
-
-
-def is_result(folder: Path) -> bool:
-    """Whether a folder's datum.json or movement.json is one of tank_datum."""
-    for name, keys in (
-        ("datum.json", {"schema", "version", "input", "status"}),
-        ("movement.json", {"schema", "version", "surveys", "movements"}),
-    ):
-        try:
-            table = read_json(folder / name)
-        except (OSError, ValueError):
-            continue
-        if isinstance(table, dict) and keys <= table.keys():
-            return True
-    return False
 
 
 def refuse_unused(outcomes: list[Outcome]) -> None:
