@@ -181,13 +181,18 @@ def _case(
     )
 
 
+def named(path: str | Path) -> Path:
+    """A cases file by its absolute path, to whose folder its paths are relative: links stay."""
+    return Path(os.path.abspath(path))
+
+
 def read_cases(path: Path) -> list[Case]:
     """The cases of a TOML file: tables [[case]], and [tolerance] for all of them.
 
     Raises CasesError when the file cannot be read or does not say what it must.
     """
     try:
-        return _checked(Path(os.path.abspath(path)))
+        return _checked(named(path))
     except RecursionError:
         deep = "values too deep in each other"
         raise _refuse(str(path), deep, "a cases file (TOML)") from None

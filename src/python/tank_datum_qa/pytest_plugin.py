@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tank_datum_qa import RunCase
-from tank_datum_qa._cases import Case, CasesError, read_cases
+from tank_datum_qa._cases import Case, CasesError, named, read_cases
 from tank_datum_qa._run import (
     Outcome,
     default_command,
@@ -42,7 +42,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def _files(config: pytest.Config) -> list[Path]:
     given = config.getoption("--tank-datum-cases") or []
-    return [Path(path).resolve() for path in given]
+    return [named(path) for path in given]
 
 
 def pytest_configure(config: pytest.Config) -> None:
