@@ -1,12 +1,18 @@
 # tank_datum_add_qa(<cases file> [NAME <test>] [COMMAND <tank_datum>] [ARGS <argument>...])
 # A test that runs the cases of a file as tank_datum_qa does: passed when all results are within tolerance. NAME is that
-# of the test, by default the file's without its ending; COMMAND the program, by default the installed one; ARGS further
-# arguments of tank_datum_qa, such as --junit FILE. The file is relative to the calling CMakeLists.txt.
+# of the test, by default the file's without its ending; COMMAND the program, by default the installed one: a path, a name
+# on the path, a target or a generator expression; ARGS further arguments of tank_datum_qa, such as --junit FILE. File
+# and program are relative to the calling CMakeLists.txt.
 function(tank_datum_add_qa cases)
   cmake_parse_arguments(PARSE_ARGV 1 qa "" "NAME;COMMAND" "ARGS")
   if(qa_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "tank_datum_add_qa: ${qa_UNPARSED_ARGUMENTS}, expected NAME, COMMAND or ARGS")
   endif()
+  foreach(word IN ITEMS NAME COMMAND)
+    if(word IN_LIST ARGN AND "${qa_${word}}" STREQUAL "")
+      message(FATAL_ERROR "tank_datum_add_qa: ${word}, expected a value behind it")
+    endif()
+  endforeach()
   cmake_path(ABSOLUTE_PATH cases BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   if(NOT EXISTS "${cases}")
     message(FATAL_ERROR "tank_datum_add_qa: ${cases}, expected a file of cases")
@@ -14,11 +20,30 @@ function(tank_datum_add_qa cases)
   if(NOT qa_NAME)
     cmake_path(GET cases STEM qa_NAME)
   endif()
-  if(NOT qa_COMMAND)
+  if(NOT DEFINED qa_COMMAND)
     set(qa_COMMAND ${tank_datum_COMMAND})
   endif()
+  tank_datum_find_command(program "${qa_COMMAND}")
   find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
   add_test(NAME ${qa_NAME}
-           COMMAND ${Python3_EXECUTABLE} -m tank_datum_qa ${cases} --command ${qa_COMMAND} ${qa_ARGS})
+           COMMAND ${Python3_EXECUTABLE} -m tank_datum_qa ${cases} --command ${program} ${qa_ARGS})
   set_tests_properties(${qa_NAME} PROPERTIES ENVIRONMENT "PYTHONPATH=${tank_datum_QA_DIR}")
+endfunction()
+
+# Sets a variable to where a COMMAND is; of a target or a generator expression that is known when tests are made.
+function(tank_datum_find_command result command)
+  string(GENEX_STRIP "${command}" plain)
+  if(TARGET "${command}")
+    set(found $<TARGET_FILE:${command}>)
+  elseif(NOT plain STREQUAL command)
+    set(found "${command}")
+  else()
+    unset(_tank_datum_qa_program)
+    find_program(_tank_datum_qa_program NAMES "${command}" PATHS ${CMAKE_CURRENT_SOURCE_DIR} NO_CACHE)
+    if(NOT _tank_datum_qa_program)
+      message(FATAL_ERROR "tank_datum_add_qa: COMMAND ${command}, expected a program, a target or a generator expression")
+    endif()
+    set(found "${_tank_datum_qa_program}")
+  endif()
+  set(${result} "${found}" PARENT_SCOPE)
 endfunction()

@@ -103,6 +103,29 @@ def test_pyright_is_content(project: Path) -> None:
     assert "0 errors, 0 warnings" in result.stdout
 
 
+RIGHT = """
+import numpy as np
+import tank_datum
+
+one, other = np.zeros((9, 3), np.float32), np.zeros((9, 3))
+setups = np.zeros(9, np.int64)
+tank_datum.extract_datum([one, other])
+tank_datum.extract_datums((one, other))
+tank_datum.find_tanks([one, (other, 2), (one, setups)])
+tank_datum.extract_datum(block for block in (one, other))
+tank_datum.extract_datum(["north.pcd", "south.pcd"]).plot("covariance")
+"""
+
+
+@pytest.mark.parametrize("checker", [mypy, pyright])
+def test_lists_of_arrays_of_two_types_are_right(project: Path, checker: object) -> None:
+    (project / "right.py").write_text(RIGHT)
+    assert callable(checker)
+    result = checker(project, "right.py")
+    (project / "right.py").unlink()
+    assert result.returncode == 0, result.stdout
+
+
 WRONG = """
 import tank_datum
 
@@ -110,6 +133,8 @@ tank_datum.extract_datum("scan.pcd", stations="many")
 tank_datum.extract_datums("scan.pcd", search="octree")
 tank_datum.find_tanks("scan.pcd", colour="red")
 tank_datum.extract_datum("scan.pcd").tilt.colour
+tank_datum.extract_datum("scan.pcd").plot("pie")
+tank_datum.extract_datum([1, 2])
 """
 
 
@@ -120,5 +145,5 @@ def test_a_wrong_option_is_seen(project: Path, checker: object) -> None:
     result = checker(project, "wrong.py")
     (project / "wrong.py").unlink()
     assert result.returncode == 1
-    for line in (4, 5, 6, 7):
+    for line in (4, 5, 6, 7, 8, 9):
         assert f"wrong.py:{line}:" in result.stdout, result.stdout

@@ -22,6 +22,8 @@ from tank_datum._figures import Figures
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from tank_datum._plot import Chart
+
 
 class Datum(Figures):
     """What a scan gave: one row of `stations` per azimuth, and what their shape means.
@@ -146,7 +148,7 @@ class Datum(Figures):
             )
         _core.save_page(to, page)
 
-    def plot(self, kind: str = "elevation", axes: Axes | None = None) -> Axes:
+    def plot(self, kind: Chart = "elevation", axes: Axes | None = None) -> Axes:
         """One of the report's charts with matplotlib (the extra `plot`).
 
         kind: elevation, out_of_plane, curvature, sigma, plan, residuals, roundness, plumbness,

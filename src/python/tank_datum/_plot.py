@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,18 @@ if TYPE_CHECKING:
     from tank_datum._datum import Datum
     from tank_datum._record import Record
 
+Chart = Literal[
+    "elevation",
+    "out_of_plane",
+    "curvature",
+    "sigma",
+    "plan",
+    "residuals",
+    "roundness",
+    "plumbness",
+    "movement",
+    "covariance",
+]
 MM = 1e3
 LIMIT_95 = 1.96
 
@@ -191,7 +203,7 @@ def _sigma(datum: Datum, kind: str, axes: Axes) -> None:
     _line(datum, kind, axes, "sigma_z", "standard error of z [mm]", MM)
 
 
-KINDS: dict[str, Callable[[Datum, str, Axes], None]] = {
+KINDS: dict[Chart, Callable[[Datum, str, Axes], None]] = {
     "elevation": _elevation,
     "out_of_plane": _out_of_plane,
     "curvature": _curvature,
@@ -211,7 +223,7 @@ def _new_axes() -> Axes:
     return axes
 
 
-def draw(datum: Datum, kind: str, axes: Axes | None) -> Axes:
+def draw(datum: Datum, kind: Chart, axes: Axes | None) -> Axes:
     """One chart; see Datum.plot."""
     if not isinstance(kind, str) or kind not in KINDS:
         said = kind if isinstance(kind, str) else short(kind)

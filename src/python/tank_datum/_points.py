@@ -22,8 +22,9 @@ Scans = str | os.PathLike[str]
 Points = (
     Scans
     | NDArray[Any]
-    | Sequence[Scans]
-    | Sequence[Block]
+    | Sequence[
+        Scans | Block
+    ]  # of one kind; mypy takes two Sequences for a list of objects
     | Iterator[Block]
     | Callable[[], Iterable[Block]]
 )
