@@ -1,6 +1,7 @@
 #include "foot/foot_bridges.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/parallel.h"
 #include "core/ring_runs.h"
@@ -10,19 +11,43 @@
 namespace tank_datum {
 namespace {
 
-/// The stations with the short gaps among them bridged: over the shell, and where there is one along the process.
+/// Whether a measured station lies on the process.
+bool follows(const StationDatum& station, const RingProcess& process, std::size_t at) {
+  constexpr double kFar = 3.0;  // standard errors
+  return std::abs(station.z - process.value[at]) <= kFar * std::hypot(station.sigma_z, process.sigma[at]);
+}
+
+/// Bridges a gap along the process. Where a station beside it lies off that, as in a dip, straight from side to side,
+/// with a sigma that holds both.
+void bridgeAlong(const RingProcess& process, const RingRun& gap, std::vector<StationDatum>& stations) {
+  constexpr double kEither = 0.3;  // of the difference: the line is right, or the process
+  const std::size_t count = stations.size(), before = (gap.first + count - 1) % count, after = (gap.last + 1) % count;
+  const StationDatum a = stations[before], b = stations[after];
+  const bool along = follows(a, process, before) && follows(b, process, after);
+  for (std::size_t k = gap.first; k <= gap.last; ++k) {
+    StationDatum& s = stations[k % count];
+    const double expected = process.value[k % count], sigma = std::max(s.sigma_z, process.sigma[k % count]);
+    const double share = static_cast<double>(k + 1 - gap.first) / static_cast<double>(gap.last + 2 - gap.first);
+    const double line = (1.0 - share) * a.z + share * b.z;
+    s.z = along ? expected : line;
+    s.sigma_z = along ? sigma : std::hypot(sigma, kEither * (line - expected));
+  }
+}
+
+/// The stations with the short gaps among them bridged.
 std::vector<StationDatum> bridged(std::vector<StationDatum> stations, const RingProcess& process,
                                   const BridgeScales& scales) {
   std::vector<bool> measured;
   for (const StationDatum& s : stations) measured.push_back(s.flag == StationFlag::Measured);
   const std::vector<StationFlag> flags = flagsOf(measured, scales.stations);
-  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].flag = flags[i];
-  stations = bridgeGaps(stations, scales.circle.center, scales.sigma_bend);
-  for (std::size_t i = 0; i < stations.size() && process.valid(); ++i) {
-    if (stations[i].flag != StationFlag::Interpolated) continue;
-    stations[i].z = process.value[i];
-    stations[i].sigma_z = std::max(stations[i].sigma_z, process.sigma[i]);
+  std::vector<char> gaps;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    stations[i].flag = flags[i];
+    gaps.push_back(flags[i] == StationFlag::Interpolated ? 1 : 0);
   }
+  stations = bridgeGaps(stations, scales.circle.center, scales.sigma_bend);
+  if (!process.valid()) return stations;
+  for (const RingRun& gap : runsRound(gaps)) bridgeAlong(process, gap, stations);
   return stations;
 }
 
@@ -32,10 +57,10 @@ std::vector<ShellCounts> shellAboutBridges(const Foot& foot, const std::vector<S
   std::vector<ShellCounts> counts(stations.size());
   forEachIndex(stations.size(), 0, [&](std::size_t i) {
     const StationDatum& s = stations[i];
-    const bool bridged = s.flag == StationFlag::Interpolated;
-    if (s.flag == StationFlag::Measured || !foot.shell_seen[i] || !(bridged || expected.valid())) return;
+    const bool is_bridged = s.flag == StationFlag::Interpolated;
+    if (s.flag == StationFlag::Measured || !foot.shell_seen[i] || !(is_bridged || expected.valid())) return;
     counts[i] = countShell(
-        foot, i, bridged ? levelAt(foot, s.z, s.sigma_z) : levelAt(foot, expected.value[i], expected.sigma[i]));
+        foot, i, is_bridged ? levelAt(foot, s.z, s.sigma_z) : levelAt(foot, expected.value[i], expected.sigma[i]));
   });
   return counts;
 }

@@ -55,6 +55,26 @@ TEST(WithGapsBridged, AGapBelowWhoseBridgeTheShellGoesOnHasNoDatum) {
   EXPECT_EQ(stations[99].flag, StationFlag::Measured);
 }
 
+/// What bridges two stations of a ring at 0 along a process at 0, where the stations beside them lie so far lower.
+StationDatum bridgeBetween(double low) {
+  MadeFoot made;
+  const Foot& foot = made.foot();
+  std::vector<StationDatum> stations = bridgedOver({}, 0.0, 1);
+  for (const std::size_t i : {99U, 102U}) stations[i].z = -low;
+  for (const std::size_t i : {100U, 101U}) stations[i] = {};
+  RingProcess process;
+  process.amplitude = 0.001, process.length = 0.1;
+  process.value.assign(360, 0.0), process.sigma.assign(360, 0.0001);
+  return withGapsBridged(stations, process, foot, {{{0.0, 0.0}, kRadius}, 1e-9, {}})[100];
+}
+
+TEST(WithGapsBridged, FollowTheProcessUnlessTheStationsBesideDoNot) {
+  EXPECT_EQ(bridgeBetween(0.0006).z, 0.0);
+  EXPECT_NEAR(bridgeBetween(0.0008).z, -0.0008, 1e-9);
+  EXPECT_NEAR(bridgeBetween(0.020).sigma_z, 0.3 * 0.020, 0.0001);
+  EXPECT_LT(bridgeBetween(0.0006).sigma_z, 0.0005);
+}
+
 TEST(WithGapsBridged, ThreeNeighboursTellTogether) {
   const auto below = [](const std::vector<int>& gap, int count) {
     return bridgedOver(gap, 0.02, count)[100].reason == Unmeasured::ShellBelow;
