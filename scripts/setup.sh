@@ -2,6 +2,12 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+# --help of a script is the comment that it begins with; nothing is installed or built for it.
+if [ "$*" = --help ] || [ "$*" = -h ]; then
+  sed -n -e 1d -e '/^#/!q' -e 's/^# \{0,1\}//p' "$0"
+  exit 0
+fi
+
 say() { printf '== %s\n' "$*" >&2; }
 
 # by_hand PACKAGE...: ends with what is to be installed otherwise.

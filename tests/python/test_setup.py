@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -33,3 +34,26 @@ def test_packages_that_cannot_be_installed_are_named(tmp_path: Path, call: str) 
     said = done.stderr.splitlines()
     assert said[0] == "== installing packages: one two"
     assert said[-1].endswith("install these, then run this again: one two")
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        pytest.param(path, id=path.name)
+        for path in sorted((ROOT / "scripts").iterdir())
+        if path.is_file() and os.access(path, os.X_OK) and "/setup.sh" in path.read_text()
+    ],
+)
+def test_help_is_what_a_script_begins_with(tmp_path: Path, script: Path) -> None:
+    """Without anything to install or build with: PATH holds bash, sed and dirname only."""
+    for name in ("bash", "sed", "dirname"):
+        (tmp_path / name).symlink_to(shutil.which(name) or name)
+    done = subprocess.run(
+        [str(tmp_path / "bash"), str(script), "--help"],
+        env={"PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    assert done.stdout.startswith(f"./scripts/{script.name}")
