@@ -143,6 +143,9 @@ Check judged(Check check, const Limit& limit, const Measure& measure, const Tank
   if (check.interval.known() && check.value > check.interval.high) {
     addClause(check.note, "errors of the survey raise the figure above its interval");
   }
+  if (check.interval.known() && check.value < check.interval.low) {
+    addClause(check.note, "the figure smooths local settlement that its interval holds");
+  }
   addClause(check.note, measure.note);
   return check;
 }

@@ -157,6 +157,14 @@ TEST(Judge, AFigureAboveItsIntervalSaysWhy) {
   EXPECT_NE(one(kTilt, {m}).note.find("errors of the survey raise the figure above its interval"), std::string::npos);
 }
 
+TEST(Judge, AFigureBelowItsIntervalSaysWhy) {
+  Measure m = measure("tilt_slope", 0.0050, 0.0001);
+  EXPECT_EQ(one(kTilt, {m}).note.find("smooths"), std::string::npos);
+  m.interval = {0.0051, 0.0054};
+  EXPECT_NE(one(kTilt, {m}).note.find("the figure smooths local settlement that its interval holds"),
+            std::string::npos);
+}
+
 TEST(Judge, WhatCouldNotBeHadIsNotApplicable) {
   EXPECT_EQ(one(kTilt, {}).note, "the survey does not hold it");
   Measure m = measure("tilt_slope", NAN, NAN);
