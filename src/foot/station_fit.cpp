@@ -47,9 +47,10 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
   };
   FootFit fit;
   Agreement agreement;
+  const bool told = isResolved(foot);  // errors of cameras are alike for neighbours: narrow windows seem too sure
   for (double half = foot.half_step;; half *= 1.4) {
     FootFit wider = fitFoundation(pointsWithin(half), profile, start, slope, known_slope);
-    if (fit.valid() && !agreement.holds(wider)) break;  // the surface is no parabola over so long an arc
+    if (told && fit.valid() && !agreement.holds(wider)) break;  // the surface is no parabola over so long an arc
     wider.half_width = half;
     fit = wider;
     agreement.add(fit);

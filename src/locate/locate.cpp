@@ -47,8 +47,10 @@ Found tanksOf(const Sample& sample, const Points& looked_at, const LocateOptions
     std::string reason = found.rejected;
     if (reason.empty()) {
       Tank tank = describe(sample.points, sample, found.circle, found.rms);
-      // the ground may lie too thin for the sample, where one scanner sees it
-      if (!tank.has_foundation) tank = describe(looked_at, sample, found.circle, found.rms);
+      // the ground may lie too thin for the sample, where one scanner sees it; of all points some lie anywhere by
+      // chance
+      constexpr double kOfAll = 0.5;
+      if (!tank.has_foundation) tank = describe(looked_at, sample, found.circle, found.rms, kOfAll);
       lookBehind(tank, walls);
       if (tank.coverage >= options.min_arc) {
         all.tanks.push_back(std::move(tank));

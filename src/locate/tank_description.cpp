@@ -50,7 +50,7 @@ PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vecto
   return fit;
 }
 
-Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms) {
+Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least) {
   Tank tank;
   tank.circle = circle;
   tank.rms = rms;
@@ -75,7 +75,8 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
   const auto seen_inside = std::count(inside.begin(), inside.end(), 1);
   tank.side = seen_inside > seen_outside ? Side::Inside : Side::Outside;
   const auto& foundation = tank.side == Side::Inside ? inside : outside;
-  tank.has_foundation = 4 * std::max(seen_inside, seen_outside) >= static_cast<std::ptrdiff_t>(feet.size());
+  const auto seen = static_cast<double>(std::max(seen_inside, seen_outside));
+  tank.has_foundation = seen >= least * static_cast<double>(feet.size());
   for (std::size_t i = feet.size(); i-- > 0;) {  // a shell that ends above a shadow says nothing of the foot
     if (foundation[i] || !tank.has_foundation) continue;
     feet.erase(feet.begin() + static_cast<std::ptrdiff_t>(i));

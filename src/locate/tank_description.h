@@ -15,6 +15,7 @@ PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vecto
 /// Looks at points around a known circle: foot, side, coverage, height.
 /// @param points  of the sample that shows the circle, or those that it was thinned from
 /// @param rms     of the shell about the circle [m]
-Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms);
+/// @param least   share of the shell's azimuths at which a foundation must be seen beside it
+Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least = 0.25);
 
 }  // namespace tank_datum
