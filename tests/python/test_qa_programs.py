@@ -43,7 +43,12 @@ def test_what_ignores_the_end_is_killed(tmp_path: Path) -> None:
     """Also what it has started itself, which holds its stderr open."""
     command = fake(tmp_path, "trap '' TERM INT; echo $$ > pid; sleep 300 & wait; sleep 300")
     words = [sys.executable, ROOT / "scripts/qa.py", one_case(tmp_path), "--command", command]
-    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as running:
+    with subprocess.Popen(
+        words,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    ) as running:  # a test run in the background may ignore SIGINT, and its children with it
         until = time.monotonic() + 20
         while not (tmp_path / "pid").exists() and time.monotonic() < until:
             time.sleep(0.05)
