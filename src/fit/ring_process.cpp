@@ -203,7 +203,6 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
     doubtStrays(data, p, result, strayed);
   }
   smooth(data, p, result);
-  constexpr double kEither = 0.3;  // it is the stray value that is right, or the others
   for (std::size_t i = 0; i < values.size(); ++i) result.sigma[i] = std::hypot(result.sigma[i], kEither * strayed[i]);
   for (std::size_t i = 0; i < values.size(); ++i) result.value[i] += shape(static_cast<double>(i) * step);
   return result;

@@ -39,7 +39,6 @@ std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels,
 }
 
 FootFit bentFit(const FootFit& own, const RingProcess& process, std::size_t station, double shared, Bend bend) {
-  constexpr double kEither = 0.3;  // of the difference: it is the window that is right, or the process
   FootFit fit = own;
   fit.sigma = std::hypot(std::hypot(own.sigma, process.nugget), shared);
   if (bend == Bend::Seen) return fit;

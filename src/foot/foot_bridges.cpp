@@ -20,7 +20,6 @@ bool follows(const StationDatum& station, const RingProcess& process, std::size_
 /// Bridges a gap along the process. Where a station beside it lies off that, as in a dip, straight from side to side,
 /// with a sigma that holds both.
 void bridgeAlong(const RingProcess& process, const RingRun& gap, std::vector<StationDatum>& stations) {
-  constexpr double kEither = 0.3;  // of the difference: the line is right, or the process
   const std::size_t count = stations.size(), before = (gap.first + count - 1) % count, after = (gap.last + 1) % count;
   const StationDatum a = stations[before], b = stations[after];
   const bool along = follows(a, process, before) && follows(b, process, after);

@@ -6,6 +6,7 @@
 #include "core/units.h"
 #include "foot/foot_bends.h"
 #include "foot/foot_profile.h"
+#include "foot/foot_rises.h"
 #include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
 #include "tank_datum/core/unknown.h"
@@ -109,6 +110,18 @@ struct OwnFits {
   std::vector<FootFit> fits;
   std::vector<const FootFit*> of_station;
   std::vector<double> levels, sigmas;  ///< of middle stations, else NaN [m]
+
+  /// Takes the fits of stations away, and of those whose stretch has one of them for its middle.
+  void leaveOut(const std::vector<bool>& stations) {
+    constexpr const FootFit* kNone = nullptr;
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      if (!stations[i]) continue;
+      const FootFit* fit = of_station[i];
+      if (std::isfinite(levels[i])) std::replace(of_station.begin(), of_station.end(), fit, kNone);
+      of_station[i] = nullptr;
+      levels[i] = sigmas[i] = kUnknown;
+    }
+  }
 };
 
 OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<std::size_t>& counts) {
@@ -172,7 +185,8 @@ std::vector<double> withoutDips(std::vector<double> levels, const FootPass& pass
 
 FootLevels levelStations(const Foot& foot, const FootPass& pass) {
   const std::vector<std::size_t> counts = pointsPerStation(foot, pass);
-  const OwnFits own = fitStretches(foot, pass, counts);
+  OwnFits own = fitStretches(foot, pass, counts);
+  own.leaveOut(findRises(foot, pass.outliers, withoutDips(own.levels, pass), own.sigmas));
   FootLevels levels{pass.fits, followRing(withoutDips(own.levels, pass), own.sigmas, kDip * foot.reach)};
   if (!levels.process.valid()) return levels;
   const std::vector<Bend> bends = findBends(foot, own.levels, own.sigmas, levels.process);

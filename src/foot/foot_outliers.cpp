@@ -69,19 +69,28 @@ bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isGrazed(points, pass.sections.at(station), fit, foot.reach);
 }
 
-/// Whether the points of a station and its neighbours rise to the shell as no foundation does, which a fit that is told
-/// the slope does not show: a heap of soil. (They fall to it where few rows of the scan cross the lip: range noise
-/// moves a row's points along their rays.)
-bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
-  if (!pass.priors.settled) return false;
-  FootPrior prior = pass.priors.at(station);
-  prior.sigma_slope = 1.0;
+/// Whether points rise to the shell as no foundation does, which a fit that is told the slope does not show: a heap of
+/// soil. (They fall to it where few rows of the scan cross the lip: range noise moves a row's points along their rays.)
+/// @param half_width  of the window that is looked at [rad]
+bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass, double half_width) {
+  constexpr double kSteeper = 0.01;  // than what is known of a wide surface's slope: more is not foundation [m/m]
+  const FootPriors& priors = pass.priors;
   const FootFit& fit = pass.fits[station];
   const FootProfile& profile = pass.sections.at(station);
-  const double usual = pass.priors.slope[station];
-  const auto points = foot.ring.around(foot.directions[station], 3.0 * foot.half_step, fit.z, foot.reach);
-  const FootFit own = fitFoundation(points, profile, fit.z + profile.offset, usual, prior);
-  return own.valid() && own.slope < std::min(usual, pass.priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
+  FootPrior any = priors.at(station);
+  any.sigma_slope = 1.0;
+  const double usual = priors.slope[station];
+  const auto points = foot.ring.around(foot.directions[station], half_width, fit.z, foot.reach);
+  const FootFit own = fitFoundation(points, profile, fit.z + profile.offset, usual, any);
+  if (!own.valid()) return false;
+  if (priors.settled) return own.slope < std::min(usual, priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
+  return own.slope < usual - kSteeper - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
+}
+
+/// The same of a station and its neighbours, and of half the window that it is fitted in.
+bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
+  return isHeap(foot, station, pass, 3.0 * foot.half_step) ||
+         isHeap(foot, station, pass, 0.5 * pass.fits[station].half_width);
 }
 
 /// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
@@ -97,7 +106,7 @@ bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
-  std::vector<char> before(reasons.size(), 0);
+  std::vector<char> before(reasons.size(), 0), soil(reasons.size(), 0);
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     const FootFit& fit = pass.fits[i];
     if (!foot.shell_seen[i]) {
@@ -106,9 +115,9 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
       reasons[i] = Unmeasured::Hidden;
     } else {
       before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
-      const bool other = before[i] || isSteep(fit, pass.priors) ||
-                         !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i)) ||
-                         isGrazedAt(foot, i, pass) || isHeap(foot, i, pass);
+      soil[i] = isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass) ? 1 : 0;
+      const bool other =
+          before[i] || soil[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
       if (other) reasons[i] = Unmeasured::OtherSurface;
     }
   });
@@ -124,11 +133,14 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> hanging = findHangingRuns(foot, levels);
   Steps steps = findSteps(kept, 2.0 * foot.half_step * foot.radius,
                           [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
+  std::vector<double> refused(reasons.size(), kUnknown);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i]))
       reasons[i] = Unmeasured::OtherSurface;
+    const bool may_be = !none && before[i] == 0 && soil[i] == 0 && !hanging[i];
+    if (reasons[i] == Unmeasured::OtherSurface && may_be) refused[i] = pass.fits[i].z;
   }
-  return {std::move(reasons), std::move(steps.dips)};
+  return {std::move(reasons), std::move(steps.dips), std::move(refused)};
 }
 
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {

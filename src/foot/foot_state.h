@@ -85,6 +85,7 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
 struct FootOutliers {
   std::vector<Unmeasured> reasons;  ///< of each station; None: it stands
   std::vector<bool> dips;           ///< stations that stand, below those beside them by a step
+  std::vector<double> refused;      ///< elevations of those that may be the datum nevertheless, else NaN [m]
 };
 
 /// What one pass found.

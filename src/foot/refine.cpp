@@ -9,6 +9,7 @@
 #include "fit/circular_series.h"
 #include "foot/foot_bridges.h"
 #include "foot/foot_check.h"
+#include "foot/foot_doubts.h"
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
@@ -202,8 +203,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const auto stations = withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center),
                                     pass.outliers.reasons);
   const double sigma_bend = kHighestWave / tank.circle.radius;
-  found.stations =
-      asAsked(withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted}), fitted, asked);
+  const auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
+  found.stations = asAsked(withRefusedDoubted(bridged, pass.outliers.refused, foot), fitted, asked);
   found.refined.sections = asAsked(profilesOf(foot, elevations, levels.fits, shell.lines, band), fitted, asked);
   return found;
 }

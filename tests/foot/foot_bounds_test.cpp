@@ -143,6 +143,7 @@ std::vector<Unmeasured> outliersOfLevelRing(MadeFoot& made, std::optional<std::s
   FootProfile& whole = pass.sections.whole;
   whole.bin = 0.003, whole.band_from = 0.015, whole.noise = 0.0005, whole.band_to = whole.edge = 0.3;
   pass.priors.slope.assign(360, 0.0);
+  pass.priors.sigma_slope.assign(360, 0.003);
   return findOutliers(foot, pass).reasons;
 }
 

@@ -82,6 +82,22 @@ TEST(FindOutliers, WhatRisesToTheShellByOneInTenIsAHeap) {
   EXPECT_EQ(reasonOfSlope(0.15), Unmeasured::None);          // few rows
 }
 
+TEST(FindOutliers, WhatRisesToTheShellMoreThanWideSurfacesAreKnownToIsAHeap) {
+  const auto reason = [](double slope) {
+    MadeFoot made;
+    for (int s = 0; s < 360; ++s) {
+      const bool heap = s >= 49 && s <= 51;
+      made.addStation(s, 40, 0.02, 0.28, [&](double d) { return heap ? slope * (d - 0.15) : 0.0; });
+    }
+    FootPass pass = levelPass(made.foot().half_step, 0.3);
+    pass.priors.sigma_slope.assign(360, 0.0005);
+    return reasonAt50(made.foot(), pass);
+  };
+  EXPECT_EQ(reason(-0.015), Unmeasured::OtherSurface);
+  EXPECT_EQ(reason(-0.008), Unmeasured::None);
+  EXPECT_EQ(reason(0.015), Unmeasured::None);
+}
+
 TEST(FindOutliers, WhatFallsFromTheShellByMoreThanThreeInTwentyIsNoFoundation) {
   const auto reason = [](double slope) {
     MadeFoot made;

@@ -1,0 +1,72 @@
+#include "foot/foot_doubts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/ring_runs.h"
+
+namespace tank_datum {
+namespace {
+
+/// What was refused in a gap, straight on from one station to the next and from those beside: the datum, if it is that.
+class RefusedLine {
+ public:
+  /// @param arc  between stations [m]
+  RefusedLine(const RingRun& gap, const std::vector<StationDatum>& stations, const std::vector<double>& refused,
+              double arc)
+      : arc_(arc) {
+    const std::size_t count = stations.size(), before = gap.first + count - 1, after = gap.last + count + 1;
+    knots_.push_back({before, stations[before % count].z});
+    for (std::size_t k = before + 1; k < after; ++k) {
+      if (std::isfinite(refused[k % count])) knots_.push_back({k, refused[k % count]});
+    }
+    knots_.push_back({after, stations[after % count].z});
+  }
+
+  /// Whether a shell could follow it; not where nothing was refused.
+  bool canBeDatum() const {
+    constexpr double kSteepest = 0.1;  // fifty times what the codes allow [m/m]
+    for (std::size_t i = 1; i < knots_.size(); ++i) {
+      const double length = static_cast<double>(knots_[i].at - knots_[i - 1].at) * arc_;
+      if (std::abs(knots_[i].z - knots_[i - 1].z) > kSteepest * length) return false;
+    }
+    return knots_.size() > 2;
+  }
+
+  /// Elevation at a station of the gap, counted as those of the run are with a whole ring more [m].
+  double at(std::size_t station) const {
+    const auto after =
+        std::find_if(knots_.begin() + 1, knots_.end() - 1, [&](const Knot& k) { return k.at >= station; });
+    const Knot &a = *(after - 1), &b = *after;
+    return a.z + (b.z - a.z) * static_cast<double>(station - a.at) / static_cast<double>(b.at - a.at);
+  }
+
+ private:
+  struct Knot {
+    std::size_t at;
+    double z;
+  };
+  double arc_;
+  std::vector<Knot> knots_;
+};
+
+}  // namespace
+
+std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations, const std::vector<double>& refused,
+                                             const Foot& foot) {
+  constexpr double kHolds = 0.5;  // of the difference: two standard errors hold it
+  const std::size_t count = stations.size();
+  std::vector<char> gaps;
+  for (const StationDatum& s : stations) gaps.push_back(s.flag == StationFlag::Interpolated ? 1 : 0);
+  for (const RingRun& gap : runsRound(gaps)) {
+    const RefusedLine line(gap, stations, refused, 2.0 * foot.half_step * foot.radius);
+    if (!line.canBeDatum()) continue;
+    for (std::size_t k = gap.first; k <= gap.last; ++k) {
+      StationDatum& s = stations[k % count];
+      s.sigma_z = std::hypot(s.sigma_z, kHolds * (line.at(k + count) - s.z));
+    }
+  }
+  return stations;
+}
+
+}  // namespace tank_datum

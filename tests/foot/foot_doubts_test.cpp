@@ -1,0 +1,52 @@
+#include "foot/foot_doubts.h"
+
+#include <gtest/gtest.h>
+
+#include "support/made_feet.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+/// Three stations of a level ring, bridged from the first of them on, where something so high was refused at the middle
+/// one.
+std::vector<StationDatum> doubted(double height, std::size_t first = 100) {
+  MadeFoot made;
+  const Foot& foot = made.foot();
+  std::vector<StationDatum> stations(360);
+  for (StationDatum& s : stations) s.flag = StationFlag::Measured, s.z = 0.0, s.sigma_z = 0.0001;
+  for (std::size_t k = 0; k < 3; ++k) stations[(first + k) % 360].flag = StationFlag::Interpolated;
+  std::vector<double> refused(360, kUnknown);
+  refused[(first + 1) % 360] = height;
+  return withRefusedDoubted(stations, refused, foot);
+}
+
+TEST(WithRefusedDoubted, TwoStandardErrorsHoldWhatWasRefusedAndWhatLiesBetween) {
+  const auto stations = doubted(0.020);
+  EXPECT_NEAR(stations[101].sigma_z, 0.5 * 0.020, 1e-5);
+  EXPECT_NEAR(stations[100].sigma_z, 0.5 * 0.010, 1e-5);
+  EXPECT_NEAR(stations[102].sigma_z, 0.5 * 0.010, 1e-5);
+  EXPECT_EQ(stations[101].z, 0.0);
+  EXPECT_EQ(stations[99].sigma_z, 0.0001);
+  EXPECT_EQ(stations[103].sigma_z, 0.0001);
+}
+
+TEST(WithRefusedDoubted, ALowerOneIsHeldAsWell) { EXPECT_NEAR(doubted(-0.020)[101].sigma_z, 0.010, 1e-5); }
+
+TEST(WithRefusedDoubted, GapsOverTheFirstStationAreNoExceptions) {
+  EXPECT_NEAR(doubted(0.020, 359)[0].sigma_z, 0.010, 1e-5);
+  EXPECT_NEAR(doubted(0.020, 359)[359].sigma_z, 0.005, 1e-5);
+}
+
+TEST(WithRefusedDoubted, NoShellFollowsWhatRisesByMoreThanOneInTen) {
+  const double two_stations = 2.0 * kTwoPi / 360.0 * kRadius;
+  EXPECT_GT(doubted(0.09 * two_stations)[101].sigma_z, 0.01);
+  EXPECT_EQ(doubted(0.11 * two_stations)[101].sigma_z, 0.0001);
+}
+
+TEST(WithRefusedDoubted, WhereNothingWasRefusedNothingIsDoubted) { EXPECT_EQ(doubted(kUnknown)[101].sigma_z, 0.0001); }
+
+}  // namespace
+}  // namespace tank_datum
