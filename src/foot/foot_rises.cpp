@@ -50,7 +50,7 @@ struct Compared {
 
   /// How many of the last of some stations lie above that together; 0: none do.
   std::size_t risen(const std::vector<std::size_t>& stations) const {
-    constexpr double kFar = 2.5;      // standard errors
+    constexpr double kFar = 3.0;      // standard errors
     constexpr std::size_t kMost = 6;  // stations
     double off = 0.0, own = 0.0, others = 0.0;
     for (std::size_t n = 1; n <= std::min(kMost, stations.size()); ++n) {

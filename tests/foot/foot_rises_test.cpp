@@ -60,14 +60,14 @@ TEST(FindRises, OnlyBesideArcsInWhichSomethingElseIsSeen) {
   EXPECT_FALSE(beside(Unmeasured::NoShell));
 }
 
-TEST(FindRises, ARiseIsOneOfMoreThanTwoAndAHalfStandardErrors) {
-  EXPECT_TRUE(leavesOut({}, 6, 1, 0.0007));
-  EXPECT_FALSE(leavesOut({}, 6, 1, 0.00045));
+TEST(FindRises, ARiseIsOneOfMoreThanThreeStandardErrors) {
+  EXPECT_TRUE(leavesOut({}, 6, 1, 0.0008));
+  EXPECT_FALSE(leavesOut({}, 6, 1, 0.00055));
 }
 
 TEST(FindRises, CloseToTheArcTheDatumItselfMayDoALittle) {
-  EXPECT_TRUE(leavesOut({}, 1, 1, 0.00115));
-  EXPECT_FALSE(leavesOut({}, 1, 1, 0.0008));
+  EXPECT_TRUE(leavesOut({}, 1, 1, 0.00135));
+  EXPECT_FALSE(leavesOut({}, 1, 1, 0.00095));
 }
 
 TEST(FindRises, SoilFadesOverTwiceTheReach) {
@@ -81,8 +81,8 @@ TEST(FindRises, OverTwentyDegreesAtMost) {
 }
 
 TEST(FindRises, UpToSixStationsTellTogether) {
-  EXPECT_TRUE(leavesOut({2.0, 0.002}, 15, 6, 0.0027));
-  EXPECT_FALSE(leavesOut({2.0, 0.002}, 9, 12, 0.0022));
+  EXPECT_TRUE(leavesOut({2.0, 0.002}, 15, 6, 0.0033));
+  EXPECT_FALSE(leavesOut({2.0, 0.002}, 9, 12, 0.0026));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ function tankFacts() {
   if (!datum.tank) return [];
   const { center, radius, sigma_radius: sigma, coverage_deg: seen, side } = datum.tank;
   if (levelled) return [[say("common.radius"), longLength(radius, 4), say("summary.as_given")]];
-  return [[say("common.radius"), longLength(radius, 4), known(sigma) ? `\u00b1 ${anyFigure(Number(toShort(2 * sigma).toPrecision(2)))} ${kShortUnit} (2\u03c3)` : ""],
+  return [[say("common.radius"), longLength(radius, 4), known(sigma) ? `\u00b1 ${Number(toShort(2 * sigma).toPrecision(2))} ${kShortUnit} (2\u03c3)` : ""],
     [say("summary.centre_x_y"), center.map((c) => figure(toLong(c), 3)).join(", "), say("summary.frame_of_the_scan", { unit: kLongUnit })],
     [say("summary.shell_seen"), degrees(seen), say("summary.from_the", { side: words(side) })]];
 }

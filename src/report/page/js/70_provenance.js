@@ -17,7 +17,7 @@ function optionsAppendix(options) {
 
 function addProvenance() {
   const section = addSection("provenance", say("common.how_it_was_made"));
-  section.append(table([[levelled ? say("provenance.table") : say("provenance.scan")], [levelled ? say("common.stations") : say("common.points"), "number"], [say("provenance.hash")]],
+  section.append(table([[levelled ? say("provenance.levelling") : say("provenance.scan")], [levelled ? say("common.stations") : say("common.points"), "number"], [say("provenance.hash")]],
     datum.input.files.map((file) => [file.path, file.points.toLocaleString("en"), make("td", { "data-head": say("provenance.hash") }, hashOf(file))])));
   section.append(make("p", {}, levelled ? say("provenance.table", { version: datum.version, units: datum.input.units })
     : say("provenance.scan_read", { version: datum.version, units: datum.input.units, invalid: datum.input.invalid_points || 0,
