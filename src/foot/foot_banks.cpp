@@ -16,10 +16,6 @@ namespace {
 constexpr double kNear = 5.0 * kDegree;  ///< within which a datum does little
 constexpr std::size_t kBins = 25;        ///< of the section beside a station, to the end of the reach
 
-std::size_t nearStations(const Foot& foot) {
-  return static_cast<std::size_t>(std::max(1.0, std::round(0.5 * kNear / foot.half_step)));
-}
-
 /// Heights above the station's elevation against the distance from the shell; NaN where too few points lie [m].
 using Section = std::vector<double>;
 
@@ -133,7 +129,7 @@ enum class Says { Nothing, GoesOn, Ends };
 Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<double>& levels) {
   constexpr std::size_t kFewest = 3;  // stations whose shell is seen
   constexpr double kAllowed = 0.01;   // of the reach
-  const std::size_t count = levels.size(), near = nearStations(foot);
+  const std::size_t count = levels.size(), near = foot.stationsIn(kNear);
   std::size_t seen = 0, below = 0;
   for (std::size_t away = 1; away <= near; ++away) {
     const std::size_t i = (end + (step > 0 ? away : count - away)) % count;
@@ -184,7 +180,7 @@ std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels)
   constexpr double kLeast = 0.008;  // of the reach
   constexpr double kNoise = 0.002;  // of the reach: what medians of bins scatter by at least
   constexpr double kShareUp = 0.5;  // of what it hides is what a bank rises by
-  const std::size_t count = levels.size(), near = 2 * nearStations(foot);
+  const std::size_t count = levels.size(), near = 2 * foot.stationsIn(kNear);
   std::vector<Section> sections(count);
   forEachIndex(count, 0, [&](std::size_t i) {
     if (std::isfinite(levels[i])) sections[i] = sectionAround(foot, levels, i);
@@ -212,7 +208,7 @@ std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& l
   std::vector<char> known(count);
   for (std::size_t i = 0; i < count; ++i) known[i] = std::isfinite(levels[i]) ? 1 : 0;
   std::vector<bool> hanging(count, false);
-  for (const RingRun& run : runsRound(known, nearStations(foot))) {
+  for (const RingRun& run : runsRound(known, foot.stationsIn(kNear))) {
     const Says before = shellBeside(foot, run.first % count, -1, levels);
     const Says after = shellBeside(foot, run.last % count, +1, levels);
     const bool either = before == Says::GoesOn || after == Says::GoesOn;

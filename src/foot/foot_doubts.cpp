@@ -15,12 +15,12 @@ class RefusedLine {
   RefusedLine(const RingRun& gap, const std::vector<StationDatum>& stations, const std::vector<double>& refused,
               double arc)
       : arc_(arc) {
-    const std::size_t count = stations.size(), before = gap.first + count - 1, after = gap.last + count + 1;
-    knots_.push_back({before, stations[before % count].z});
-    for (std::size_t k = before + 1; k < after; ++k) {
-      if (std::isfinite(refused[k % count])) knots_.push_back({k, refused[k % count]});
+    const std::size_t count = stations.size();
+    knots_.push_back({0, stations[(gap.first + count - 1) % count].z});
+    for (std::size_t k = gap.first; k <= gap.last; ++k) {
+      if (std::isfinite(refused[k % count])) knots_.push_back({k - gap.first + 1, refused[k % count]});
     }
-    knots_.push_back({after, stations[after % count].z});
+    knots_.push_back({gap.last - gap.first + 2, stations[(gap.last + 1) % count].z});
   }
 
   /// Whether a shell could follow it; not where nothing was refused.
@@ -33,7 +33,7 @@ class RefusedLine {
     return knots_.size() > 2;
   }
 
-  /// Elevation at a station of the gap, counted as those of the run are with a whole ring more [m].
+  /// Elevation so many stations on from the one before the gap [m].
   double at(std::size_t station) const {
     const auto after =
         std::find_if(knots_.begin() + 1, knots_.end() - 1, [&](const Knot& k) { return k.at >= station; });
@@ -43,8 +43,8 @@ class RefusedLine {
 
  private:
   struct Knot {
-    std::size_t at;
-    double z;
+    std::size_t at;  ///< stations on from the one before the gap
+    double z;        ///< [m]
   };
   double arc_;
   std::vector<Knot> knots_;
@@ -59,11 +59,11 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
   std::vector<char> gaps;
   for (const StationDatum& s : stations) gaps.push_back(s.flag == StationFlag::Interpolated ? 1 : 0);
   for (const RingRun& gap : runsRound(gaps)) {
-    const RefusedLine line(gap, stations, refused, 2.0 * foot.half_step * foot.radius);
+    const RefusedLine line(gap, stations, refused, foot.arc());
     if (!line.canBeDatum()) continue;
     for (std::size_t k = gap.first; k <= gap.last; ++k) {
       StationDatum& s = stations[k % count];
-      s.sigma_z = std::hypot(s.sigma_z, kHolds * (line.at(k + count) - s.z));
+      s.sigma_z = std::hypot(s.sigma_z, kHolds * (line.at(k - gap.first + 1) - s.z));
     }
   }
   return stations;

@@ -149,7 +149,7 @@ std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
   forEachIndex(places, 0, [&](std::size_t k) {
     candidates[k] = candidatesAt(foot, k * stride, foot.half_step * static_cast<double>(stride), tank);
   });
-  const double arc = 2.0 * foot.half_step * foot.radius * static_cast<double>(stride);
+  const double arc = foot.arc() * static_cast<double>(stride);
   const auto choice = chooseRoundRing(candidates, arc, foot.reach);
   std::vector<double> guesses(count, kUnknown);
   std::vector<const FootCandidate*> chosen(count, nullptr);

@@ -72,7 +72,7 @@ std::size_t pointsWithin(const std::vector<std::size_t>& counts, std::size_t sta
 std::vector<Stretch> stretchesOf(const Foot& foot, const std::vector<std::size_t>& counts) {
   constexpr std::size_t kEnough = 8;
   constexpr double kWidest = 5.0 * kPi / 180.0;
-  const auto longest = static_cast<std::size_t>(std::max(1.0, std::round(0.5 * kWidest / foot.half_step)));
+  const std::size_t longest = foot.stationsIn(kWidest);
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < counts.size();) {
     if (counts[i] == 0) {

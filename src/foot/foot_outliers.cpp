@@ -22,7 +22,7 @@ struct Support {
 };
 
 Support supportOf(const Foot& foot, std::size_t station, const FootPass& pass) {
-  const double step = 2.0 * foot.half_step * foot.radius, azimuth = foot.directions[station];
+  const double step = foot.arc(), azimuth = foot.directions[station];
   const FootFit& fit = pass.fits[station];
   const FootProfile& profile = pass.sections.at(station);
   Support support;
@@ -106,7 +106,7 @@ bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
-  std::vector<char> before(reasons.size(), 0), soil(reasons.size(), 0);
+  std::vector<char> before(reasons.size(), 0), no_foot(reasons.size(), 0);
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     const FootFit& fit = pass.fits[i];
     if (!foot.shell_seen[i]) {
@@ -115,9 +115,8 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
       reasons[i] = Unmeasured::Hidden;
     } else {
       before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
-      soil[i] = isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass) ? 1 : 0;
-      const bool other =
-          before[i] || soil[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
+      no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass) ? 1 : 0;
+      const bool other = no_foot[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
       if (other) reasons[i] = Unmeasured::OtherSurface;
     }
   });
@@ -131,13 +130,12 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, levels);
   const std::vector<bool> hanging = findHangingRuns(foot, levels);
-  Steps steps = findSteps(kept, 2.0 * foot.half_step * foot.radius,
-                          [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
+  Steps steps = findSteps(kept, foot.arc(), [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
   std::vector<double> refused(reasons.size(), kUnknown);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i]))
       reasons[i] = Unmeasured::OtherSurface;
-    const bool may_be = !none && before[i] == 0 && soil[i] == 0 && !hanging[i];
+    const bool may_be = !none && no_foot[i] == 0 && !hanging[i];
     if (reasons[i] == Unmeasured::OtherSurface && may_be) refused[i] = pass.fits[i].z;
   }
   return {std::move(reasons), std::move(steps.dips), std::move(refused)};

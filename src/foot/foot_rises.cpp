@@ -15,8 +15,7 @@ namespace {
 std::size_t fadingStations(const Foot& foot) {
   constexpr double kReaches = 2.0;            // of the ring: how long soil takes to fade
   constexpr double kWidest = 20.0 * kDegree;  // on small tanks
-  const double arc = std::min(kWidest, kReaches * foot.reach / foot.radius);
-  return static_cast<std::size_t>(std::max(1.0, std::round(0.5 * arc / foot.half_step)));
+  return foot.stationsIn(std::min(kWidest, kReaches * foot.reach / foot.radius));
 }
 
 /// Arcs in which the foundation is not seen, and something else is.
@@ -49,12 +48,13 @@ struct Compared {
   const RingProcess& expected;
 
   /// How many of the last of some stations lie above that together; 0: none do.
-  std::size_t risen(const std::vector<std::size_t>& stations) const {
+  /// @param passed  their places beside an arc's end
+  std::size_t risen(const std::vector<std::size_t>& beside, const std::vector<std::size_t>& passed) const {
     constexpr double kFar = 3.0;      // standard errors
     constexpr std::size_t kMost = 6;  // stations
     double off = 0.0, own = 0.0, others = 0.0;
-    for (std::size_t n = 1; n <= std::min(kMost, stations.size()); ++n) {
-      const std::size_t i = stations[stations.size() - n];
+    for (std::size_t n = 1; n <= std::min(kMost, passed.size()); ++n) {
+      const std::size_t i = beside[passed[passed.size() - n]];
       off += levels[i] - expected.value[i];
       own += sigmas[i] * sigmas[i] + expected.nugget * expected.nugget;
       others += expected.sigma[i];  // what they share does not become less
@@ -68,11 +68,10 @@ struct Compared {
     std::vector<std::size_t> passed;
     for (std::size_t k = beside.size(); k-- > 0;) {
       if (!std::isfinite(levels[beside[k]])) continue;
-      passed.push_back(beside[k]);
-      const std::size_t last = risen(passed);
+      passed.push_back(k);
+      const std::size_t last = risen(beside, passed);
       if (last == 0) continue;
-      const auto first = std::find(beside.begin(), beside.end(), passed[passed.size() - last]);
-      for (auto i = beside.begin(); i <= first; ++i) rises[*i] = true;
+      for (std::size_t nearer = 0; nearer <= passed[passed.size() - last]; ++nearer) rises[beside[nearer]] = true;
       return;
     }
   }

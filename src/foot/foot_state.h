@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "fit/ring_process.h"
@@ -23,6 +25,14 @@ struct Foot {
   std::vector<double> directions;              ///< counter-clockwise at equal steps [rad]
   std::vector<std::vector<FootPoint>> points;  ///< of each station's own stretch
   std::vector<bool> shell_seen;                ///< whether the shell is seen at the station itself
+
+  /// Arc between stations [m].
+  double arc() const { return 2.0 * half_step * radius; }
+  /// How many stations an angle holds, one at least.
+  /// @param angle  [rad]
+  std::size_t stationsIn(double angle) const {
+    return static_cast<std::size_t>(std::max(1.0, std::round(0.5 * angle / half_step)));
+  }
 };
 
 /// The elevations that a pass begins with.

@@ -170,11 +170,12 @@ std::string figures(const Check& check, const Display& display) {
 std::string checkLines(const std::vector<Check>& checks, const Display& display) {
   if (checks.empty()) return {};
   int counts[5] = {};
+  const auto is_second = [](const Check& c) { return c.role == "second opinion"; };
   std::vector<const Check*> failed, undecided;
   for (const Check& c : checks) {
     ++counts[static_cast<int>(c.verdict)];
     if (c.verdict == Verdict::Fail) failed.push_back(&c);
-    if (c.verdict == Verdict::Undecided && c.role != "second opinion") undecided.push_back(&c);
+    if (c.verdict == Verdict::Undecided && !is_second(c)) undecided.push_back(&c);
   }
   const auto graver = [](const Check* a, const Check* b) { return a->value / a->limit > b->value / b->limit; };
   std::stable_sort(failed.begin(), failed.end(), graver);
@@ -184,7 +185,7 @@ std::string checkLines(const std::vector<Check>& checks, const Display& display)
       "checks", "%d pass, %d fail, %d undecided, %d not evaluated, %d not applicable (screening, no code evaluation)",
       counts[0], counts[1], counts[2], counts[4], counts[3]);
   for (const Check* c : failed.empty() ? undecided : failed) {
-    const char* role = c->role == "second opinion" ? " (a second opinion)" : "";
+    const char* role = is_second(*c) ? " (a second opinion)" : "";
     lines +=
         line(nameOf(c->verdict), "%s %s: %s%s", c->code.c_str(), c->name.c_str(), figures(*c, display).c_str(), role);
   }
