@@ -39,6 +39,21 @@ def table(path: Path, rows: dict[float, float], sigma: float | None = None) -> P
     return path
 
 
+def test_the_terminal_lists_every_check_that_fails(run: Runner, tmp_path: Path) -> None:
+    """Second opinions too, which are said to be ones."""
+    waves = {a: 0.05 * math.cos(math.radians(2 * a)) for a in range(0, 360, 5)}
+    file = table(tmp_path / "waves.csv", waves, 0.0005)
+    steel = ["--height", 14, "--yield-mpa", 250, "--modulus-mpa", 200_000, "--roof", "fixed"]
+    result = run("--stations-csv", file, "--diameter", 40, "-o", tmp_path / "out", *steel)
+    failed = [c for c in read_datum(tmp_path / "out")["checks"] if c["verdict"] == "fail"]
+    lines = [line for line in result.stdout.splitlines() if line.startswith("fail ")]
+    assert len(lines) == len(failed)
+    second = [f"{c['code']} {c['name']}" for c in failed if c["role"] == "second opinion"]
+    assert second
+    for line in lines:
+        assert line.endswith("(a second opinion)") == any(name in line for name in second)
+
+
 def test_sixteen_stations_of_the_pemy_white_paper(run: Runner, tmp_path: Path) -> None:
     """STANDARDS 4.1: D 120 ft, H 40 ft, 36 ksi, 29e6 psi; elevations in inches."""
     steel = ["--height", 40 * FOOT, "--yield-mpa", 36 * KSI, "--modulus-mpa", 29_000 * KSI]

@@ -61,6 +61,7 @@ def test_a_table_is_not_called_a_scan(run: Runner, browser: Any, tmp_path: Path)
         assert "regression is for more than 64" in page.text("#out-of-plane .absent")
         second = datum["out_of_plane"]["second_differences"]["worst"]["value"]
         assert f"{1e3 * second:.1f}\u00a0mm" in page.text("#out-of-plane .facts")
+        assert page.texts("#provenance th")[0] == "Levelling"
         page.choose(4)
         assert page.texts("#station-values dd")[0].startswith("4 at 102.9\u00b0, measured")
 
