@@ -40,7 +40,7 @@ std::string whyNoSurface(const FootProfile& profile) {
   return text;
 }
 
-/// A missing station keeps its place on the fitted circle, and nothing else.
+/// A missing station keeps its place on the fitted circle, and what was refused in its gap.
 void blankMissing(Datum& datum) {
   for (Station& s : datum.stations) {
     if (s.flag != StationFlag::Missing) continue;
@@ -48,6 +48,7 @@ void blankMissing(Datum& datum) {
     blank.azimuth = s.azimuth;
     blank.direction = s.direction;
     blank.reason = s.reason;
+    blank.z_refused = s.z_refused;
     blank.x = datum.circle.center.x() + datum.circle.radius * std::cos(s.direction);
     blank.y = datum.circle.center.y() + datum.circle.radius * std::sin(s.direction);
     s = blank;

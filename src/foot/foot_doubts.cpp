@@ -57,13 +57,15 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
   constexpr double kHolds = 0.5;  // of the difference: two standard errors hold it
   const std::size_t count = stations.size();
   std::vector<char> gaps;
-  for (const StationDatum& s : stations) gaps.push_back(s.flag == StationFlag::Interpolated ? 1 : 0);
+  for (const StationDatum& s : stations) gaps.push_back(s.flag == StationFlag::Measured ? 0 : 1);
+  if (std::count(gaps.begin(), gaps.end(), 0) == 0) return stations;
   for (const RingRun& gap : runsRound(gaps)) {
     const RefusedLine line(gap, stations, refused, foot.arc());
     if (!line.canBeDatum()) continue;
     for (std::size_t k = gap.first; k <= gap.last; ++k) {
       StationDatum& s = stations[k % count];
-      s.sigma_z = std::hypot(s.sigma_z, kHolds * (line.at(k - gap.first + 1) - s.z));
+      s.z_refused = line.at(k - gap.first + 1);
+      if (s.flag == StationFlag::Interpolated) s.sigma_z = std::hypot(s.sigma_z, kHolds * (s.z_refused - s.z));
     }
   }
   return stations;

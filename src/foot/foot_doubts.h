@@ -7,8 +7,8 @@
 
 namespace tank_datum {
 
-/// Bridges across what was refused, with standard errors that hold it where a shell could follow it from the stations
-/// beside: it looks like soil, but a heave of the foundation looks the same.
+/// Gaps with z_refused where a shell could follow what was refused in them from the stations beside: it looks like
+/// soil, but a heave of the foundation looks the same. The standard errors of their bridges hold it.
 /// @param refused  elevations of what may be the datum nevertheless, else NaN [m]
 std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations, const std::vector<double>& refused,
                                              const Foot& foot);

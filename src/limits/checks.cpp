@@ -138,7 +138,7 @@ Check judged(Check check, const Limit& limit, const Measure& measure, const Tank
   addClause(check.note, shareBeyond(measure, check.limit));
   if (check.verdict == Verdict::Undecided) {
     const bool hidden = !measure.whole_ring && !(check.interval.high > check.limit);
-    addClause(check.note, hidden ? "what was not seen could be worse" : "the limit lies within the 95 % interval");
+    addClause(check.note, hidden ? "what was not measured could be worse" : "the limit lies within the 95 % interval");
   }
   if (check.interval.known() && check.value > check.interval.high) {
     addClause(check.note, "errors of the survey raise the figure above its interval");

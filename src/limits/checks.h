@@ -18,10 +18,15 @@ std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Mea
 LimitComparison compare(const std::vector<Limit>& limits, const Measure& measure, const TankFacts& facts,
                         double diameter);
 
-/// @param dense  more than 64 measured stations: the regression's curvature governs out-of-plane settlement; else
-///               Andreani's arcs, or where those cannot be judged the classic rule (ballot B.2.2.5 to B.2.2.8).
-///               Gives the checks their roles.
-Headline headlineOf(std::vector<Check>& checks, bool dense);
+/// What of a ring was measured.
+struct RingSurveyed {
+  bool dense;  ///< more than 64 stations: the regression's curvature governs out-of-plane settlement; else Andreani's
+               ///< arcs, or where those cannot be judged the classic rule (ballot B.2.2.5 to B.2.2.8)
+  bool whole;  ///< no gap that could hide a part of its shape, and nothing refused that may be the datum
+};
+
+/// Gives the checks their roles.
+Headline headlineOf(std::vector<Check>& checks, const RingSurveyed& ring);
 
 /// "107 % of its limit (95 %: 106 to 118 %)"
 std::string shareOfLimit(const Headline& headline);

@@ -45,14 +45,22 @@ const Check* worst(const std::vector<Check>& checks, Verdict verdict) {
   return found;
 }
 
+/// Whether an undecided figure is so near its limit that errors alone reach it. What was not measured widens an
+/// interval upwards only.
+bool isNear(const Headline& headline, bool whole) {
+  const Interval95& interval = headline.utilisation_interval;
+  if (headline.utilisation > 1.0) return true;
+  const double by_errors = 2.0 * headline.utilisation - interval.low;
+  return interval.known() && interval.high > 1.0 && (whole || by_errors > 1.0);
+}
+
 /// The report finds its words in other languages by these.
-std::string meaningOf(const Headline& headline, const Check& check) {
+std::string meaningOf(const Headline& headline, const Check& check, bool whole) {
   if (headline.word == "INCOMPLETE") return " is not evaluated: " + check.note;
   const bool known = headline.utilisation_interval.known();
   if (headline.word == "FAIL") return known ? ", beyond it with 95 % confidence" : ", beyond it; errors are not known";
   if (headline.word == "PASS") return known ? ", the nearest of all" : ", the nearest of all; errors are not known";
-  const bool near = headline.utilisation > 1.0 || (known && headline.utilisation_interval.high > 1.0);
-  return near ? ", too near it to decide" : "; what was not seen could be worse";
+  return isNear(headline, whole) ? ", too near it to decide" : "; what was not measured could be worse";
 }
 
 std::string sentenceOf(const Headline& headline, const Check* check) {
@@ -82,9 +90,9 @@ std::string shareOfLimit(const Headline& headline) {
   return share + " (95 %: " + percent(interval.low) + " to " + percent(interval.high) + " %)";
 }
 
-Headline headlineOf(std::vector<Check>& checks, bool dense) {
-  giveRoles(checks, dense ? Ranking{"curvature", "settlement_arc", "second_difference"}
-                          : Ranking{"settlement_arc", "second_difference", "curvature"});
+Headline headlineOf(std::vector<Check>& checks, const RingSurveyed& ring) {
+  giveRoles(checks, ring.dense ? Ranking{"curvature", "settlement_arc", "second_difference"}
+                               : Ranking{"settlement_arc", "second_difference", "curvature"});
   Headline headline;
   const Check* check = nullptr;
   for (const auto& [verdict, word] : {std::pair(Verdict::Fail, "FAIL"),
@@ -99,7 +107,7 @@ Headline headlineOf(std::vector<Check>& checks, bool dense) {
       headline.utilisation = utilisationOf(*check);
       headline.utilisation_interval = {check->interval.low / check->limit, check->interval.high / check->limit};
     }
-    headline.meaning = meaningOf(headline, *check);
+    headline.meaning = meaningOf(headline, *check, ring.whole);
     break;
   }
   headline.sentence = sentenceOf(headline, check);

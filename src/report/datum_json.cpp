@@ -79,6 +79,7 @@ Json datumSection(const Datum& datum) {
   return {{"surface", refined ? Json(nameOf(datum.refined.profile.surface)) : Json(nullptr)},
           {"other_surface_deg", arcsJson(withReason(datum.stations, Unmeasured::OtherSurface), datum.stations)},
           {"shell_below_deg", arcsJson(withReason(datum.stations, Unmeasured::ShellBelow), datum.stations)},
+          {"in_doubt_deg", arcsJson(inDoubt(datum.stations), datum.stations)},
           {"measured", level.measured},
           {"interpolated", level.interpolated},
           {"missing", level.missing},

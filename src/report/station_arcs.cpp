@@ -41,6 +41,12 @@ std::vector<char> withReason(const std::vector<Station>& stations, Unmeasured re
   return has;
 }
 
+std::vector<char> inDoubt(const std::vector<Station>& stations) {
+  std::vector<char> is;
+  for (const Station& s : stations) is.push_back(std::isfinite(s.z_refused) ? 1 : 0);
+  return is;
+}
+
 std::string arcsText(const std::vector<char>& is, const std::vector<Station>& stations, std::size_t shortest) {
   constexpr std::size_t kShown = 5;  // arcs
   if (is.empty()) return {};

@@ -77,22 +77,25 @@ std::string stationsLine(const Datum& datum) {
               level.missing, density.c_str());
 }
 
-/// Where soil or a kerb lies at the shell, or a sector of the foundation stands off the rest.
-std::string otherSurfaceLine(const Datum& datum) {
+/// Where soil or a kerb lies at the shell, or a sector of the foundation stands off the rest; where the datum is known
+/// to lie lower than the stations beside a gap say; and where what was refused may be the datum.
+std::string unmeasuredLines(const Datum& datum) {
   constexpr std::size_t kNamed = 3;  // stations of an arc; of shorter ones there are many beside a foot
-  const std::string arcs = arcsText(withReason(datum.stations, Unmeasured::OtherSurface), datum.stations, kNamed);
-  if (arcs.empty() || !datum.refined.valid()) return {};
-  return line("other surface", "at %s something else than the %s meets the shell, soil or a kerb: not measured",
-              arcs.c_str(), nameOf(datum.refined.profile.surface));
-}
-
-/// Where the datum is known to lie lower than the stations beside a gap say.
-std::string shellBelowLine(const Datum& datum) {
-  const std::string arcs = arcsText(withReason(datum.stations, Unmeasured::ShellBelow), datum.stations, 1);
-  if (arcs.empty()) return {};
-  return line("shell below",
-              "at %s the shell is seen below the level of the stations beside: the datum lies lower there",
-              arcs.c_str());
+  const std::string surface = nameOf(datum.refined.profile.surface);
+  std::string text;
+  const auto add = [&](const char* title, const std::vector<char>& is, std::size_t shortest, const std::string& what) {
+    const std::string arcs = arcsText(is, datum.stations, shortest);
+    if (!arcs.empty()) text += line(title, "at %s %s", arcs.c_str(), what.c_str());
+  };
+  if (datum.refined.valid()) {
+    add("other surface", withReason(datum.stations, Unmeasured::OtherSurface), kNamed,
+        "something else than the " + surface + " meets the shell, soil or a kerb: not measured");
+  }
+  add("shell below", withReason(datum.stations, Unmeasured::ShellBelow), 1,
+      "the shell is seen below the level of the stations beside: the datum lies lower there");
+  add("in doubt", inDoubt(datum.stations), 1,
+      "what was refused may be a heave of the foundation: intervals of the checks hold it");
+  return text;
 }
 
 std::string methodLines(const Datum& datum, const Display& display) {
@@ -226,7 +229,7 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   const double z = datum.origin.z();
   text += tankLine(datum, display);
   text += azimuthsLine(provenance.options.stations) + passedOverLine(datum.counts) + stationsLine(datum) +
-          otherSurfaceLine(datum) + shellBelowLine(datum);
+          unmeasuredLines(datum);
   const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",

@@ -89,6 +89,12 @@ std::size_t countShellBelow(const std::vector<Station>& stations) {
   return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), below));
 }
 
+/// Stations of gaps in which what was refused may be the datum.
+std::size_t countInDoubt(const std::vector<Station>& stations) {
+  const auto doubted = [](const Station& s) { return std::isfinite(s.z_refused); };
+  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), doubted));
+}
+
 std::vector<std::string> notesOf(const std::vector<Station>& stations, const Tilt& tilt, const Analysis& analysis) {
   std::vector<std::string> notes = {
       "Screening for a storage-tank engineer, not a code evaluation. Bottom and edge settlement are not covered.",
@@ -118,6 +124,14 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
                   "The shell is seen below the level that the neighbours give (stations: %zu): "
                   "rules on the shape are undecided where they do not fail.",
                   below);
+    notes.push_back(text);
+  }
+  if (const auto doubted = countInDoubt(stations); doubted > 0) {
+    char text[200];
+    snprintfPlain(text, sizeof text,
+                  "What was refused may be a heave of the foundation (stations: %zu): "
+                  "the intervals of rules on the shape hold it.",
+                  doubted);
     notes.push_back(text);
   }
   if (std::none_of(stations.begin(), stations.end(), [](const Station& s) { return s.sigma_z > 0.0; })) {
@@ -158,7 +172,7 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
   addAntipodal(stations, result.measures);
   result.checks = judge(options.limits, result.measures, options.facts, 2.0 * radius);
-  result.headline = headlineOf(result.checks, surveys.model().dense());
+  result.headline = headlineOf(result.checks, {surveys.model().dense(), whole && countInDoubt(stations) == 0});
   for (Measure& m : result.measures) m.share = nullptr;  // it refers to the simulated surveys
   result.notes = notesOf(stations, ring.tilt, result);
   const std::string errors = errorsNote(surveys.model());

@@ -66,6 +66,8 @@ SimulatedSurveys::SimulatedSurveys(const std::vector<Station>& stations, double 
   known_azimuths_ = columnOf(known_, &Station::azimuth);
   whole_azimuths_ = columnOf(whole_, &Station::azimuth);
   draws_ = model_.simulate(kDraws, kSeed);
+  doubts_ = RingDoubts(stations, model_.rowsAt(columnOf(stations, &Station::azimuth)) * model_.coefficients());
+  doubted_ = doubts_.drawn(kDraws, kSeed + 1);
   z_ = valuesOf(false);
   u_ = valuesOf(true);
 }
@@ -81,11 +83,24 @@ SimulatedSurveys::Values SimulatedSurveys::valuesOf(bool of_u) const {
   values.whole = whole_azimuths_.size() == known_azimuths_.size()
                      ? values.truths
                      : RingModel::product(at(whole_azimuths_), draws_.truth.bottomRows(count));
+  const auto doubts_at = [&](const Eigen::VectorXd& azimuths) -> Eigen::MatrixXd {
+    if (!of_u) return doubts_.at(azimuths);
+    return doubts_.at(azimuths) - RingModel::product(harmonicRows(azimuths, 1), doubts_.waves(1));
+  };
+  addDoubts(doubts_at(known_azimuths_), doubts_at(whole_azimuths_), values);
   values.standing = rows * model_.standing().tail(count);
   if (!model_.dense()) return raw(std::move(values), of_u);
   values.estimates = RingModel::product(rows, draws_.estimate.bottomRows(count));
   values.surveyed = rows * model_.coefficients().tail(count);
   return values;
+}
+
+/// @param seen, whole  what each gap in doubt adds at the stations with an elevation, at the whole ring [places x gaps]
+void SimulatedSurveys::addDoubts(const Eigen::MatrixXd& seen, const Eigen::MatrixXd& whole, Values& values) const {
+  values.possible = values.truths;
+  if (doubts_.empty()) return;
+  values.possible += RingModel::product(seen, doubted_);
+  values.whole += RingModel::product(whole, doubted_);
 }
 
 /// Of few stations the figures are of the elevations as they were surveyed, less their plane; between them, where an
@@ -116,7 +131,7 @@ Interval95 SimulatedSurveys::interval(const Values& values, const RingFigure& se
   for (Eigen::Index k = 0; k < values.truths.cols(); ++k) {
     disturbed = values.standing + values.estimates.col(k) - values.truths.col(k);
     raised.push_back(seen(disturbed.data()) - standing);
-    const double truth = whole ? whole(values.whole.col(k).data()) : seen(values.truths.col(k).data());
+    const double truth = whole ? whole(values.whole.col(k).data()) : seen(values.possible.col(k).data());
     missed.push_back(seen(values.estimates.col(k).data()) - truth);
   }
   const double low = std::max(0.0, surveyed - beyond(std::move(raised), true));
@@ -142,6 +157,8 @@ SimulatedSurveys::Values SimulatedSurveys::wavesTo(int order, bool curvature) co
   values.whole = whole_azimuths_.size() == known_azimuths_.size()
                      ? values.truths
                      : RingModel::product(at(whole_azimuths_), middle(draws_.truth));
+  const Eigen::MatrixXd doubted_waves = doubts_.waves(highest).bottomRows(count);
+  addDoubts(RingModel::product(rows, doubted_waves), RingModel::product(at(whole_azimuths_), doubted_waves), values);
   values.estimates = RingModel::product(rows, middle(draws_.estimate));
   values.surveyed = rows * model_.coefficients().segment(3, count);
   values.standing = rows * model_.standing().segment(3, count);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "shape/ring_doubts.h"
 #include "shape/ring_model.h"
 #include "tank_datum/stations/stations.h"
 
@@ -15,7 +16,7 @@ using RingFigure = std::function<double(const double* values)>;
 ///
 /// The lower end takes from the figure what errors add to it: the same errors on a datum of those waves only that stand
 /// out of them. The upper end is that of a datum as likely as the survey leaves it, beyond what the same survey of it
-/// would give, in gaps too.
+/// would give, in gaps too, and where what was refused in a gap may be the datum.
 class SimulatedSurveys {
  public:
   /// @param radius  of the tank [m]
@@ -43,10 +44,12 @@ class SimulatedSurveys {
  private:
   struct Values {
     Eigen::MatrixXd estimates, truths;   ///< at the stations with an elevation, one column per draw
-    Eigen::MatrixXd whole;               ///< truths at the whole ring
+    Eigen::MatrixXd possible;            ///< truths there, with doubts
+    Eigen::MatrixXd whole;               ///< the same at the whole ring
     Eigen::VectorXd surveyed, standing;  ///< as surveyed; of the waves that stand out of the errors
   };
   Values valuesOf(bool of_u) const;
+  void addDoubts(const Eigen::MatrixXd& seen, const Eigen::MatrixXd& whole, Values& values) const;
   Values raw(Values values, bool of_u) const;
   Values wavesTo(int order, bool curvature) const;
   static Interval95 interval(const Values& values, const RingFigure& seen, const RingFigure& whole);
@@ -57,6 +60,8 @@ class SimulatedSurveys {
   std::vector<Station> known_, whole_;  ///< those with an elevation, measured or interpolated; with gaps filled
   Eigen::VectorXd known_azimuths_, whole_azimuths_;
   RingModel::Simulated draws_;
+  RingDoubts doubts_;
+  Eigen::MatrixXd doubted_;  ///< [gaps in doubt x draws]
   Values z_, u_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
@@ -10,14 +12,15 @@ namespace {
 
 using namespace made_feet;
 
-/// Three stations of a level ring, bridged from the first of them on, where something so high was refused at the middle
-/// one.
-std::vector<StationDatum> doubted(double height, std::size_t first = 100) {
+/// Three stations of a level ring, not measured from the first of them on, where something so high was refused at the
+/// middle one.
+std::vector<StationDatum> doubted(double height, std::size_t first = 100,
+                                  StationFlag flag = StationFlag::Interpolated) {
   MadeFoot made;
   const Foot& foot = made.foot();
   std::vector<StationDatum> stations(360);
   for (StationDatum& s : stations) s.flag = StationFlag::Measured, s.z = 0.0, s.sigma_z = 0.0001;
-  for (std::size_t k = 0; k < 3; ++k) stations[(first + k) % 360].flag = StationFlag::Interpolated;
+  for (std::size_t k = 0; k < 3; ++k) stations[(first + k) % 360].flag = flag;
   std::vector<double> refused(360, kUnknown);
   refused[(first + 1) % 360] = height;
   return withRefusedDoubted(stations, refused, foot);
@@ -38,6 +41,15 @@ TEST(WithRefusedDoubted, ALowerOneIsHeldAsWell) { EXPECT_NEAR(doubted(-0.020)[10
 TEST(WithRefusedDoubted, GapsOverTheFirstStationAreNoExceptions) {
   EXPECT_NEAR(doubted(0.020, 359)[0].sigma_z, 0.010, 1e-5);
   EXPECT_NEAR(doubted(0.020, 359)[359].sigma_z, 0.005, 1e-5);
+}
+
+TEST(WithRefusedDoubted, WhatWasRefusedIsKnownInGapsWithoutABridgeToo) {
+  EXPECT_NEAR(doubted(0.020)[101].z_refused, 0.020, 1e-12);
+  EXPECT_NEAR(doubted(0.020)[100].z_refused, 0.010, 1e-12);
+  EXPECT_TRUE(std::isnan(doubted(0.020)[99].z_refused));
+  const auto unbridged = doubted(0.020, 100, StationFlag::Missing);
+  EXPECT_NEAR(unbridged[101].z_refused, 0.020, 1e-12);
+  EXPECT_EQ(unbridged[101].sigma_z, 0.0001);
 }
 
 TEST(WithRefusedDoubted, NoShellFollowsWhatRisesByMoreThanOneInTen) {

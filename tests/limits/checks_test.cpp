@@ -42,7 +42,7 @@ TEST(Judge, AGapLeavesAPassUndecidedAndAFailAFail) {
   Measure m = measure("tilt_slope", 0.001, 0.0001);
   m.whole_ring = false;
   EXPECT_EQ(one(kTilt, {m}).verdict, Verdict::Undecided);
-  EXPECT_NE(one(kTilt, {m}).note.find("what was not seen could be worse"), std::string::npos);
+  EXPECT_NE(one(kTilt, {m}).note.find("what was not measured could be worse"), std::string::npos);
   m.worst.value = 0.02;
   EXPECT_EQ(one(kTilt, {m}).verdict, Verdict::Fail);
 }

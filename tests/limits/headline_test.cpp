@@ -18,32 +18,32 @@ Check named(const char* quantity, Verdict verdict, double share, const char* rol
 TEST(HeadlineOf, TheGoverningRuleAndNotTheSecondOpinions) {
   std::vector<Check> checks = {named("second_difference", Verdict::Fail, 1.5), named("curvature", Verdict::Pass, 0.6),
                                named("settlement_arc", Verdict::Undecided, 1.0)};
-  const Headline dense = headlineOf(checks, true);
+  const Headline dense = headlineOf(checks, {true, true});
   EXPECT_EQ(dense.word, "PASS");
   EXPECT_EQ(dense.governing, "A curvature");
   EXPECT_EQ(dense.utilisation, 0.6);
   EXPECT_EQ(checks[0].role, "second opinion");
   EXPECT_EQ(checks[1].role, "governing");
   for (Check& c : checks) c.role = "judged";
-  EXPECT_EQ(headlineOf(checks, false).word, "UNDECIDED");
+  EXPECT_EQ(headlineOf(checks, {false, true}).word, "UNDECIDED");
   for (Check& c : checks) c.role = "judged";
   checks[2].verdict = Verdict::NotEvaluated;
-  EXPECT_EQ(headlineOf(checks, false).word, "FAIL");  // the classic rule where arcs cannot be judged
+  EXPECT_EQ(headlineOf(checks, {false, true}).word, "FAIL");  // the classic rule where arcs cannot be judged
 }
 
 TEST(HeadlineOf, WorstOfWhatCounts) {
   std::vector<Check> checks = {named("tilt_height", Verdict::Pass, 0.5)};
-  EXPECT_EQ(headlineOf(checks, true).word, "PASS");
+  EXPECT_EQ(headlineOf(checks, {true, true}).word, "PASS");
   checks.push_back(named("slope_10m", Verdict::NotEvaluated, 0.2));
-  EXPECT_EQ(headlineOf(checks, true).word, "INCOMPLETE");
+  EXPECT_EQ(headlineOf(checks, {true, true}).word, "INCOMPLETE");
   checks.push_back(named("neighbour_slope", Verdict::Undecided, 0.9));
-  EXPECT_EQ(headlineOf(checks, true).word, "UNDECIDED");
+  EXPECT_EQ(headlineOf(checks, {true, true}).word, "UNDECIDED");
   checks.push_back(named("neighbour_bend", Verdict::Fail, 1.3));
-  EXPECT_EQ(headlineOf(checks, true).word, "FAIL");
-  EXPECT_NE(headlineOf(checks, true).sentence.find("130 % of its limit"), std::string::npos);
+  EXPECT_EQ(headlineOf(checks, {true, true}).word, "FAIL");
+  EXPECT_NE(headlineOf(checks, {true, true}).sentence.find("130 % of its limit"), std::string::npos);
   checks = {named("level_9m", Verdict::NotApplicable, 3.0, "for comparison")};
-  EXPECT_EQ(headlineOf(checks, true).word, "INCOMPLETE");
-  EXPECT_EQ(headlineOf(checks, true).governing, "");
+  EXPECT_EQ(headlineOf(checks, {true, true}).word, "INCOMPLETE");
+  EXPECT_EQ(headlineOf(checks, {true, true}).governing, "");
 }
 
 TEST(HeadlineOf, AShareIsShownOnItsOwnSideOfTheLimit) {
@@ -54,7 +54,7 @@ TEST(HeadlineOf, AShareIsShownOnItsOwnSideOfTheLimit) {
                                      {1.0023, "100.23 %"},
                                      {1.006, "101 %"}}) {
     std::vector<Check> checks = {named("tilt_height", value < 1.0 ? Verdict::Pass : Verdict::Undecided, value)};
-    EXPECT_EQ(shareOfLimit(headlineOf(checks, true)), std::string(shown) + " of its limit");
+    EXPECT_EQ(shareOfLimit(headlineOf(checks, {true, true})), std::string(shown) + " of its limit");
   }
 }
 
@@ -71,15 +71,28 @@ TEST(HeadlineOf, SaysHowSureItIs) {
                            Said{Verdict::Pass, 0.2, {}, ", the nearest of all; errors are not known"},
                            Said{Verdict::Undecided, 0.9, {0.8, 1.1}, ", too near it to decide"},
                            Said{Verdict::Undecided, 1.1, {0.8, 0.9}, ", too near it to decide"},
-                           Said{Verdict::Undecided, 0.01, {0.0, 0.26}, "; what was not seen could be worse"},
+                           Said{Verdict::Undecided, 0.01, {0.0, 0.26}, "; what was not measured could be worse"},
                            Said{Verdict::NotEvaluated, 0.01, {0.0, 0.26}, " is not evaluated: not given"}}) {
     std::vector<Check> checks = {named("tilt_height", said.verdict, said.value)};
     checks[0].note = "not given";
     checks[0].interval = said.interval;
-    const Headline headline = headlineOf(checks, true);
+    const Headline headline = headlineOf(checks, {true, true});
     EXPECT_EQ(headline.meaning, said.meaning);
     EXPECT_NE(headline.sentence.find(said.meaning), std::string::npos) << headline.sentence;
   }
+}
+
+/// Errors widen an interval to both sides, what was not measured upwards only.
+TEST(HeadlineOf, AFigureFarFromItsLimitIsNotNearIt) {
+  const auto meaning = [](double value, Interval95 interval, bool whole) {
+    std::vector<Check> checks = {named("tilt_height", Verdict::Undecided, value)};
+    checks[0].interval = interval;
+    return headlineOf(checks, {true, whole}).meaning;
+  };
+  EXPECT_EQ(meaning(0.7, {0.65, 1.7}, false), "; what was not measured could be worse");
+  EXPECT_EQ(meaning(0.7, {0.39, 1.7}, false), ", too near it to decide");
+  EXPECT_EQ(meaning(0.7, {0.65, 1.7}, true), ", too near it to decide");
+  EXPECT_EQ(meaning(1.01, {0.99, 1.7}, false), ", too near it to decide");
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ KEYS: dict[str, Any] = {
         "surface": TEXT,
         "other_surface_deg": LIST,
         "shell_below_deg": LIST,
+        "in_doubt_deg": LIST,
         "measured": int,
         "interpolated": int,
         "missing": int,

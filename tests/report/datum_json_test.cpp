@@ -32,9 +32,9 @@ TEST(DatumJson, HasTheContractsKeys) {
   EXPECT_EQ(keysOf(json["tank"]), (std::vector<std::string>{"center", "radius", "sigma_radius", "rms", "coverage_deg",
                                                             "foot_points_per_degree", "side"}));
   EXPECT_EQ(keysOf(json["datum"]),
-            (std::vector<std::string>{"surface", "other_surface_deg", "shell_below_deg", "measured", "interpolated",
-                                      "missing", "mean", "min", "max", "range", "min_azimuth_deg", "max_azimuth_deg",
-                                      "curve"}));
+            (std::vector<std::string>{"surface", "other_surface_deg", "shell_below_deg", "in_doubt_deg", "measured",
+                                      "interpolated", "missing", "mean", "min", "max", "range", "min_azimuth_deg",
+                                      "max_azimuth_deg", "curve"}));
   EXPECT_EQ(keysOf(json["datum"]["curve"]),
             (std::vector<std::string>{"degree", "closed", "control_points", "rms", "max_residual", "check_points"}));
   EXPECT_EQ(keysOf(json["tilt"]), (std::vector<std::string>{"slope", "angle_arcsec", "direction_deg", "sigma_slope",

@@ -59,6 +59,37 @@ TEST(Analyse, ASparseLevellingIsWholeUpToTheCodesOwnSpacing) {
   EXPECT_FALSE(whole(21.0, false));
 }
 
+/// What was refused may be a heave: it passes no rule that the heave fails, and says no word on others.
+TEST(Analyse, IntervalsHoldWhatWasRefusedAndMayBeTheDatum) {
+  const auto analysis = [](double refused, StationFlag flag) {
+    auto stations = survey(level(360), 10.0, 0.0002);
+    for (std::size_t i = 100; i < 109; ++i) {
+      const double share = 1.0 - std::abs(static_cast<double>(i) - 104.0) / 5.0;
+      stations[i].flag = flag;
+      stations[i].z_refused = share * refused;
+      if (flag == StationFlag::Missing) stations[i].z = stations[i].u = kUnknown;
+    }
+    return analyse({stations, fitTilt(stations, {0.0, 0.0}, {}), 10.0}, AnalysisOptions());
+  };
+  const auto interval = [](const Analysis& found, const char* quantity) {
+    return std::find_if(found.measures.begin(), found.measures.end(),
+                        [&](const Measure& m) { return m.quantity == quantity; })
+        ->interval;
+  };
+  for (const StationFlag flag : {StationFlag::Interpolated, StationFlag::Missing}) {
+    const Analysis heave = analysis(0.020, flag), none = analysis(kUnknown, flag);
+    EXPECT_LT(interval(none, "out_of_plane").high, 0.002);
+    EXPECT_NEAR(interval(heave, "out_of_plane").high, 0.020, 0.001);
+    EXPECT_NEAR(interval(analysis(-0.020, flag), "out_of_plane").high, 0.020, 0.001);
+    EXPECT_LT(interval(heave, "out_of_plane").low, 0.001);
+    // half of the range within 3 m
+    EXPECT_NEAR(interval(heave, "level_3m").high, 0.010, 0.001);
+    EXPECT_GT(interval(heave, "curvature").high, 3.0 * interval(none, "curvature").high);
+    EXPECT_TRUE(notes(heave, "What was refused may be a heave of the foundation (stations: 9)"));
+    EXPECT_FALSE(notes(none, "What was refused"));
+  }
+}
+
 /// Where the datum is known to lie lower than its neighbours say, nothing on the shape passes.
 TEST(Analyse, WhereTheShellIsSeenBelowItsNeighboursNoRuleOnTheShapePasses) {
   const auto analysis = [](Unmeasured reason) {

@@ -66,7 +66,7 @@ std::vector<Limit> readLimits(const std::string& path);
 enum class Verdict {
   Pass,
   Fail,
-  Undecided,      ///< the limit lies within the 95 % interval, or what was not seen could be worse
+  Undecided,      ///< the limit lies within the 95 % interval, or what was not measured could be worse
   NotApplicable,  ///< the rule is not for such a tank, such a survey or its service; or it is only shown
   NotEvaluated,   ///< the rule is for it, but something it needs was not given or not surveyed
 };

@@ -55,6 +55,7 @@ struct StationDatum {
   double radius = kUnknown, sigma_radius = kUnknown;  ///< distance from the centre and its standard error [m]
   std::optional<std::size_t> n_shell, n_foundation;   ///< points behind z; none with the paper's method
   double window = kUnknown;                           ///< arc along which the points behind z lie [rad]
+  double z_refused = kUnknown;  ///< elevation here if what was refused in this gap is the datum nevertheless [m]
 };
 
 /// What the setups of the scanner have to do with a station.

@@ -37,6 +37,7 @@ class Levels(Record):
     surface: str | None
     other_surface_deg: list[list[float]] | None
     shell_below_deg: list[list[float]] | None
+    in_doubt_deg: list[list[float]] | None
     measured: int
     interpolated: int
     missing: int
