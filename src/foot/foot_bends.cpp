@@ -11,6 +11,7 @@ namespace tank_datum {
 std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels, const std::vector<double>& sigmas,
                             const RingProcess& process) {
   constexpr double kFar = 2.5, kAlso = 1.5;  // standard deviations
+  constexpr double kAlone = 4.0;             // of a level that no neighbour follows; the process allows for such
   const std::size_t count = levels.size();
   std::vector<std::size_t> middles;
   std::vector<double> offs;
@@ -25,15 +26,16 @@ std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels,
   std::vector<Bend> bends(count, Bend::None);
   for (std::size_t k = 0; k < middles.size(); ++k) {
     if (std::abs(offs[k]) <= kFar) continue;
-    const double after = offs[(k + 1) % offs.size()], before = offs[(k + offs.size() - 1) % offs.size()];
+    const std::size_t here = middles[k], next = (k + 1) % offs.size(), last = (k + offs.size() - 1) % offs.size();
     const auto follows = [&](double other) { return std::abs(other) > kAlso && other * offs[k] > 0.0; };
-    const bool down =
-        offs[k] < 0.0 && countShell(foot, middles[k], levelAt(foot, process.value[middles[k]], 0.0)).goOn();
-    if (!(follows(after) || follows(before) || down)) continue;
-    for (std::size_t away = 0; away <= reach; ++away) {
-      for (const std::size_t i : {(middles[k] + away) % count, (middles[k] + count - away) % count})
-        bends[i] = std::max(bends[i], down ? Bend::Seen : Bend::Likely);
-    }
+    const bool down = offs[k] < 0.0 && countShell(foot, here, levelAt(foot, process.value[here], 0.0)).goOn();
+    const bool alone = !(follows(offs[next]) || follows(offs[last]) || down);
+    if (alone && std::abs(offs[k]) <= kAlone) continue;
+    // the levels beside one that stands alone lie on the process
+    const std::size_t behind = alone ? (here + count - middles[last] - 1) % count : reach;
+    const std::size_t ahead = alone ? (middles[next] + count - here - 1) % count : reach;
+    for (std::size_t i = here + count - behind; i <= here + count + ahead; ++i)
+      bends[i % count] = std::max(bends[i % count], down ? Bend::Seen : Bend::Likely);
   }
   return bends;
 }

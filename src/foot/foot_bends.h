@@ -12,7 +12,8 @@ namespace tank_datum {
 enum class Bend { None, Likely, Seen };
 
 /// Stations about places where the stretches' own levels lie off the process, neighbours to the same side or down to
-/// where the shell is seen to go: what the ring does elsewhere is no help there, as far as the process is alike.
+/// where the shell is seen to go: what the ring does elsewhere is no help there, as far as the process is alike. A
+/// level that lies far off alone is doubted up to the levels beside it.
 /// @param levels  of stretches at their middle stations, else NaN [m]
 /// @param sigmas  their own standard errors [m]
 std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels, const std::vector<double>& sigmas,
