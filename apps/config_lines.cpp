@@ -62,6 +62,9 @@ void requireConfigLines(const std::string& path) {
   if (path.empty()) return;
   constexpr std::ptrdiff_t kMostLines = 1000;  // many times the options there are; each takes a millisecond
   const std::string whole = wholeFile(path, "command line");
+  if (whole.rfind("\xef\xbb\xbf", 0) == 0) {
+    throw Error(Error::Kind::Option, "command line", path + " line 1", "a byte order mark", "UTF-8 without one");
+  }
   const std::ptrdiff_t lines = std::count(whole.begin(), whole.end(), '\n');
   if (lines > kMostLines) {
     throw Error(Error::Kind::Option, "command line", path, std::to_string(lines) + " lines",

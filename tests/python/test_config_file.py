@@ -52,6 +52,16 @@ def test_good_lines_are_taken(run: Runner, tmp_path: Path) -> None:
     assert (printed["k"], printed["clockwise"], printed["height"]) == (30, True, "26ft")
 
 
+def test_a_byte_order_mark_is_named(run: Runner, tmp_path: Path) -> None:
+    """An editor shows none; the line that it stands in looks right."""
+    config = tmp_path / "options.toml"
+    config.write_text("k=30\n", encoding="utf-8-sig")
+    result = run("--config", config, "--print-config")
+    assert result.returncode == 2
+    where = f"tank_datum: command line: {config} line 1"
+    assert result.stderr == f"{where}, a byte order mark, expected UTF-8 without one\n"
+
+
 def test_options_are_printed_without_a_scan(run: Runner, tmp_path: Path) -> None:
     result = run("--print-config", "--k", 30, cwd=tmp_path)
     assert result.returncode == 0, result.stderr
