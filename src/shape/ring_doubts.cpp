@@ -11,17 +11,31 @@
 
 namespace tank_datum {
 
-RingDoubts::RingDoubts(const std::vector<Station>& stations, const Eigen::VectorXd& expected) {
+RingDoubts::RingDoubts(const std::vector<Station>& stations, const Eigen::VectorXd& expected,
+                       const Eigen::VectorXd& sigmas) {
+  std::vector<double> refused, unsure;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const Station& s = stations[i];
+    const auto at = static_cast<Eigen::Index>(i);
+    refused.push_back(s.z_refused - expected[at]);
+    const bool exceeds = s.flag == StationFlag::Interpolated && !std::isfinite(s.z_refused) && s.sigma_z > sigmas[at];
+    unsure.push_back(exceeds ? std::sqrt(s.sigma_z * s.sigma_z - sigmas[at] * sigmas[at]) : kUnknown);
+  }
+  add(stations, refused, true);
+  add(stations, unsure, false);
+}
+
+/// @param values  at each station, unknown at those that are not in doubt [m]
+void RingDoubts::add(const std::vector<Station>& stations, const std::vector<double>& values, bool refused) {
   const std::size_t count = stations.size();
   std::vector<char> in_doubt;
-  for (const Station& s : stations) in_doubt.push_back(std::isfinite(s.z_refused) ? 1 : 0);
+  for (const double v : values) in_doubt.push_back(std::isfinite(v) ? 1 : 0);
   if (std::count(in_doubt.begin(), in_doubt.end(), 0) < 2) return;
   for (const RingRun& run : runsRound(in_doubt)) {
-    Gap gap{stations[(run.first + count - 1) % count].azimuth, {0.0}, {0.0}};
+    Gap gap{stations[(run.first + count - 1) % count].azimuth, {0.0}, {0.0}, refused};
     for (std::size_t k = run.first; k <= run.last + 1; ++k) {
-      const Station& s = stations[k % count];
-      gap.ahead.push_back(turnAhead(gap.first, s.azimuth));
-      gap.values.push_back(k > run.last ? 0.0 : s.z_refused - expected[static_cast<Eigen::Index>(k % count)]);
+      gap.ahead.push_back(turnAhead(gap.first, stations[k % count].azimuth));
+      gap.values.push_back(k > run.last ? 0.0 : values[k % count]);
     }
     gaps_.push_back(std::move(gap));
   }
@@ -59,8 +73,14 @@ Eigen::MatrixXd RingDoubts::waves(int order) const {
 
 Eigen::MatrixXd RingDoubts::drawn(int draws, std::uint64_t seed) const {
   Deviates normal(seed);
-  return Eigen::MatrixXd::NullaryExpr(static_cast<Eigen::Index>(gaps_.size()), draws,
-                                      [&normal]() { return normal() > 0.0 ? 1.0 : 0.0; });
+  Eigen::MatrixXd all(static_cast<Eigen::Index>(gaps_.size()), draws);
+  for (Eigen::Index k = 0; k < all.cols(); ++k) {
+    for (Eigen::Index g = 0; g < all.rows(); ++g) {
+      const double deviate = normal();
+      all(g, k) = !gaps_[static_cast<std::size_t>(g)].refused ? deviate : deviate > 0.0 ? 1.0 : 0.0;
+    }
+  }
+  return all;
 }
 
 }  // namespace tank_datum

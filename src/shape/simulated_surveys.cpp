@@ -66,7 +66,9 @@ SimulatedSurveys::SimulatedSurveys(const std::vector<Station>& stations, double 
   known_azimuths_ = columnOf(known_, &Station::azimuth);
   whole_azimuths_ = columnOf(whole_, &Station::azimuth);
   draws_ = model_.simulate(kDraws, kSeed);
-  doubts_ = RingDoubts(stations, model_.rowsAt(columnOf(stations, &Station::azimuth)) * model_.coefficients());
+  const Eigen::MatrixXd rows = model_.rowsAt(columnOf(stations, &Station::azimuth));
+  const Eigen::VectorXd variances = RingModel::product(rows, model_.covariance()).cwiseProduct(rows).rowwise().sum();
+  doubts_ = RingDoubts(stations, rows * model_.coefficients(), variances.cwiseMax(0.0).cwiseSqrt());
   doubted_ = doubts_.drawn(kDraws, kSeed + 1);
   z_ = valuesOf(false);
   u_ = valuesOf(true);
@@ -87,7 +89,7 @@ SimulatedSurveys::Values SimulatedSurveys::valuesOf(bool of_u) const {
     if (!of_u) return doubts_.at(azimuths);
     return doubts_.at(azimuths) - RingModel::product(harmonicRows(azimuths, 1), doubts_.waves(1));
   };
-  addDoubts(doubts_at(known_azimuths_), doubts_at(whole_azimuths_), values);
+  addDoubts(doubts_at, values);
   values.standing = rows * model_.standing().tail(count);
   if (!model_.dense()) return raw(std::move(values), of_u);
   values.estimates = RingModel::product(rows, draws_.estimate.bottomRows(count));
@@ -95,12 +97,13 @@ SimulatedSurveys::Values SimulatedSurveys::valuesOf(bool of_u) const {
   return values;
 }
 
-/// @param seen, whole  what each gap in doubt adds at the stations with an elevation, at the whole ring [places x gaps]
-void SimulatedSurveys::addDoubts(const Eigen::MatrixXd& seen, const Eigen::MatrixXd& whole, Values& values) const {
+/// @param doubts_at  what each gap in doubt adds at azimuths [places x gaps]
+void SimulatedSurveys::addDoubts(const std::function<Eigen::MatrixXd(const Eigen::VectorXd&)>& doubts_at,
+                                 Values& values) const {
   values.possible = values.truths;
   if (doubts_.empty()) return;
-  values.possible += RingModel::product(seen, doubted_);
-  values.whole += RingModel::product(whole, doubted_);
+  values.possible += RingModel::product(doubts_at(known_azimuths_), doubted_);
+  values.whole += RingModel::product(doubts_at(whole_azimuths_), doubted_);
 }
 
 /// Of few stations the figures are of the elevations as they were surveyed, less their plane; between them, where an
@@ -157,8 +160,10 @@ SimulatedSurveys::Values SimulatedSurveys::wavesTo(int order, bool curvature) co
   values.whole = whole_azimuths_.size() == known_azimuths_.size()
                      ? values.truths
                      : RingModel::product(at(whole_azimuths_), middle(draws_.truth));
-  const Eigen::MatrixXd doubted_waves = doubts_.waves(highest).bottomRows(count);
-  addDoubts(RingModel::product(rows, doubted_waves), RingModel::product(at(whole_azimuths_), doubted_waves), values);
+  const auto doubts_at = [&](const Eigen::VectorXd& azimuths) {
+    return RingModel::product(at(azimuths), doubts_.waves(highest).bottomRows(count));
+  };
+  addDoubts(doubts_at, values);
   values.estimates = RingModel::product(rows, middle(draws_.estimate));
   values.surveyed = rows * model_.coefficients().segment(3, count);
   values.standing = rows * model_.standing().segment(3, count);

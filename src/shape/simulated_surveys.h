@@ -16,7 +16,7 @@ using RingFigure = std::function<double(const double* values)>;
 ///
 /// The lower end takes from the figure what errors add to it: the same errors on a datum of those waves only that stand
 /// out of them. The upper end is that of a datum as likely as the survey leaves it, beyond what the same survey of it
-/// would give, in gaps too, and where what was refused in a gap may be the datum.
+/// would give, in gaps too, and as far off as what was refused there or a bridge's own error allow.
 class SimulatedSurveys {
  public:
   /// @param radius  of the tank [m]
@@ -49,7 +49,7 @@ class SimulatedSurveys {
     Eigen::VectorXd surveyed, standing;  ///< as surveyed; of the waves that stand out of the errors
   };
   Values valuesOf(bool of_u) const;
-  void addDoubts(const Eigen::MatrixXd& seen, const Eigen::MatrixXd& whole, Values& values) const;
+  void addDoubts(const std::function<Eigen::MatrixXd(const Eigen::VectorXd&)>& doubts_at, Values& values) const;
   Values raw(Values values, bool of_u) const;
   Values wavesTo(int order, bool curvature) const;
   static Interval95 interval(const Values& values, const RingFigure& seen, const RingFigure& whole);

@@ -90,6 +90,21 @@ TEST(Analyse, IntervalsHoldWhatWasRefusedAndMayBeTheDatum) {
   }
 }
 
+/// What a bridge may be off passes no rule either.
+TEST(Analyse, IntervalsHoldTheErrorsOfBridges) {
+  const auto high = [](double sigma) {
+    auto stations = survey(level(360), 10.0, 0.0002);
+    for (std::size_t i = 100; i < 109; ++i) stations[i].flag = StationFlag::Interpolated, stations[i].sigma_z = sigma;
+    const Analysis found = analyse({stations, fitTilt(stations, {0.0, 0.0}, {}), 10.0}, AnalysisOptions());
+    return std::find_if(found.measures.begin(), found.measures.end(),
+                        [](const Measure& m) { return m.quantity == "out_of_plane"; })
+        ->interval.high;
+  };
+  EXPECT_LT(high(0.0002), 0.002);
+  // 97.5 % of |normal deviates| are below 2.24
+  EXPECT_NEAR(high(0.005), 2.24 * 0.005, 0.0015);
+}
+
 /// Where the datum is known to lie lower than its neighbours say, nothing on the shape passes.
 TEST(Analyse, WhereTheShellIsSeenBelowItsNeighboursNoRuleOnTheShapePasses) {
   const auto analysis = [](Unmeasured reason) {

@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 #include "fit/harmonics.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -13,7 +14,24 @@ RingDoubts doubts(const std::vector<std::pair<std::size_t, double>>& refused) {
   std::vector<Station> stations(360);
   for (std::size_t i = 0; i < stations.size(); ++i) stations[i].azimuth = toRadians(static_cast<double>(i));
   for (const auto& [at, height] : refused) stations[at].z_refused = 1.0 + height;
-  return {stations, Eigen::VectorXd::Ones(360)};
+  return {stations, Eigen::VectorXd::Ones(360), Eigen::VectorXd::Zero(360)};
+}
+
+/// 360 stations known to 3 mm by those measured; the first of each pair interpolated with the standard error of the
+/// second.
+RingDoubts bridges(const std::vector<std::pair<std::size_t, double>>& interpolated, double refused = kUnknown) {
+  std::vector<Station> stations(360);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    stations[i].azimuth = toRadians(static_cast<double>(i));
+    stations[i].flag = StationFlag::Measured;
+    stations[i].sigma_z = 0.020;
+  }
+  for (const auto& [at, sigma] : interpolated) {
+    stations[at].flag = StationFlag::Interpolated;
+    stations[at].sigma_z = sigma;
+    stations[at].z_refused = refused;
+  }
+  return {stations, Eigen::VectorXd::Ones(360), Eigen::VectorXd::Constant(360, 0.003)};
 }
 
 double at(const RingDoubts& doubts, double degrees, Eigen::Index gap = 0) {
@@ -54,6 +72,29 @@ TEST(RingDoubts, EachGapIsTheOneOrTheOtherAsLikelyAsNot) {
   EXPECT_NEAR(drawn.row(1).mean(), 0.5, 0.1);
   EXPECT_NEAR((drawn.row(0) - drawn.row(1)).cwiseAbs().mean(), 0.5, 0.1);
   EXPECT_EQ(drawn.cwiseProduct((drawn.array() - 1.0).matrix()).cwiseAbs().maxCoeff(), 0.0);
+}
+
+/// A bridge is off by what its errors exceed those that the measured stations leave, all of it alike.
+TEST(RingDoubts, ABridgeIsOffAlongItsWholeGapByWhatItsErrorExceeds) {
+  const RingDoubts one = bridges({{100, 0.005}, {101, 0.005}, {102, 0.003}});
+  ASSERT_EQ(one.at(Eigen::VectorXd::Zero(1)).cols(), 1);
+  EXPECT_NEAR(at(one, 100.0), 0.004, 1e-12);
+  EXPECT_NEAR(at(one, 101.0), 0.004, 1e-12);
+  EXPECT_NEAR(at(one, 102.0), 0.0, 1e-12);
+  EXPECT_NEAR(at(one, 99.0), 0.0, 1e-12);
+  const Eigen::MatrixXd drawn = one.drawn(4000, 7);
+  EXPECT_NEAR(drawn.mean(), 0.0, 0.05);
+  EXPECT_NEAR(drawn.squaredNorm() / 4000.0, 1.0, 0.1);
+}
+
+TEST(RingDoubts, ABridgeThatHoldsWhatWasRefusedIsDoubtedOnce) {
+  const RingDoubts one = bridges({{100, 0.005}}, 1.010);
+  ASSERT_EQ(one.at(Eigen::VectorXd::Zero(1)).cols(), 1);
+  EXPECT_NEAR(at(one, 100.0), 0.010, 1e-12);
+}
+
+TEST(RingDoubts, NoneOfABridgeAsSureAsTheMeasuredStationsMakeIt) {
+  EXPECT_TRUE(bridges({{100, 0.003}, {200, 0.001}, {201, kUnknown}}).empty());
 }
 
 TEST(RingDoubts, NoneWhereNothingWasRefusedOrNothingWasMeasured) {
