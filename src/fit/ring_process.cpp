@@ -147,7 +147,7 @@ std::vector<double> offOthers(const Data& data, const Parameters& p, const RingP
 }
 
 /// What is far off counts for what it is off, unless a neighbour is off the same way: that is a dip.
-void doubtStrays(Data& data, const Parameters& p, RingProcess& result, std::vector<double>& strayed) {
+void doubtStrays(Data& data, const Parameters& p, RingProcess& result) {
   constexpr double kFar = 4.0, kAlso = 1.5;
   const std::size_t count = data.values.size();
   std::vector<double> offs(count, 0.0);
@@ -165,11 +165,16 @@ void doubtStrays(Data& data, const Parameters& p, RingProcess& result, std::vect
     result.doubt[i] = std::max(result.doubt[i], std::abs(ratios[i]));
     data.variances[i] += offs[i] * offs[i] / (p.scale * p.scale);
     for (std::size_t j = (before + 1) % count; j != after; j = (j + 1) % count)
-      strayed[j] = std::max(strayed[j], std::abs(offs[i]));
+      result.strayed[j] = std::max(result.strayed[j], std::abs(offs[i]));
   }
 }
 
 }  // namespace
+
+double RingProcess::sigmaOfFollowed(std::size_t place) const {
+  const double added = kEither * strayed[place];
+  return std::sqrt(std::max(0.0, sigma[place] * sigma[place] - added * added));
+}
 
 RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude) {
   constexpr int kOrder = 4;
@@ -197,13 +202,14 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
   result.value.resize(values.size());
   result.sigma.resize(values.size());
   result.doubt.assign(values.size(), 0.0);
-  std::vector<double> strayed(values.size(), 0.0);
+  result.strayed.assign(values.size(), 0.0);
   for (int iteration = 0; iteration < 2; ++iteration) {
     smooth(data, p, result);
-    doubtStrays(data, p, result, strayed);
+    doubtStrays(data, p, result);
   }
   smooth(data, p, result);
-  for (std::size_t i = 0; i < values.size(); ++i) result.sigma[i] = std::hypot(result.sigma[i], kEither * strayed[i]);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    result.sigma[i] = std::hypot(result.sigma[i], kEither * result.strayed[i]);
   for (std::size_t i = 0; i < values.size(); ++i) result.value[i] += shape(static_cast<double>(i) * step);
   return result;
 }

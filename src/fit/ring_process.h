@@ -12,12 +12,15 @@ struct RingProcess {
   std::vector<double> value;  ///< what the values follow, at every place, those without a value too
   std::vector<double> sigma;  ///< its standard error
   std::vector<double>
-      doubt;             ///< how many standard deviations a value lies off what the others say; 0 where there is none
-  double amplitude = 0;  ///< standard deviation of the process
-  double length = 0;     ///< along which it is alike [rad]
-  double nugget = 0;     ///< what the values scatter beside their standard errors
+      doubt;  ///< how many standard deviations a value lies off what the others say; 0 where there is none
+  std::vector<double> strayed;  ///< how far such a value lies off, at its place and up to the next values [m]
+  double amplitude = 0;         ///< standard deviation of the process
+  double length = 0;            ///< along which it is alike [rad]
+  double nugget = 0;            ///< what the values scatter beside their standard errors
 
   bool valid() const { return amplitude > 0.0; }
+  /// Its standard error as the values that it follows make it: without what those that it does not follow add.
+  double sigmaOfFollowed(std::size_t place) const;
 };
 
 /// What values at equal steps round a ring follow: low harmonics and a Matern process of order 3/2 (Rasmussen and

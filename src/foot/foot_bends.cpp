@@ -19,7 +19,7 @@ std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels,
     if (!std::isfinite(levels[i])) continue;
     middles.push_back(i);
     offs.push_back((levels[i] - process.value[i]) /
-                   std::hypot(std::hypot(sigmas[i], process.nugget), process.sigma[i]));
+                   std::hypot(std::hypot(sigmas[i], process.nugget), process.sigmaOfFollowed(i)));
   }
   const auto reach =
       std::min(count / 2, static_cast<std::size_t>(process.length / kTwoPi * static_cast<double>(count)));

@@ -75,6 +75,9 @@ TEST(RingProcess, AStrayValueCountsForWhatItIsOff) {
   EXPECT_GT(process.doubt[50], 4.0);
   EXPECT_LT(std::abs(ring.error(process, 50)), 0.0006);
   EXPECT_NEAR(process.sigma[50], 0.3 * 0.010, 0.0005);  // it may be right
+  EXPECT_NEAR(process.strayed[50], 0.010, 0.001);
+  EXPECT_EQ(process.strayed[49], 0.0);
+  EXPECT_NEAR(process.sigmaOfFollowed(50), process.sigma[60], 0.0001);
   EXPECT_LT(process.sigma[60], 0.0003);
 }
 

@@ -17,6 +17,7 @@ using namespace made_feet;
 /// stations.
 struct Levels {
   std::vector<double> levels = std::vector<double>(360, kUnknown), sigmas = std::vector<double>(360, kUnknown);
+  double strayed = 0.0;  ///< what the process does not follow lies so far off [m]
 
   Levels() {
     for (std::size_t i = 0; i < 360; i += 2) levels[i] = 0.0, sigmas[i] = 0.0006;
@@ -24,7 +25,8 @@ struct Levels {
   std::vector<Bend> bends() const {
     MadeFoot made;
     RingProcess process;
-    process.value.assign(360, 0.0), process.sigma.assign(360, 0.0008);
+    process.value.assign(360, 0.0), process.sigma.assign(360, std::hypot(0.0008, kEither * strayed));
+    process.strayed.assign(360, strayed);
     process.amplitude = 0.01, process.length = toRadians(20.0), process.nugget = 0.0;
     return findBends(made.foot(), levels, sigmas, process);
   }
@@ -65,6 +67,13 @@ TEST(FindBends, ALevelThatLiesFarOffAloneIsDoubtedUpToItsNeighbours) {
     EXPECT_EQ(bends[(at + 359) % 360], Bend::Likely) << at;
     EXPECT_EQ(bends[(at + 1) % 360], Bend::Likely) << at;
   }
+}
+
+/// What a level that the process does not follow adds to its sigma is no reason to leave that level out.
+TEST(FindBends, ALevelThatTheProcessDoesNotFollowIsJudgedByTheSigmaOfThoseItFollows) {
+  Levels one;
+  one.levels[100] = one.strayed = 0.0044;
+  EXPECT_EQ(likely(one.bends()), 3);
 }
 
 /// Two standard errors hold the own level and the process.
