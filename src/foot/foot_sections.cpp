@@ -76,7 +76,7 @@ FootElevations alignedElevations(const Foot& foot, FootElevations elevations) {
     std::vector<double> off;
     for (const FootPoint& p : foot.points[i]) {
       const double bin = p.d / section.bin;
-      if (bin < 0.0 || bin >= static_cast<double>(section.height.size())) continue;
+      if (p.d < foot.scales.nearest() || bin >= static_cast<double>(section.height.size())) continue;  // the shell's
       const double height = section.height[static_cast<std::size_t>(bin)];
       if (std::isfinite(height)) off.push_back(p.z - elevations.known[i] - height);
     }

@@ -112,13 +112,15 @@ TEST(StackSections, ASectionAHundredthOfTheReachOffItsElevationsIsOfAnotherSurfa
 
 /// How far elevations that are off by `off`, from station to station up and down, are from a datum of zero that is
 /// hidden at every tenth station.
-double scatterAfter(double off, const Sections::Section& section) {
+/// @param shell  so many points of every other station are of the shell
+double scatterAfter(double off, const Sections::Section& section, int shell = 0) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   MadeFoot made;
   FootElevations elevations;
   for (int s = 0; s < 360; ++s) {
     made.addStation(s, 60, 0.015, 0.3, [&](double d) { return section(d) + 0.0005 * normal(random); });
+    made.addStation(s, s % 2 * shell, 0.0, 0.002, [&](double d) { return 150.0 * d; });
     elevations.known.push_back(s % 10 == 0 ? kUnknown : off * std::sin(2.4 * s));
   }
   elevations.filled = elevations.known;
@@ -137,6 +139,11 @@ double scatterAfter(double off, const Sections::Section& section) {
 TEST(AlignedElevations, StationsMoveTogetherWhereTheirSectionIsOfNoSurface) {
   const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.018; };
   EXPECT_LT(scatterAfter(0.010, leaning), 0.0005);
+}
+
+TEST(AlignedElevations, PointsOfTheShellMoveNoStation) {
+  const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.018; };
+  EXPECT_LT(scatterAfter(0.010, leaning, 200), 0.0005);
 }
 
 TEST(AlignedElevations, StationsStayWhereTheirSectionIsTheirs) {
