@@ -16,6 +16,18 @@ double median(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
+double weightedMedian(std::vector<WeightedValue> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end(),
+            [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
+  double half = 0.0;
+  for (const WeightedValue& v : values) half += 0.5 * v.weight;
+  std::size_t k = 0;
+  double reached = values[0].weight;
+  while (k + 1 < values.size() && reached < half) reached += values[++k].weight;
+  return k + 1 < values.size() && reached <= half ? 0.5 * (values[k].value + values[k + 1].value) : values[k].value;
+}
+
 double quantile(std::vector<double> values, double q) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double rank = std::floor(q * static_cast<double>(values.size()));

@@ -7,6 +7,13 @@ namespace tank_datum {
 /// The middle value (mean of the two middle ones for an even count); NaN for no values.
 double median(std::vector<double> values);
 
+struct WeightedValue {
+  double value, weight;  ///< weights above 0
+};
+
+/// The value at which half of the weight is reached, the mean of two where one ends on it; NaN for no values.
+double weightedMedian(std::vector<WeightedValue> values);
+
 /// The value below which the share `q` in [0, 1] of the values lies (nearest rank); NaN for no values.
 double quantile(std::vector<double> values, double q);
 

@@ -18,22 +18,24 @@ struct Line {
   double at(double d) const { return offset + slope * d; }
 };
 
-/// Median of the slopes between bins far apart (Theil and Sen), and of the offsets: half of the bins but for the
-/// corner's may lie off without moving it.
+/// Median of the slopes between bins far apart (Theil and Sen), and of the offsets, each weighted by what it is known
+/// to: half of the bins but for the corner's may lie off without moving it.
 Line robustLine(const FootProfile& profile, std::size_t first, std::size_t last) {
-  std::vector<double> slopes, offsets;
+  std::vector<WeightedValue> slopes, offsets;
   const std::size_t apart = std::max<std::size_t>(1, (last - first) / 3);
   for (std::size_t i = first; i <= last; ++i) {
     for (std::size_t j = i + apart; j <= last; ++j) {
-      const double slope = (profile.height[j] - profile.height[i]) / (static_cast<double>(j - i) * profile.bin);
-      if (std::isfinite(slope)) slopes.push_back(slope);
+      const double length = static_cast<double>(j - i) * profile.bin;
+      const double slope = (profile.height[j] - profile.height[i]) / length;
+      if (std::isfinite(slope)) slopes.push_back({slope, length / std::hypot(profile.error[i], profile.error[j])});
     }
   }
-  const double slope = median(slopes);
+  const double slope = weightedMedian(std::move(slopes));
   for (std::size_t i = first; i <= last; ++i) {
-    if (std::isfinite(profile.height[i])) offsets.push_back(profile.height[i] - slope * middle(profile, i));
+    const double offset = profile.height[i] - slope * middle(profile, i);
+    if (std::isfinite(offset)) offsets.push_back({offset, 1.0 / profile.error[i]});
   }
-  return {median(offsets), slope};
+  return {weightedMedian(std::move(offsets)), slope};
 }
 
 /// The last bin before the section steps up or down for good: one stray bin is no step.
@@ -140,6 +142,15 @@ std::size_t firstOfSurface(const FootProfile& profile, std::size_t from) {
   return from;
 }
 
+/// The last bin up to which a surface is seen: of four bins it is seen in three, stray points beyond it are in fewer.
+std::size_t lastOfSurface(const FootProfile& profile, std::size_t first, std::size_t last) {
+  for (std::size_t i = last; i >= first + 3; --i) {
+    const auto at = profile.height.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::isfinite(*at) && std::count_if(at - 3, at + 1, [](double z) { return std::isfinite(z); }) >= 3) return i;
+  }
+  return last;
+}
+
 /// Reads the surface between two bins: noise, edge, kind, slope, and the band that is plainly it, with what is not seen
 /// next to it.
 void readSurface(FootProfile& profile, std::size_t first, std::size_t last, const FootScales& scales) {
@@ -151,6 +162,7 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   }
   profile.noise = std::max(median(spreads), 1e-7);
   profile.edge = static_cast<double>(last + 1) * profile.bin;
+  last = lastOfSurface(profile, first, last);
   const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
   profile.surface =
       last + 1 < profile.height.size() ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;

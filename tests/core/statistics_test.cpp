@@ -34,6 +34,20 @@ TEST(Quantile, IsTheNearestRankOfFourValues) {
 
 TEST(Quantile, OfNothingIsUnknown) { EXPECT_TRUE(std::isnan(quantile({}, 0.5))); }
 
+TEST(WeightedMedian, OfEqualWeightsIsTheMedian) {
+  EXPECT_EQ(weightedMedian({{9, 2}, {-4, 2}, {2, 2}}), 2);
+  EXPECT_EQ(weightedMedian({{100, 1}, {2, 1}, {3, 1}, {-50, 1}}), 2.5);
+  EXPECT_EQ(weightedMedian({{7, 3}}), 7);
+}
+
+TEST(WeightedMedian, LeavesHalfOfTheWeightOnEitherSide) {
+  EXPECT_EQ(weightedMedian({{1, 1}, {2, 1}, {3, 1}, {10, 4}}), 10);
+  EXPECT_EQ(weightedMedian({{10, 3}, {1, 1}, {3, 1}, {2, 1}}), 6.5);
+  EXPECT_EQ(weightedMedian({{1, 5}, {10, 4}}), 1);
+}
+
+TEST(WeightedMedian, OfNothingIsUnknown) { EXPECT_TRUE(std::isnan(weightedMedian({}))); }
+
 TEST(RobustSigma, IsTheScaledMedianOfTheDeviationsFromTheGivenCentre) {
   EXPECT_DOUBLE_EQ(robustSigma({-1, 0, 2}, 0.0), 1.4826);
   EXPECT_DOUBLE_EQ(robustSigma({9, 10, 12}, 10.0), 1.4826);

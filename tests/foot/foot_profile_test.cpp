@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -130,6 +131,40 @@ TEST(StackProfile, ACrownHigherThanThePlateDoesNotCarryIt) {
   EXPECT_LE(profile.band_to, 0.065);
   EXPECT_NEAR(profile.offset, 0.0, 0.0002);
   EXPECT_NEAR(profile.slope, 0.0, 0.003);
+}
+
+/// Nothing is seen between lip and crown but where the crown's edge blends into it.
+TEST(StackProfile, AStrayBinBeyondWhatIsNotSeenIsNoPartOfTheSurface) {
+  Foot foot([](double d) { return d < 0.065 ? 0.0 : d < 0.115 ? 0.004 : 0.015; });
+  for (auto& station : foot.stations) {
+    const auto hidden = [](const FootPoint& p) { return p.d > 0.065 && p.d < 0.109; };
+    station.erase(std::remove_if(station.begin(), station.end(), hidden), station.end());
+  }
+  const FootProfile profile = foot.profile();
+  ASSERT_TRUE(profile.valid());
+  EXPECT_EQ(profile.surface, Surface::AnnularPlate);
+  EXPECT_LE(profile.band_to, 0.066);
+  EXPECT_NEAR(profile.slope, 0.0, 0.003);
+}
+
+/// The outer third is seen by a twentieth of the points, which scatter twelve times as much, about a slope that few
+/// points do not show to be another.
+TEST(StackProfile, ABinCountsForItsErrorInTheSlope) {
+  Foot foot(flat);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (auto& station : foot.stations) {
+    std::vector<FootPoint> seen;
+    for (FootPoint p : station) {
+      if (p.d > 0.2 && uniform(random) > 0.05) continue;
+      if (p.d > 0.2) p.z += 0.006 * normal(random) + 0.04 * (p.d - 0.2);
+      seen.push_back(p);
+    }
+    station = seen;
+  }
+  const FootProfile profile = foot.profile();
+  ASSERT_GT(profile.edge, 0.28);
+  EXPECT_NEAR(profile.slope, 0.0, 0.005);
 }
 
 TEST(StackProfile, ADripRingAboveThePlateIsIgnored) {
