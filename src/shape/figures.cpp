@@ -98,8 +98,8 @@ void Figures::addLevels(Analysis& analysis) {
   }
   const MeanLevel seen(seen_.z, stations_), whole(whole_.z, surveys_.wholeRing());
   analysis.level_total = seen.furthest(seen_.z.values());
-  add("level_total", analysis.level_total, kTooFew).interval = surveys_.intervalOf(
-      [&](const double* v) { return seen.furthest(v); }, [&](const double* v) { return whole.furthest(v); }, false);
+  add("level_total", analysis.level_total, kTooFew).interval = surveys_.aboutWhole(
+      [&](const double* v) { return seen.furthest(v); }, [&](const double* v) { return whole.furthest(v); });
 }
 
 void Figures::addCurvature(OutOfPlane& fit) {

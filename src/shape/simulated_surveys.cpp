@@ -127,22 +127,39 @@ SimulatedSurveys::Values SimulatedSurveys::raw(Values values, bool of_u) const {
   return values;
 }
 
+/// By how much each survey's figure is above the truth's: at the whole ring, if that is asked for.
+std::vector<double> SimulatedSurveys::missedBy(const Values& values, const RingFigure& seen, const RingFigure& whole) {
+  std::vector<double> missed;
+  for (Eigen::Index k = 0; k < values.truths.cols(); ++k) {
+    const double truth = whole ? whole(values.whole.col(k).data()) : seen(values.possible.col(k).data());
+    missed.push_back(seen(values.estimates.col(k).data()) - truth);
+  }
+  return missed;
+}
+
 Interval95 SimulatedSurveys::interval(const Values& values, const RingFigure& seen, const RingFigure& whole) {
   const double surveyed = seen(values.surveyed.data()), standing = seen(values.standing.data());
-  std::vector<double> raised, missed;
+  std::vector<double> raised;
   Eigen::VectorXd disturbed;
   for (Eigen::Index k = 0; k < values.truths.cols(); ++k) {
     disturbed = values.standing + values.estimates.col(k) - values.truths.col(k);
     raised.push_back(seen(disturbed.data()) - standing);
-    const double truth = whole ? whole(values.whole.col(k).data()) : seen(values.possible.col(k).data());
-    missed.push_back(seen(values.estimates.col(k).data()) - truth);
   }
   const double low = std::max(0.0, surveyed - beyond(std::move(raised), true));
-  return {low, std::max(low, surveyed - beyond(std::move(missed), false))};
+  return {low, std::max(low, surveyed - beyond(missedBy(values, seen, whole), false))};
 }
 
 Interval95 SimulatedSurveys::intervalOf(const RingFigure& seen, const RingFigure& whole, bool of_u) const {
   return valid_ ? interval(of_u ? u_ : z_, seen, whole) : Interval95{};
+}
+
+Interval95 SimulatedSurveys::aboutWhole(const RingFigure& seen, const RingFigure& whole) const {
+  const Interval95 all_seen = intervalOf(seen, whole, false);
+  if (!valid_ || whole_azimuths_.size() == known_azimuths_.size()) return all_seen;
+  const double surveyed = seen(z_.surveyed.data());
+  const std::vector<double> missed = missedBy(z_, seen, whole);
+  const double low = std::max(0.0, std::min(all_seen.low, surveyed - beyond(missed, true)));
+  return {low, std::max(low, surveyed - beyond(missed, false))};
 }
 
 SimulatedSurveys::Values SimulatedSurveys::wavesTo(int order, bool curvature) const {

@@ -35,6 +35,9 @@ class SimulatedSurveys {
   /// @param of_u   whether the plane is taken out first
   Interval95 intervalOf(const RingFigure& seen, const RingFigure& whole, bool of_u) const;
 
+  /// Interval of a figure of z about its mean all round, which what was not seen may move up or down.
+  Interval95 aboutWhole(const RingFigure& seen, const RingFigure& whole) const;
+
   /// Interval of a figure of U's waves 2 to `order` at the stations that have an elevation.
   Interval95 ofWaves(int order, const RingFigure& seen) const;
 
@@ -52,6 +55,7 @@ class SimulatedSurveys {
   void addDoubts(const std::function<Eigen::MatrixXd(const Eigen::VectorXd&)>& doubts_at, Values& values) const;
   Values raw(Values values, bool of_u) const;
   Values wavesTo(int order, bool curvature) const;
+  static std::vector<double> missedBy(const Values& values, const RingFigure& seen, const RingFigure& whole);
   static Interval95 interval(const Values& values, const RingFigure& seen, const RingFigure& whole);
 
   double radius_;
