@@ -67,3 +67,10 @@ def test_no_cases_file(tmp_path: Path) -> None:
     result = qa(tmp_path / "none.toml")
     assert result.returncode == 2
     assert "No such file" in result.stderr
+
+
+def test_a_byte_order_mark_is_passed_over(tmp_path: Path) -> None:
+    cases = tmp_path / "cases.toml"
+    cases.write_text('\ufeff[[case]]\nname = "a"\ninputs = ["b"]\n', encoding="utf-8")
+    result = qa(cases, "--list")
+    assert (result.returncode, result.stdout) == (0, "a: extract b\n")

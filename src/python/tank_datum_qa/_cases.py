@@ -200,7 +200,7 @@ def read_cases(path: Path) -> list[Case]:
 
 def _checked(path: Path) -> list[Case]:
     try:
-        table = tomllib.loads(read_regular_text(path))
+        table = tomllib.loads(read_regular_text(path).removeprefix("\ufeff"))
     except OSError as error:
         raise _refuse(str(path), error.strerror, "a readable file") from error
     except ValueError as error:
