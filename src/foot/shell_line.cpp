@@ -9,6 +9,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/surface_rows.h"
+#include "foot/shell_objects.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/locate/tank.h"
 
@@ -17,20 +18,19 @@ namespace {
 
 constexpr std::size_t kPointsPerCell = 40;  // enough for a mode, few enough for cells finer than the lobes of a shell
 
-/// Replaces cells that stand apart from the running median of their neighbours by NaN: pipes, boxes, outliers.
-void dropStrays(std::vector<double>& radius, double noise, double cell_arc) {
+/// Replaces cells that stand apart from the running median of their neighbours by NaN: pipes, outliers.
+void dropStrays(ShellCells& cells) {
   constexpr std::ptrdiff_t kReach = 4;
-  constexpr double kSteepest = 0.15;  // a lobe of +-50 mm over 3 m turns the shell by 0.1 against the circle
-  const auto count = static_cast<std::ptrdiff_t>(radius.size());
-  const std::vector<double> given = radius;
+  const auto count = static_cast<std::ptrdiff_t>(cells.radius.size());
+  const std::vector<double> given = cells.radius;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     std::vector<double> around;
     for (std::ptrdiff_t j = i - kReach; j <= i + kReach; ++j) {
       const double r = given[static_cast<std::size_t>((j + count) % count)];
       if (std::isfinite(r)) around.push_back(r);
     }
-    double& cell = radius[static_cast<std::size_t>(i)];
-    if (std::abs(cell - median(around)) > 4.0 * noise + kSteepest * kReach * cell_arc) cell = kUnknown;
+    double& cell = cells.radius[static_cast<std::size_t>(i)];
+    if (std::abs(cell - median(around)) > mostTurn(cells, kReach * cells.arc)) cell = kUnknown;
   }
 }
 
@@ -60,7 +60,9 @@ ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep
   });
   spreads.erase(std::remove_if(spreads.begin(), spreads.end(), [](double s) { return std::isnan(s); }), spreads.end());
   result.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
-  dropStrays(result.radius, result.noise, kTwoPi * tank_radius / static_cast<double>(cells));
+  ShellCells shell{std::move(result.radius), result.noise, kTwoPi * tank_radius / static_cast<double>(cells)};
+  dropStrays(shell);
+  result.radius = std::move(shell.radius);
   return result;
 }
 
@@ -90,8 +92,11 @@ double ShellOutline::at(double azimuth) const {
 }
 
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach) {
-  return outline(ring, tank.circle.radius,
-                 [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; });
+  ShellOutline shell = outline(ring, tank.circle.radius,
+                               [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; });
+  const double arc = kTwoPi * tank.circle.radius / static_cast<double>(shell.radius.size());
+  shell.radius = withoutObjects({std::move(shell.radius), shell.noise, arc});
+  return shell;
 }
 
 ShellOutline outlineBand(const PolarRing& ring, double radius) {

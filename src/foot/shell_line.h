@@ -37,7 +37,7 @@ struct ShellOutline {
   double at(double azimuth) const;  ///< nearest cell that was seen, NaN where none is within three cells
 };
 
-/// From the points that are surely above the foot.
+/// From the points that are surely above the foot, without objects before the shell.
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach);
 
 /// From all points: a band of a shell that nothing else meets.
