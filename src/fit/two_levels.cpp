@@ -5,9 +5,32 @@
 #include <cstddef>
 
 #include "core/statistics.h"
+#include "core/units.h"
 
 namespace tank_datum {
 namespace {
+
+constexpr double kLeastShare = 1e-6;  // of all, below which a deviation is none
+
+/// Weighted mean and standard deviation of values.
+struct Spread {
+  double weight = 0, sum = 0, squares = 0;
+
+  void add(double w, double value) {
+    weight += w;
+    sum += w * value;
+    squares += w * value * value;
+  }
+  double mean() const { return sum / weight; }
+  double deviation() const { return std::sqrt(std::max(0.0, squares / weight - mean() * mean())); }
+};
+
+/// Of one level with the values' own deviation, but for a constant.
+double logLikelihoodOfOne(const std::vector<double>& values) {
+  Spread all;
+  for (const double v : values) all.add(1.0, v - values.front());
+  return -all.weight * std::log(all.deviation()) - 0.5 * all.weight;
+}
 
 /// Sums of the values weighted by how likely they belong to the lower level.
 struct Split {
@@ -58,8 +81,7 @@ TwoLevels fitTwoLevels(const std::vector<double>& values) {
   for (const double v : values) squares += (v - mean) * (v - mean);
   std::vector<double> centred;
   for (const double v : values) centred.push_back(v - mean);
-  const double alone = std::sqrt(squares / count);
-  const double single = -count * std::log(alone) - 0.5 * count;
+  const double alone = std::sqrt(squares / count), single = logLikelihoodOfOne(values);
   TwoLevels best;
   best.sigma = alone;
   for (const double share : {0.2, 0.5, 0.8}) {
@@ -67,7 +89,7 @@ TwoLevels fitTwoLevels(const std::vector<double>& values) {
     Split split = divide(model, centred);
     for (int step = 0; step < kSteps && split.weight > 1.0 && count - split.weight > 1.0; ++step) {
       model = improved(split, squares, count);
-      if (!(model.sigma > 1e-6 * alone)) break;
+      if (!(model.sigma > kLeastShare * alone)) break;
       split = divide(model, centred);
     }
     model.gain = split.log_likelihood - single;
@@ -76,6 +98,28 @@ TwoLevels fitTwoLevels(const std::vector<double>& values) {
   best.low += mean;
   best.high += mean;
   return best;
+}
+
+double gainOfStrays(const std::vector<double>& values) {
+  constexpr int kSteps = 40;
+  const auto count = static_cast<double>(values.size());
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  const double stray = std::sqrt(kTwoPi) / (*largest - *least);  // density, in the normal distribution's units
+  double level = median(values), sigma = robustSigma(values, level), share = 0.9, log_likelihood = 0.0;
+  for (int step = 0; step < kSteps && share > 0.0; ++step) {
+    Spread of_level;
+    log_likelihood = 0.0;
+    for (const double v : values) {
+      const double off = (v - level) / sigma, normal = share * std::exp(-0.5 * off * off) / sigma;
+      const double either = normal + (1.0 - share) * stray;
+      of_level.add(normal / either, v - level);
+      log_likelihood += std::log(either);
+    }
+    level += of_level.mean();
+    sigma = std::max(of_level.deviation(), kLeastShare * (*largest - *least));
+    share = of_level.weight / count;
+  }
+  return log_likelihood - logLikelihoodOfOne(values);
 }
 
 }  // namespace tank_datum

@@ -20,4 +20,9 @@ struct TwoLevels {
 /// @param values  at least 3, not all alike
 TwoLevels fitTwoLevels(const std::vector<double>& values);
 
+/// Gain of the logarithm of the likelihood, against one level with a deviation of its own, where some values are of one
+/// level and the others lie anywhere between the least and the largest: plants on a surface are no second level.
+/// @param values  at least 3, not all alike
+double gainOfStrays(const std::vector<double>& values);
+
 }  // namespace tank_datum

@@ -133,7 +133,7 @@ ArcLevels levelsOf(const BandPoints& points) {
   if (!(robustSigma(heights, 0.0) > 0.0)) return {};
   const TwoLevels levels = fitTwoLevels(heights);
   if (!(levels.gain > 0.0) || levels.apart() < kApart * levels.sigma) return {};
-  if (std::min(levels.share, 1.0 - levels.share) < kShare) return {};
+  if (std::min(levels.share, 1.0 - levels.share) < kShare || gainOfStrays(heights) >= levels.gain) return {};
   if (agreementOfNeighbours(flat, levels) > kBeside) return {};
   return {levels.apart(), levels.gain};
 }

@@ -38,15 +38,60 @@ Ring visitsOf(const Ring& ring, const Tank& tank) {
   return visits;
 }
 
-/// Variance of an arc's offsets beyond their noise, for one scan.
-double varianceOf(const ArcOffsets& seen) {
+/// Variance of an arc's offsets.
+struct ArcVariance {
+  double excess;   ///< beyond what noise makes, for one scan [m^2]
+  double noise;    ///< what noise makes [m^2]
+  double degrees;  ///< of freedom
+};
+
+ArcVariance varianceOf(const ArcOffsets& seen) {
+  constexpr double kLeastNoise = 1e-16;  // of points without noise, beyond what rounding leaves [m^2]
   const auto count = static_cast<Eigen::Index>(seen.setups.size());
+  const auto degrees = static_cast<double>(count - 1);
   // the common height is not in the information: held, and taken out of the covariance again
   const double gauge = seen.information.trace() / static_cast<double>(count * count);
   const Eigen::MatrixXd held = seen.information + Eigen::MatrixXd::Constant(count, count, gauge);
   const double noise =
       held.ldlt().solve(Eigen::MatrixXd::Identity(count, count)).trace() - 1.0 / (gauge * static_cast<double>(count));
-  return (seen.offsets.squaredNorm() - noise) / static_cast<double>(count - 1);
+  return {(seen.offsets.squaredNorm() - noise) / degrees, std::max(noise / degrees, kLeastNoise), degrees};
+}
+
+/// Whether an arc's offsets are beyond what noise makes, by so many deviates of a normal distribution.
+bool isBeyondNoise(const ArcVariance& arc, double deviate) {
+  return arc.degrees * (arc.excess / arc.noise + 1.0) > chiSquareQuantile(arc.degrees, deviate);
+}
+
+/// The arcs without those in which scans seem to disagree where they do not in the arcs seen on either side: two scans
+/// overlap over more than an arc, plants and things do not.
+std::vector<ArcVariance> withoutLoneArcs(const std::vector<ArcVariance>& arcs) {
+  constexpr double kClearly = 3.0, kHardly = 1.645;  // deviates
+  std::vector<ArcVariance> kept;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const bool beside = isBeyondNoise(arcs[(i + arcs.size() - 1) % arcs.size()], kHardly) ||
+                        isBeyondNoise(arcs[(i + 1) % arcs.size()], kHardly);
+    if (beside || !isBeyondNoise(arcs[i], kClearly)) kept.push_back(arcs[i]);
+  }
+  return kept;
+}
+
+/// The excess that the arcs have in common [m^2], each by what it knows of it: the variance of a variance of normal
+/// values is twice its square over the degrees of freedom. None where noise alone may make it.
+double commonExcess(const std::vector<ArcVariance>& arcs) {
+  constexpr int kSteps = 20;
+  constexpr double kPlain = 3.0;  // standard errors
+  double excess = 0.0, known = 0.0;
+  for (const ArcVariance& arc : arcs) known += 0.5 * arc.degrees / (arc.noise * arc.noise);
+  for (int step = 0; step < kSteps; ++step) {
+    double sum = 0.0, weights = 0.0;
+    for (const ArcVariance& arc : arcs) {
+      const double variance = std::max(0.0, excess) + arc.noise, weight = arc.degrees / (variance * variance);
+      sum += weight * arc.excess;
+      weights += weight;
+    }
+    excess = sum / weights;
+  }
+  return excess > kPlain / std::sqrt(known) ? excess : 0.0;
 }
 
 }  // namespace
@@ -59,22 +104,19 @@ double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
   if (visits.setups.size() < 2) return 0.0;
   const SetupRing polar(visits, tank, threads);
   const std::vector<Eigen::Vector3d> origins(visits.setups.size(), Eigen::Vector3d::Zero());
-  std::vector<double> variances, sizes;
+  std::vector<ArcVariance> variances, usual;
+  std::vector<double> sizes;
   for (const ArcView& view : viewArcs(polar, tank, ring.reach, origins, threads)) {
     if (view.shell) continue;
     variances.push_back(varianceOf(view.seen));
-    sizes.push_back(std::abs(variances.back()));
+    sizes.push_back(std::abs(variances.back().excess));
   }
   if (variances.size() < kFewestArcs) return 0.0;
   const double most = kOther * median(sizes);
-  double sum = 0.0, count = 0.0;
-  for (const double v : variances) {
-    if (v > most) continue;
-    sum += v;
-    count += 1.0;
+  for (const ArcVariance& v : variances) {
+    if (v.excess <= most) usual.push_back(v);
   }
-  const double mean = sum / count;
-  return mean > 0.0 ? std::sqrt(mean) : 0.0;
+  return std::sqrt(commonExcess(withoutLoneArcs(usual)));
 }
 
 Eigen::MatrixXd mergedFactors(const std::vector<Station>& stations, double sigma) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -36,6 +37,26 @@ TEST(FitTwoLevels, TheGainIsThatOfTheLikelihoods) {
 }
 
 TEST(FitTwoLevels, OneLevelGainsNothingWorthMentioning) { EXPECT_LT(fitTwoLevels(valuesOf(1000, 1.0, 0.0)).gain, 4.0); }
+
+TEST(GainOfStrays, IsThatOfTheLikelihoods) {
+  // 700 values of one level, 300 clear of it: each value's density is 0.7 of its level's, or 0.3 over the range
+  std::vector<double> values = valuesOf(700, 1.0, 0.0);
+  const double range = 1.11 - *std::min_element(values.begin(), values.end());
+  double mean = 0.0, squares = 0.0;
+  for (int i = 0; i < 300; ++i) values.push_back(1.01 + (i + 0.5) * 0.1 / 300.0);
+  for (const double v : values) mean += v / 1000.0;
+  for (const double v : values) squares += (v - mean) * (v - mean) / 1000.0;
+  const double among = 0.7 * (std::log(0.7 / 1e-3) - 0.5) + 0.3 * std::log(0.3 / range * std::sqrt(2.0 * M_PI));
+  EXPECT_NEAR(gainOfStrays(values) / 1000.0, among - (-0.5 * std::log(squares) - 0.5), 0.03);
+  EXPECT_GT(gainOfStrays(values), fitTwoLevels(values).gain);
+}
+
+TEST(GainOfStrays, IsLessThanThatOfTwoLevelsWhereThereAreTwo) {
+  for (const double share : {0.15, 0.5, 0.85}) {
+    const std::vector<double> values = valuesOf(1000, share, 0.005);
+    EXPECT_LT(gainOfStrays(values), fitTwoLevels(values).gain - 10.0) << share;
+  }
+}
 
 TEST(FitTwoLevels, AValueBelongsToTheLikelierLevel) {
   TwoLevels levels;

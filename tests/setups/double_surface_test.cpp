@@ -24,6 +24,7 @@ struct MadeArcs {
   double apart = 0.004;                               ///< of the two scans
   std::function<bool(double t, double d)> is_second;  ///< t, d in [0, 1]; else by chance
   double noise = kNoise;
+  std::function<double()> above = [] { return 0.0; };  ///< the surface, of each point
 
   double disagreement(Side side = Side::Outside) const {
     std::mt19937_64 random(11);
@@ -37,7 +38,7 @@ struct MadeArcs {
                    d = kBand.from + (kBand.to - kBand.from) * across;
       const double r = side == Side::Outside ? kRadius + d : kRadius - d;
       const bool second = is_second ? is_second(t, across) : chance < share;
-      ring.points.push_back({r * std::cos(azimuth), r * std::sin(azimuth), (second ? apart : 0.0) + normal(random)});
+      ring.points.push_back({r * std::cos(azimuth), r * std::sin(azimuth), (second ? apart : 0.0) + normal(random) + above()});
     }
     std::vector<Station> stations = emptyStations({});
     for (Station& s : stations) s.z = 0.5 * apart, s.radius = kRadius;
@@ -133,6 +134,18 @@ TEST(DoubleSurface, OfEachScanATenthOfThePointsIsSeen) {
   EXPECT_GT(made.disagreement(), 0.002);
   made.share = 0.06;
   EXPECT_EQ(made.disagreement(), 0.0) << "stray points";
+}
+
+TEST(DoubleSurface, PlantsOnTheFoundationAreNoSecondScan) {
+  for (const double share : {0.1, 0.3, 0.5}) {
+    MadeArcs plants;
+    plants.arcs = 72, plants.apart = 0.0;
+    std::mt19937_64 random(3);
+    std::exponential_distribution<double> height(1.0 / 0.03);
+    std::bernoulli_distribution is_plant(share);
+    plants.above = [&] { return is_plant(random) ? height(random) : 0.0; };
+    EXPECT_EQ(plants.disagreement(), 0.0) << share;
+  }
 }
 
 TEST(DoubleSurface, FewPointsTellNothing) {

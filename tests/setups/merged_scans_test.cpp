@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -37,6 +38,19 @@ Ring madeRing(const std::vector<double>& errors, bool shuffled = false) {
   return ring;
 }
 
+/// The same with plants on the foundation of some arcs, a third of the points there.
+Ring overgrown(Ring ring) {
+  std::mt19937_64 random(4);
+  std::exponential_distribution<double> height(1.0 / 0.05);
+  std::bernoulli_distribution is_plant(0.3);
+  for (Eigen::Vector3d& p : ring.points) {
+    const double azimuth = std::atan2(p.y(), p.x());
+    if (p.head<2>().norm() > kRadius + 0.02 && std::sin(6.0 * azimuth) > -0.5 && is_plant(random))
+      p.z() += height(random);
+  }
+  return ring;
+}
+
 Tank madeTank() {
   Tank tank;
   tank.circle = {{0.0, 0.0}, kRadius};
@@ -53,6 +67,13 @@ TEST(MergedScans, ScansThatDisagreeShowBySoMuch) {
 TEST(MergedScans, ScansThatAgreeShowNothing) {
   EXPECT_LT(mergedDisagreement(madeRing({0, 0, 0, 0, 0, 0}), madeTank()), 0.0001);
   EXPECT_EQ(mergedDisagreement(madeRing({0.003}), madeTank()), 0.0);
+}
+
+TEST(MergedScans, PlantsAreNoDisagreement) {
+  const std::vector<double> none(6, 0.0), errors = {0.002, -0.002, 0.002, -0.002, 0.002, -0.002};
+  for (const bool shuffled : {true, false})
+    EXPECT_LT(mergedDisagreement(overgrown(madeRing(none, shuffled)), madeTank()), 0.0001);
+  EXPECT_NEAR(mergedDisagreement(overgrown(madeRing(errors)), madeTank()), 0.004 / std::sqrt(2.0), 0.0003);
 }
 
 TEST(MergedScans, FactorsHaveTheVarianceEverywhereAndFadeWithDistance) {
@@ -98,6 +119,36 @@ double disagreementIn(int arcs) {
 TEST(MergedScans, SixArcsTellADisagreementFiveDoNot) {
   EXPECT_EQ(disagreementIn(5), 0.0);
   EXPECT_GT(disagreementIn(8), 0.002);
+}
+
+/// What two scans of twenty arcs disagree by, of which the second is 1.5 mm higher in some.
+double withHigher(const std::vector<int>& arcs, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> any;
+  std::normal_distribution<double> noise(0.0, 0.004);
+  Ring ring;
+  ring.reach = 0.5;
+  for (const bool second : {false, true}) {
+    for (int i = 0; i < 200 * 20; ++i) {
+      const double azimuth = toRadians(2.5 * (i + 0.5) / 200.0);
+      const bool is_higher = second && std::find(arcs.begin(), arcs.end(), i / 200) != arcs.end(), shell = i % 4 == 0;
+      const double d = shell ? 0.0 : 0.03 + 0.3 * any(random);
+      const double z = shell ? 0.2 + 0.3 * any(random) : (is_higher ? 0.0015 : 0.0) + noise(random);
+      ring.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), z});
+    }
+  }
+  return mergedDisagreement(ring, madeTank());
+}
+
+TEST(MergedScans, ArcsTellADisagreementWhereTheirNeighboursDoToo) {
+  const auto told = [](const std::vector<int>& arcs) {  // of twenty such pairs of scans
+    int count = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) count += withHigher(arcs, seed) > 0.0 ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(told({}), 0);
+  EXPECT_LE(told({4}), 4) << "one beside it seems to as well, by chance";
+  EXPECT_GE(told({4, 5, 6, 7}), 16);
 }
 
 }  // namespace
