@@ -53,6 +53,7 @@ class SimulatedSurveys {
   Values raw(Values values, bool of_u) const;
   Values wavesTo(int order, bool curvature) const;
   static Interval95 interval(const Values& values, const RingFigure& seen, const RingFigure& whole);
+  Interval95 widened(const Values& values, const RingFigure& seen, const RingFigure& whole) const;
 
   double radius_;
   RingModel model_;
