@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/units.h"
 #include "shape/analysis.h"
@@ -58,31 +57,6 @@ TEST(Analyse, ASparseLevellingIsWholeUpToTheCodesOwnSpacing) {
   EXPECT_TRUE(whole(31.9, true));
   EXPECT_FALSE(whole(32.1, true));
   EXPECT_FALSE(whole(21.0, false));
-}
-
-/// Sigmas of millimetres typed as metres, or by far too careful: no figure is then 0 to 0 of its limit.
-TEST(Analyse, SigmasFarBeyondWhatIsSeenAreSaidAndHoldTheFigure) {
-  const auto plane = wave(24, [](double a) { return 0.02 * std::cos(a - 0.7); });
-  for (const double sigma : {0.02, 1.0}) {
-    const Analysis found = analysed(plane, 30.0, sigma);
-    EXPECT_TRUE(notes(found, "in the unit of the elevations?")) << sigma;
-    for (const Measure& m : found.measures) {
-      if (m.quantity != "slope_10m" && m.quantity != "neighbour_slope" && m.quantity != "level_9m") continue;
-      EXPECT_LE(m.interval.low, m.worst.value) << m.quantity;
-      EXPECT_GE(m.interval.high, m.worst.value) << m.quantity;
-    }
-  }
-  const auto seen = wave(24, [](double a) { return 0.02 * std::cos(a - 0.7) + 0.001 * std::cos(7 * a); });
-  EXPECT_FALSE(notes(analysed(seen, 30.0, 0.0015), "in the unit of"));  // of 0.7 mm RMS
-  EXPECT_TRUE(notes(analysed(seen, 30.0, 0.003), "in the unit of"));
-}
-
-/// Of few points nothing is missing; what leaves the shape undecided is said in their distance.
-TEST(Analyse, PointsTooFarApartAreNamed) {
-  const Analysis apart = analysed(level(10), 30.0, 0.001);
-  EXPECT_TRUE(notes(apart, "Neighbouring elevations are up to 18.8 m apart: beyond 9.75 m (32 ft) rules on the shape"));
-  EXPECT_FALSE(notes(analysed(level(24), 30.0, 0.001), "Neighbouring elevations"));
-  EXPECT_FALSE(notes(analysed(level(120), 30.0, 0.001), "Neighbouring elevations"));
 }
 
 /// What was refused may be a heave: it passes no rule that the heave fails, and says no word on others.

@@ -75,7 +75,7 @@ function drawPlanMarks(svg, place, ring, numbered = true) {
     const [x1, y1] = place(azimuth, 0.9 * ring), [x2, y2] = place(azimuth, ring), [x, y] = place(azimuth, (surveyPoints.length > 0 ? 1 - 21 / ring : 0.86) * ring);
     svg.append("line").attr("class", "reference-mark").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
     const text = svg.append("text").attr("class", "plan-label").attr("x", x).attr("y", y + 4).attr("text-anchor", x > across[0] ? "end" : "start").text(name);
-    liftClear(cutTo(text, Math.abs(x - across[0]) + Math.sqrt(Math.max(0, ring ** 2 - (y - across[1]) ** 2))), named, 3);
+    liftClear(cutTo(text, Math.abs(x - across[0]) + Math.sqrt(Math.max(0, ring ** 2 - (y - across[1]) ** 2))), named, 6);
   }
   for (const point of numbered ? surveyPoints : []) {
     const [x, y] = place(point.azimuth_deg, ring);
