@@ -136,6 +136,10 @@ def test_notes_of_every_language_are_in_the_unit(
         said = page.text("#summary li")
         assert re.search(r"\b61\.\d ft", said), said
         assert re.search(r"9\.75 [m\u043c] ?[(\uff08]32 ft", said), said
+    with opened(browser, levelled(run, tmp_path / "t", 16, 30, *options)) as page:
+        page.page.locator("details.checks summary").first.click()
+        notes = page.text("#summary td")
+        assert "19.32 ft" in notes and ("1 start angle" in notes) == (language == "en"), notes
 
 
 def test_another_unit_is_refused(run: Runner, tmp_path: Path) -> None:
