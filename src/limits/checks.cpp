@@ -39,11 +39,11 @@ std::string whatIsNotGiven(const Limit& limit, const TankFacts& facts) {
   return names.empty() ? names : "not given: " + names;
 }
 
-/// The interval of a figure: simulated, or from its standard error.
+/// The interval of a figure, which is a size: simulated, or from its standard error.
 Interval95 intervalOf(const Measure& measure) {
   if (measure.interval.known() || !std::isfinite(measure.worst.sigma)) return measure.interval;
   const double half = student95(measure.freedom) * measure.worst.sigma;
-  return {measure.worst.value - half, measure.worst.value + half};
+  return {std::max(0.0, measure.worst.value - half), measure.worst.value + half};
 }
 
 /// The one rule by which a figure passes or fails.
@@ -197,7 +197,9 @@ LimitComparison compare(const std::vector<Limit>& limits, const Measure& measure
     const Limit* limit = table.front()->quantity == measure.quantity ? rowFor(table, facts, diameter, reason) : nullptr;
     if (!limit) continue;
     const double at = limitAt(*limit, measure, facts, diameter);
-    return {at, verdictOf(measure.worst.value, intervalOf(measure), at, measure.whole_ring)};
+    const bool is_other = !limit->service.empty() && limit->service != nameOf(facts.service);
+    return {at, verdictOf(measure.worst.value, intervalOf(measure), at, measure.whole_ring),
+            is_other ? limit->service : ""};
   }
   return {};
 }

@@ -22,7 +22,9 @@ std::string Display::shortText(double metres, int digits) const {
 }
 
 std::string Display::signedShort(double metres, int digits) const {
-  return (metres < 0.0 ? "" : "+") + fixedText(short_factor_ * metres, digits + further_);
+  const std::string text = fixedText(short_factor_ * metres, digits + further_);
+  const bool is_shown = text.find_first_not_of("-0.") != std::string::npos;  // a zero has no sign
+  return metres > 0.0 && is_shown ? "+" + text : text;
 }
 
 std::string Display::longFigure(double metres, int digits) const { return fixedText(long_factor_ * metres, digits); }

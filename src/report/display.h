@@ -12,7 +12,7 @@ class Display {
 
   /// "6.0 mm": a length in metres, with the digits that millimetres would have.
   std::string shortText(double metres, int digits = 1) const;
-  /// "+6.0": the same with its sign, without the unit.
+  /// "+6.0": the same with its sign, without the unit; a zero has none.
   std::string signedShort(double metres, int digits = 1) const;
   /// "5.000 m"
   std::string longText(double metres, int digits = 3) const;

@@ -31,21 +31,25 @@ std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComp
   if (!r && !survey.roundness.empty()) r = &survey.roundness.front();
   if (!r) return line("%-14s the shell is not seen round enough of the tank at any height", "roundness");
   const auto at = static_cast<std::size_t>(r - survey.roundness.data());
-  char tolerance[80] = "no tolerance for it";
+  std::string tolerance = "no tolerance for it";
   if (at < tolerances.size() && std::isfinite(tolerances[at].limit)) {
-    snprintfPlain(tolerance, sizeof tolerance, "tolerance %.4g %s: %s", display.shortFactor() * tolerances[at].limit,
-                  display.shortUnit(), nameOf(tolerances[at].verdict));
+    const LimitComparison& it = tolerances[at];
+    const std::string whose = it.service.empty() ? "" : " of " + it.service + " tanks";  // else it judges nothing here
+    tolerance = formatted("tolerance%s %.4g %s: %s", whose.c_str(), display.shortFactor() * it.limit,
+                          display.shortUnit(), nameOf(it.verdict));
   }
   return line("%-14s %s / %s %s at %s above the datum, worst at %.0f deg (%s)", "roundness",
               display.signedShort(r->max_deviation).c_str(), display.signedShort(r->min_deviation).c_str(),
-              display.shortUnit(), display.longText(r->height, 2).c_str(), toDegrees(r->azimuth), tolerance);
+              display.shortUnit(), display.longText(r->height, 2).c_str(), toDegrees(r->azimuth), tolerance.c_str());
 }
+
+constexpr double kShownLean = 5e-5;  // [m]: of less, which is 0.0 mm, a direction says nothing
 
 std::string plumbnessLine(const ShellSurvey& survey, const Display& display) {
   const Plumbness* worst = survey.worstPlumbness();
   if (!worst) return line("%-14s the shell is seen at one height only", "plumbness");
   std::string lean;
-  if (survey.lean.valid()) {
+  if (survey.lean.valid() && survey.lean.offset() >= kShownLean) {
     char buffer[80];
     snprintfPlain(buffer, sizeof buffer, "; the tank leans %s towards %.0f deg",
                   display.shortText(survey.lean.offset()).c_str(), toDegrees(survey.lean.direction));

@@ -47,6 +47,14 @@ std::vector<char> inDoubt(const std::vector<Station>& stations) {
   return is;
 }
 
+std::vector<char> maybeHeaved(const std::vector<Station>& stations) {
+  std::vector<char> is = inDoubt(stations);
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    if (stations[i].reason == Unmeasured::ShellBelow) is[i] = 0;
+  }
+  return is;
+}
+
 std::string arcsText(const std::vector<char>& is, const std::vector<Station>& stations, std::size_t shortest) {
   constexpr std::size_t kShown = 5;  // arcs
   if (is.empty()) return {};

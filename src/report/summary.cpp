@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 
 #include "core/plain_text.h"
 #include "core/statistics.h"
@@ -13,6 +12,8 @@
 #include "report/shell_report.h"
 #include "report/sparkline.h"
 #include "report/station_arcs.h"
+#include "report/summary_line.h"
+#include "report/verdict_lines.h"
 #include "setups/setup_report.h"
 #include "tank_datum/limits/limits.h"
 #include "tank_datum/report/report.h"
@@ -24,14 +25,6 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kSparklineColumns = 48;
-
-__attribute__((format(printf, 2, 3))) std::string line(const char* title, const char* format, ...) {
-  std::va_list values;
-  va_start(values, format);
-  const std::string text = vformatted(format, values);
-  va_end(values);
-  return formatted("%-14s ", title) + text + "\n";
-}
 
 double medianSigma(const std::vector<Station>& stations) {
   std::vector<double> sigmas;
@@ -93,7 +86,7 @@ std::string unmeasuredLines(const Datum& datum) {
   }
   add("shell below", withReason(datum.stations, Unmeasured::ShellBelow), 1,
       "the shell is seen below the level of the stations beside: the datum lies lower there");
-  add("in doubt", inDoubt(datum.stations), 1,
+  add("in doubt", maybeHeaved(datum.stations), 1,
       "what was refused may be a heave of the foundation: intervals of the checks hold it");
   return text;
 }
@@ -122,17 +115,26 @@ std::string outOfPlaneText(const Datum& datum, const Display& display) {
   const auto place = std::min_element(datum.stations.begin(), datum.stations.end(),
                                       [&](const Station& a, const Station& b) { return apart(a) < apart(b); });
   const bool is_down = place != datum.stations.end() && place->u < 0.0;
-  return "; out of plane at most " + std::string(is_down ? "-" : "+") + display.shortText(rest.max_u) + " at " +
-         fixedText(toDegrees(rest.max_u_azimuth), 0) + " deg";
+  return "; out of plane at most " + display.signedShort(is_down ? -rest.max_u : rest.max_u) + " " +
+         display.shortUnit() + " at " + fixedText(toDegrees(rest.max_u_azimuth), 0) + " deg";
+}
+
+/// Towards where, of a tilt that stands out of its errors.
+std::string sidesText(const Tilt& tilt) {
+  constexpr double kShown = 0.05 / 3600.0 * kDegree;  // of less, which is 0.0 arc-seconds, a side says nothing
+  if (tilt.slope() < kShown || tilt.slope() < 2.0 * tilt.sigma_slope) return ", not significant";
+  const double high = std::fmod(std::round(toDegrees(tilt.direction)), 360.0);
+  return formatted(", high side at %.0f deg, low side at %.0f deg", high, std::fmod(high + 180.0, 360.0));
 }
 
 /// The plane and what departs from it.
 std::string tiltLine(const Datum& datum, const Display& display) {
   if (!datum.tilt.valid()) return {};
-  const double high = std::fmod(std::round(toDegrees(datum.tilt.direction)), 360.0);
-  return line("tilt", "%.1f arc-seconds, high side at %.0f deg, low side at %.0f deg%s",
-              toArcSeconds(std::atan(datum.tilt.slope())), high, std::fmod(high + 180.0, 360.0),
-              outOfPlaneText(datum, display).c_str());
+  const auto seconds = [](double slope) { return fixedText(toArcSeconds(std::atan(slope)), 1); };
+  const double sigma = datum.tilt.sigma_slope;
+  const std::string error = std::isfinite(sigma) ? " +- " + seconds(2.0 * sigma) + " (2 sigma)" : "";
+  return line("tilt", "%s arc-seconds%s%s%s", seconds(datum.tilt.slope()).c_str(), error.c_str(),
+              sidesText(datum.tilt).c_str(), outOfPlaneText(datum, display).c_str());
 }
 
 /// Settlements and rises of single places, the largest first.
@@ -163,53 +165,11 @@ std::string antipodalLine(const Antipodal& across, const Display& display) {
               toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
 }
 
-/// A value with its limit as people say it.
-std::string figures(const Check& check, const Display& display) {
-  return checkFigureWithInterval(check, display, "en") + ", limit " + checkFigure(check.limit, check, display);
-}
-
-/// How many checks ended how, then those that failed, the furthest beyond its limit first; without any, the undecided
-/// one nearest to it.
-std::string checkLines(const std::vector<Check>& checks, const Display& display) {
-  if (checks.empty()) return {};
-  int counts[5] = {};
-  const auto is_second = [](const Check& c) { return c.role == "second opinion"; };
-  std::vector<const Check*> failed, undecided;
-  for (const Check& c : checks) {
-    ++counts[static_cast<int>(c.verdict)];
-    if (c.verdict == Verdict::Fail) failed.push_back(&c);
-    if (c.verdict == Verdict::Undecided && !is_second(c)) undecided.push_back(&c);
-  }
-  const auto graver = [](const Check* a, const Check* b) { return a->value / a->limit > b->value / b->limit; };
-  std::stable_sort(failed.begin(), failed.end(), graver);
-  std::stable_sort(undecided.begin(), undecided.end(), graver);
-  if (undecided.size() > 1) undecided.resize(1);
-  std::string lines = line(
-      "checks", "%d pass, %d fail, %d undecided, %d not evaluated, %d not applicable (screening, no code evaluation)",
-      counts[0], counts[1], counts[2], counts[4], counts[3]);
-  for (const Check* c : failed.empty() ? undecided : failed) {
-    const char* role = is_second(*c) ? " (a second opinion)" : "";
-    lines +=
-        line(nameOf(c->verdict), "%s %s: %s%s", c->code.c_str(), c->name.c_str(), figures(*c, display).c_str(), role);
-  }
-  return lines;
-}
-
 std::string movementLine(const Provenance& provenance, const Display& display) {
   if (!provenance.movement || !provenance.movement->valid()) return {};
   const std::string& language = provenance.identity.language;
   const std::string moved = line("movement", "%s", movementText(*provenance.movement, display, language).c_str());
   return moved + line("limits", "%s", limitRatesText(provenance.limit_rates, display, language).c_str());
-}
-
-std::string verdictLine(const Analysis& analysis) {
-  if (!analysis.valid()) return {};
-  const Headline& h = analysis.headline;
-  if (h.governing.empty()) return line("verdict", "%s: no rule could be judged", h.word.c_str());
-  if (h.word == "INCOMPLETE")
-    return line("verdict", "%s: %s%s", h.word.c_str(), h.governing.c_str(), h.meaning.c_str());
-  return line("verdict", "%s: %s, %s%s", h.word.c_str(), h.governing.c_str(), shareOfLimit(h).c_str(),
-              h.meaning.c_str());
 }
 
 }  // namespace

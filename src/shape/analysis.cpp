@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/length_units.h"
 #include "core/plain_text.h"
+#include "core/statistics.h"
 #include "core/units.h"
 #include "limits/checks.h"
 #include "limits/survey_spacing.h"
@@ -62,6 +64,13 @@ std::string errorsNote(const RingModel& model) {
   constexpr double kMismatch = 1.5;
   const RingNoise& noise = model.noise();
   const double over = noise.repeatability;
+  if (noise.is_overstated) {
+    const double sigma = 1e3 * median({model.data().sigmas.begin(), model.data().sigmas.end()});
+    return formatted(
+        "Standard errors of %.1f mm (median) are over three times what the elevations depart from a plane by: are they "
+        "right, and in the unit of the elevations?",
+        sigma);
+  }
   if (!model.data().sigmas_known || !model.dense() || (over <= kMismatch && over >= 1.0 / kMismatch)) return {};
   char text[280];
   snprintfPlain(text, sizeof text,
@@ -89,13 +98,39 @@ std::size_t countShellBelow(const std::vector<Station>& stations) {
   return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), below));
 }
 
+/// The same, but for those where the shell is seen below, which are none that a heave lifts.
+std::size_t countMaybeHeaved(const std::vector<Station>& stations) {
+  const auto heaved = [](const Station& s) { return std::isfinite(s.z_refused) && s.reason != Unmeasured::ShellBelow; };
+  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), heaved));
+}
+
 /// Stations of gaps in which what was refused may be the datum.
 std::size_t countInDoubt(const std::vector<Station>& stations) {
   const auto doubted = [](const Station& s) { return std::isfinite(s.z_refused); };
   return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), doubted));
 }
 
-std::vector<std::string> notesOf(const std::vector<Station>& stations, const Tilt& tilt, const Analysis& analysis) {
+/// The widest arc without elevations round which a rule on the shape can pass [m].
+double widestGap(const std::vector<Station>& stations, double radius) {
+  const double step = kTwoPi * radius / static_cast<double>(stations.size());
+  return step > kSurveySpacing ? kWidestSpacing : kSurveySpacing;
+}
+
+/// A gap of many stations, or few stations too far apart.
+std::string gapNote(const std::vector<Station>& stations, double gap, double widest) {
+  constexpr double kRounding = 1e-6;
+  if (gap <= widest + kRounding) return {};
+  if (stations.size() > 64)
+    return formatted("A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
+                     gap);
+  return formatted(
+      "Neighbouring elevations are up to %.1f m apart: beyond %.2f m (%.0f ft) rules on the shape are undecided where "
+      "they do not fail.",
+      gap, widest, widest / kMetresPerFoot);
+}
+
+std::vector<std::string> notesOf(const std::vector<Station>& stations, double radius, const Tilt& tilt,
+                                 const Analysis& analysis) {
   std::vector<std::string> notes = {
       "Screening for a storage-tank engineer, not a code evaluation. Bottom and edge settlement are not covered.",
       "Elevations of a first survey are settlement only if the tank was built level.",
@@ -111,13 +146,8 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
         100.0 * tilt.r2);
     notes.push_back(text);
   }
-  if (analysis.longest_gap > kSurveySpacing && stations.size() > 64) {
-    char text[160];
-    snprintfPlain(text, sizeof text,
-                  "A gap of %.1f m has no elevations: rules on the shape are undecided where they do not fail.",
-                  analysis.longest_gap);
-    notes.push_back(text);
-  }
+  const std::string gap = gapNote(stations, analysis.longest_gap, widestGap(stations, radius));
+  if (!gap.empty()) notes.push_back(gap);
   if (const auto below = countShellBelow(stations); below > 0) {
     char text[200];
     snprintfPlain(text, sizeof text,
@@ -126,7 +156,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, const Til
                   below);
     notes.push_back(text);
   }
-  if (const auto doubted = countInDoubt(stations); doubted > 0) {
+  if (const auto doubted = countMaybeHeaved(stations); doubted > 0) {
     char text[200];
     snprintfPlain(text, sizeof text,
                   "What was refused may be a heave of the foundation (stations: %zu): "
@@ -164,9 +194,7 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   figures.addLevels(result);
   result.measures = figures.all();
   addTopOvality(radius, options.facts.height, result);
-  const double step = kTwoPi * radius / static_cast<double>(stations.size());
-  const double widest = step > kSurveySpacing ? kWidestSpacing : kSurveySpacing;
-  const bool whole = result.longest_gap <= widest + 1e-6 && countShellBelow(stations) == 0;
+  const bool whole = result.longest_gap <= widestGap(stations, radius) + 1e-6 && countShellBelow(stations) == 0;
   for (Measure& m : result.measures) m.whole_ring = whole;
   addTilt(ring.tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
@@ -174,7 +202,7 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   result.checks = judge(options.limits, result.measures, options.facts, 2.0 * radius);
   result.headline = headlineOf(result.checks, {surveys.model().dense(), whole && countInDoubt(stations) == 0});
   for (Measure& m : result.measures) m.share = nullptr;  // it refers to the simulated surveys
-  result.notes = notesOf(stations, ring.tilt, result);
+  result.notes = notesOf(stations, radius, ring.tilt, result);
   const std::string errors = errorsNote(surveys.model());
   if (!errors.empty()) result.notes.push_back(errors);
   return result;

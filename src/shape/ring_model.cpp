@@ -62,6 +62,7 @@ RingModel::RingModel(const RingData& data) : data_(data) {
     data_.sigmas.setConstant(data_.count(), std::max(kLeast, 0.1 * scatter));
   }
   takeOutPlane();
+  compareWithSigmas();
   setUp(dense() ? standingShapes() : std::vector<LocalShape>());
   estimatePriors(ownScale2());
   solve();
@@ -82,6 +83,15 @@ void RingModel::takeOutPlane() {
   const double usual2 = data_.sigmas_known ? 1.0 / data_.sigmas.array().square().inverse().mean() : 0.0;
   const double left = data_.z.squaredNorm() / count + usual2 + kLeastVariance;
   plane_precision_ = normal / (count * kWide * kWide * left);
+}
+
+/// A datum has shape beside its plane, so that stations depart from it by more than their errors. Where they do by a
+/// third of them, sigmas are not what the survey's errors were: typed in another unit, or by far too careful.
+void RingModel::compareWithSigmas() {
+  constexpr double kOverstated = 1.0 / 3.0;
+  const auto freedom = static_cast<double>(data_.count() - 3);
+  noise_.about_plane = std::sqrt(data_.z.cwiseQuotient(data_.sigmas).squaredNorm() / freedom);
+  noise_.is_overstated = data_.sigmas_known && noise_.about_plane < kOverstated;
 }
 
 /// Adds the likeliest shape again and again, and keeps as many as make the stations likeliest: several shapes hide each

@@ -18,6 +18,8 @@ struct RingNoise {
   double neighbours = 0.0;     ///< standard deviation of an error that neighbours share [m]
   double length = 0.0;         ///< arc over which they do [rad]
   double freedom = 0.0;        ///< degrees of freedom behind the scale; 0: it was given
+  double about_plane = 1.0;    ///< what the stations depart from a plane by, over sigmas
+  bool is_overstated = false;  ///< whether sigmas are given that even this is far below
 };
 
 /// The datum along the ring: z = mean + tilt + waves + local shapes, with errors; the waves are sums of a_n cos nt +
@@ -74,6 +76,7 @@ class RingModel {
   Eigen::Index waveCount() const { return 2 * order_ + 1; }
   Eigen::Index datumCount() const { return waveCount() + static_cast<Eigen::Index>(shapes_.size()); }
   void takeOutPlane();
+  void compareWithSigmas();
   std::vector<LocalShape> standingShapes();
   void setUp(const std::vector<LocalShape>& shapes);
   double estimatePriors(double scale2);

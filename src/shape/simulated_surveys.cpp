@@ -150,7 +150,7 @@ Interval95 SimulatedSurveys::interval(const Values& values, const RingFigure& se
 }
 
 Interval95 SimulatedSurveys::intervalOf(const RingFigure& seen, const RingFigure& whole, bool of_u) const {
-  return valid_ ? interval(of_u ? u_ : z_, seen, whole) : Interval95{};
+  return valid_ ? widened(of_u ? u_ : z_, seen, whole) : Interval95{};
 }
 
 Interval95 SimulatedSurveys::aboutWhole(const RingFigure& seen, const RingFigure& whole) const {
@@ -188,7 +188,7 @@ SimulatedSurveys::Values SimulatedSurveys::wavesTo(int order, bool curvature) co
 }
 
 Interval95 SimulatedSurveys::ofWaves(int order, const RingFigure& seen) const {
-  return valid_ && order > 1 ? interval(wavesTo(order, false), seen, {}) : Interval95{};
+  return valid_ && order > 1 ? widened(wavesTo(order, false), seen, {}) : Interval95{};
 }
 
 Interval95 SimulatedSurveys::curvature(int order) const {
@@ -201,6 +201,19 @@ Interval95 SimulatedSurveys::curvature(int order) const {
   // the shortest waves bend most and are known least: no less than what is as likely as the survey
   std::vector<double> likely;
   for (Eigen::Index k = 0; k < values.whole.cols(); ++k) likely.push_back(values.whole.col(k).cwiseAbs().maxCoeff());
+  result.high = std::max(result.high, beyond(std::move(likely), true));
+  return result;
+}
+
+/// Sigmas that are several times what stations scatter by would raise the figure by more than it is: its upper end is
+/// then no less than that of what is as likely as the survey.
+Interval95 SimulatedSurveys::widened(const Values& values, const RingFigure& seen, const RingFigure& whole) const {
+  Interval95 result = interval(values, seen, whole);
+  if (!model_.noise().is_overstated) return result;
+  std::vector<double> likely;
+  for (Eigen::Index k = 0; k < values.truths.cols(); ++k) {
+    likely.push_back(whole ? whole(values.whole.col(k).data()) : seen(values.possible.col(k).data()));
+  }
   result.high = std::max(result.high, beyond(std::move(likely), true));
   return result;
 }

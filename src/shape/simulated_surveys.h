@@ -57,6 +57,7 @@ class SimulatedSurveys {
   Values wavesTo(int order, bool curvature) const;
   static std::vector<double> missedBy(const Values& values, const RingFigure& seen, const RingFigure& whole);
   static Interval95 interval(const Values& values, const RingFigure& seen, const RingFigure& whole);
+  Interval95 widened(const Values& values, const RingFigure& seen, const RingFigure& whole) const;
 
   double radius_;
   RingModel model_;

@@ -38,6 +38,25 @@ TEST(Judge, ByTheNinetyFivePercentInterval) {
   EXPECT_EQ(one(kTilt, {measure("tilt_slope", 0.0099, NAN)}).verdict, Verdict::Pass);
 }
 
+TEST(Judge, NoSizeIsBelowZero) {
+  const Check check = one(kTilt, {measure("tilt_slope", 0.001, 0.002)});
+  EXPECT_EQ(check.interval.low, 0.0);
+  EXPECT_NEAR(check.interval.high, 0.001 + 1.96 * 0.002, 1e-5);
+}
+
+/// A rule for new tanks judges no old one: whoever shows its verdict says so.
+TEST(Compare, SaysForWhomTheRuleIs) {
+  const std::vector<Limit> rule = parseLimits(
+      "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation,service\n"
+      "A,1,tilt,tilt_slope,judge,0.01,,m/m,,,,verified,c,new\n",
+      "test");
+  TankFacts facts;
+  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, 20).service, "new");
+  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, 20).verdict, Verdict::Fail);
+  facts.service = Service::New;
+  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, 20).service, "");
+}
+
 TEST(Judge, AGapLeavesAPassUndecidedAndAFailAFail) {
   Measure m = measure("tilt_slope", 0.001, 0.0001);
   m.whole_ring = false;

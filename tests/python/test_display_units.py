@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -100,6 +101,45 @@ def test_movement_has_them(browser: Any, tmp_path: Path) -> None:
         assert page.slips() == []
         assert METRIC.findall(page.text("main > section:not(#provenance)")) == []
         assert f"{-largest / SHORT['in']:.4f}\u00a0in" in page.text("#trend")
+
+
+def levelled(run: Runner, out: Path, count: int, diameter: float, *options: object) -> Path:
+    """So many points of a plane."""
+    lines = [f"{360 * i / count},{10 + 0.001 * (i % 3)},0.001" for i in range(count)]
+    out.mkdir()
+    (out / "table.csv").write_text("\n".join(["azimuth_deg,elevation,sigma", *lines]) + "\n")
+    given = ("--stations-csv", out / "table.csv", "--diameter", diameter, *JUDGED, *options)
+    done = run("-o", out / "out", *given)
+    assert done.returncode == 0, done.stderr
+    return out / "out" / "report.html"
+
+
+def test_a_spacing_is_one_figure_in_note_and_card(
+    run: Runner, browser: Any, tmp_path: Path
+) -> None:
+    """5.892 m: 5.89 m in the note, which is 19.32 ft; 19.33 ft stood beside it."""
+    path = levelled(run, tmp_path / "s", 16, 16 * 5.892 / math.pi, "--display-units", "ft")
+    with opened(browser, path) as page:
+        page.page.locator("details.checks summary").first.click()
+        (note,) = re.findall(r"16 points ([\d.]+) ft apart", page.text("#summary td"))
+        (card,) = re.findall(r"16 points ([\d.]+)\u00a0ft apart", page.text("#out-of-plane .facts"))
+        assert note == card == "19.32"
+
+
+@pytest.mark.parametrize("language", ["en", "de", "es", "zh", "ru"])
+def test_notes_of_every_language_are_in_the_unit(
+    run: Runner, browser: Any, tmp_path: Path, language: str
+) -> None:
+    """Russian has letters of its own for m, and Chinese its own brackets."""
+    options = ("--display-units", "ft", "--language", language)
+    with opened(browser, levelled(run, tmp_path / "s", 10, 60, *options)) as page:
+        said = page.text("#summary li")
+        assert re.search(r"\b61\.\d ft", said), said
+        assert re.search(r"9\.75 [m\u043c] ?[(\uff08]32 ft", said), said
+    with opened(browser, levelled(run, tmp_path / "t", 16, 30, *options)) as page:
+        page.page.locator("details.checks summary").first.click()
+        notes = page.text("#summary td")
+        assert "19.32 ft" in notes and ("1 start angle" in notes) == (language == "en"), notes
 
 
 def test_another_unit_is_refused(run: Runner, tmp_path: Path) -> None:

@@ -150,6 +150,56 @@ def test_the_page_of_several_surveys_says_the_same(
             assert "stairs" in page.page.locator(f"#{chart}").text_content(), chart
 
 
+def test_surveys_with_dates_have_those_and_no_other(
+    browser: Any, told: Path, tmp_path: Path
+) -> None:
+    """The file's date is of one survey; the page is of several."""
+    (tmp_path / "about.toml").write_text('tank = "T-12"\nsurvey_date = 2019-01-02\n')
+    dated = ("--about", tmp_path / "about.toml", "--dates", "2020-03-04,2024-05-06")
+    for name, options, shown in (("bare", dated[:2], True), ("dated", dated, False)):
+        done = compare(told, told, "-o", tmp_path / name, *options)
+        assert done.returncode == 0, done.stderr
+        with opened(browser, tmp_path / name / "report.html") as page:
+            assert ("2019-01-02" in page.text(".about")) == shown
+            style = " ".join(page.page.locator("head style").all_text_contents())
+            assert ("2024-05-06" in style) != shown and ("2019-01-02" in style) == shown
+
+
+# texts of a chart that stand outside it, or that lie over each other's lines
+CUT = """chart => { const frame = chart.getBoundingClientRect(), out = [];
+  const names = [...chart.querySelectorAll('text')].filter(t => t.textContent.startsWith('the '));
+  const boxes = names.map(t => t.getBoundingClientRect());
+  boxes.forEach((a, i) => {
+    if (a.left < frame.left - 1 || a.right > frame.right + 1) out.push(names[i].textContent);
+    boxes.slice(i + 1).forEach((b, j) => {
+      const over = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+      if (over > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 6)
+        out.push([names[i].textContent, names[i + 1 + j].textContent]);
+    });
+  });
+  return out; }"""
+
+
+@pytest.mark.parametrize("width", [360, 1200])
+def test_marks_that_are_long_or_many_stay_readable(
+    browser: Any, told: Path, tmp_path: Path, width: int
+) -> None:
+    """Names are cut or left out where there is no room for them; the heading has them all."""
+    name = "the stairs beside the manhole on the side of the harbour"
+    many = [{"name": f"the nozzle {i}", "azimuth_deg": 11.0 * i} for i in range(32)]
+    for marks in ([{"name": name, "azimuth_deg": 75.5}], many):
+        path = with_data(told / "report.html", tmp_path / "page.html", {"marks": marks})
+        with opened(browser, path, size=(width, 900)) as page:
+            assert page.slips() == []
+            for chart in ("elevation", "out-of-plane", "plan"):
+                svg = page.page.locator(f"#{chart}-chart svg").first
+                assert svg.evaluate(CUT) == [], chart
+                assert svg.locator("line.reference-mark").count() == len(marks)
+            said = page.text(".about")
+            for mark in marks:
+                assert f"{mark['name']}: {mark['azimuth_deg']:g}\u00b0" in said
+
+
 def test_a_bad_file_about_the_tank_is_refused_of_surveys_too(told: Path, tmp_path: Path) -> None:
     (tmp_path / "about.toml").write_text("owner = 'x'\n")
     done = compare(told, told, "-o", tmp_path / "m", "--about", tmp_path / "about.toml")

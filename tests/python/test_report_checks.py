@@ -124,6 +124,54 @@ def test_a_maximum_is_shown_with_its_interval(
         assert "23.6" not in page.text("#summary")  # two of its sigma
 
 
+def made(name: str, value: float, verdict: str, role: str) -> dict[str, Any]:
+    check = {"code": "A", "clause": "", "name": name, "verdict": verdict, "role": role, "note": "n"}
+    check |= {"value": value, "limit": 0.01, "low95": None, "high95": None, "sigma": None}
+    return check | {"unit": "m", "source": "verified", "azimuth_deg": None, "citation": ""}
+
+
+def test_bars_beyond_their_limits_differ_and_show_it(
+    browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    checks = [
+        made("second", 0.0241, "fail", "second opinion"),
+        made("milder", 0.0158, "fail", "judged"),
+        made("graver", 0.0166, "fail", "governing"),
+        made("fine", 0.005, "pass", "judged"),
+    ]
+    path = with_data(sample_report / "report.html", tmp_path / "page.html", {"checks": checks})
+    with opened(browser, path) as page:
+        assert page.slips() == []
+        bars = page.page.locator(".bars li").all()
+        tracks, fills, limits = (
+            [bar.locator(part).bounding_box() for bar in bars] for part in (".track", "i", "em")
+        )
+        widths = [f["width"] / t["width"] for f, t in zip(fills, tracks, strict=True)]
+        wanted = [share / 2.41 for share in (2.41, 1.66, 1.58, 0.5)]
+        assert widths == pytest.approx(wanted, abs=0.01)
+        for track, limit in zip(tracks, limits, strict=True):
+            at = (limit["x"] - track["x"]) / track["width"]
+            assert at == pytest.approx(1 / 2.41, abs=0.01)
+        assert "The line across the bars is the limit." in page.text("#summary")
+        said = page.text(".verdict")
+        assert "3 fail: A graver, A milder, A second (a second opinion)" in said
+        found = rows(page)
+        assert [r[0].split("\n")[0] for r in found] == ["Graver", "Milder", "Second", "Fine"]
+        assert [r[5] for r in found] == ["n", "n", "a second opinion; n", "n"]
+
+
+def test_tolerances_of_new_tanks_are_said_to_judge_nothing(
+    browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    """A roundness that fails beside PASS."""
+    with opened(browser, sample_report / "report.html") as page:
+        assert "For comparison: a rule for new tanks." in page.text("#shell caption")
+    checks = [c | {"role": "judged", "note": ""} for c in read_datum(sample_report)["checks"]]
+    path = with_data(sample_report / "report.html", tmp_path / "page.html", {"checks": checks})
+    with opened(browser, path) as page:
+        assert "omparison" not in page.text("#shell caption")
+
+
 def test_bars_are_shares_of_the_limits_the_fullest_first(
     still: Opened, sample_report: Path
 ) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from report_pages import SAMPLE, inked, opened, plain, scale_of
+from report_pages import SAMPLE, inked, opened, plain, scale_of, with_data
 from results import Run, read_datum, read_points, write_xyz
 from test_compare import compare, epoch
 
@@ -113,6 +113,40 @@ def test_trend_over_surveys(browser: Any, tmp_path: Path) -> None:
         for name, read in (("movement.json", json.loads), ("movement.csv", bytes)):
             saved = page.downloaded(page.page.get_by_role("button", name=name, exact=True))
             assert read(saved) == read((tmp_path / "m" / name).read_bytes())
+
+
+# pairs of texts of a drawing that lie over each other
+OVER = """svg => { const texts = [...svg.querySelectorAll('text')], out = [];
+  const boxes = texts.map(t => t.getBoundingClientRect());
+  boxes.forEach((a, i) => boxes.slice(i + 1).forEach((b, j) => {
+    const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+    const tall = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+    if (wide > 1 && tall > 4) out.push([texts[i].textContent, texts[i + 1 + j].textContent]);
+  }));
+  return out; }"""
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_texts_of_the_course_lie_apart_on_a_phone(
+    browser: Any, tmp_path: Path, language: str
+) -> None:
+    """In Spanish and feet the rate was drawn over the chart's title."""
+    surveys = [epoch(tmp_path / f"{i}.json", 0.002 * i) for i in range(3)]
+    options = ("--display-units", "ft", "--language", language)
+    assert compare(*surveys, "-o", tmp_path / "m", *options).returncode == 0
+    with opened(browser, tmp_path / "m" / "report.html", size=(360, 800)) as page:
+        svg = page.page.locator("#course-chart svg")
+        assert f"ft/{'survey' if language == 'en' else 'levantamiento'}" in svg.text_content()
+        assert svg.evaluate(OVER) == []
+
+
+def test_ticks_of_the_residuals_lie_apart_on_a_phone(
+    browser: Any, sample_report: Path, tmp_path: Path
+) -> None:
+    told = {"display_units": "in"}
+    path = with_data(sample_report / "report.html", tmp_path / "page.html", told)
+    with opened(browser, path, size=(360, 800)) as page:
+        assert page.page.locator("#residuals-chart svg").evaluate(OVER) == []
 
 
 def test_the_fastest_station_is_chosen_first_or_the_one_that_the_address_names(

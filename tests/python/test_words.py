@@ -91,7 +91,7 @@ def test_no_script_holds_words(script: Path) -> None:
 def test_what_is_said_in_other_languages_is_what_the_library_says() -> None:
     """Each template's fixed words stand in a source; some are put together of pieces."""
     pieced = {f"said.{key}" for key in ("found_doubtful", "found_rejected", "setups_disagree")}
-    pieced |= {"said.points_apart", "said.which_units"}
+    pieced |= {"said.points_apart", "said.points_apart_once", "said.which_units"}
     sources = [p for end in ("*.cpp", "*.h") for p in sorted((ROOT / "src").rglob(end))]
     text = "".join(p.read_text() for p in sources)
     text += (ROOT / "src/limits/limits.csv").read_text()

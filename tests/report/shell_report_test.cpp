@@ -79,6 +79,11 @@ TEST(ShellSummary, SaysTheWorstOrWhyThereIsNone) {
   EXPECT_NE(shellSummary(survey(), {{0.0001, Verdict::Undecided}}).find("(tolerance 0.1 mm: undecided)"),
             std::string::npos);
   EXPECT_NE(shellSummary(survey(), {{}}).find("worst at 120 deg (no tolerance for it)"), std::string::npos);
+  EXPECT_NE(shellSummary(survey(), {{0.019, Verdict::Fail, "new"}}).find("(tolerance of new tanks 19 mm: fail)"),
+            std::string::npos);
+  ShellSurvey upright = survey();
+  upright.lean.gradient = {0.00001, 0.00001};
+  EXPECT_EQ(shellSummary(upright, kFails).find("leans"), std::string::npos);  // 0.0 mm has no direction
   ShellSurvey none;
   EXPECT_EQ(shellSummary(none, {}), "");
   none.message = "the scan holds no shell 0.3 m or more above the datum";

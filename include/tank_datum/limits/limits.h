@@ -135,6 +135,7 @@ struct Check {
 struct LimitComparison {
   double limit = kUnknown;  ///< in the figure's unit; unknown when there is none for such a tank
   Verdict verdict = Verdict::NotEvaluated;
+  std::string service{};  ///< that the limit is for, where the tank's is another: then it judges nothing
 };
 
 /// What all checks that count come to: those that are judged, are of the tank's service and are no second opinion.

@@ -17,8 +17,8 @@ const toLong = (metres) => (known(metres) ? display.long[0] * metres : null);
 /** A note, which holds metres, in the unit shown; not where it says feet beside them. */
 function inShownUnits(text) {
   if (!text || kLongUnit === "m") return text;
-  return text.replace(/(\d+(?:\.(\d+))?) (mm|m)(?![\w/\u00b2^]| \()/g, (_, value, decimals, unit) => {
-    const [factor, name, more] = unit === "m" ? display.long : display.short, metres = Number(value) / (unit === "m" ? 1 : 1000);
+  return text.replace(/(\d+(?:\.(\d+))?) (mm|m|\u043c\u043c|\u043c)(?![\p{L}\d/\u00b2^]| ?[(\uff08])/gu, (_, value, decimals, unit) => {
+    const isLong = unit.length === 1, [factor, name, more] = isLong ? display.long : display.short, metres = Number(value) / (isLong ? 1 : 1000);
     return `${(factor * metres).toFixed((decimals || "").length + more)} ${name}`;
   });
 }

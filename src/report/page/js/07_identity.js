@@ -5,14 +5,19 @@ const kAboutNames = {
   instrument: say("identity.instrument"), inspector: say("common.inspector"), report_number: say("identity.report"), revision: say("identity.revision"), notes: say("common.notes"),
 };
 const about = (datum || trend || {}).about || {};
+const isDated = Boolean(trend && trend.baseline_date);  // then each survey has its own date
+const surveyDate = isDated ? trend.movements[trend.movements.length - 1].date : about.survey_date;
 const referenceMarks = (datum || trend || {}).marks || [];
 const surveyPoints = (datum && datum.survey_points) || [];
 
+const kLong = 80;  // letters: what is longer has a row of its own
+
 /** The words of the heading, and the company's logo beside them. */
 function addIdentity() {
-  const logo = embeddedJson("logo"), keys = Object.keys(kAboutNames).filter((key) => about[key]);
-  if (keys.length === 0 && logo === null) return;
-  const list = make("dl", { class: "about" }, keys.map((key) => make("div", {}, make("dt", {}, kAboutNames[key]), make("dd", {}, about[key]))));
+  const logo = embeddedJson("logo"), said = Object.keys(kAboutNames).filter((key) => about[key] && !(key === "survey_date" && isDated)).map((key) => [kAboutNames[key], about[key]]);
+  if (referenceMarks.length > 0) said.push([say("identity.marks"), referenceMarks.map((mark) => `${mark.name}: ${degrees(mark.azimuth_deg, mark.azimuth_deg % 1 === 0 ? 0 : 1)}`).join("; ")]);
+  if (said.length === 0 && logo === null) return;
+  const list = make("dl", { class: "about" }, said.map(([name, text]) => make("div", { class: text.length > kLong && "wide" }, make("dt", {}, name), make("dd", {}, text))));
   document.getElementById("scans").before(make("div", { class: "identity" }, list, logo === null ? "" : make("img", { src: logo, alt: about.company || "logo" })));
 }
 
@@ -28,39 +33,49 @@ function pageOfPages() {
 /** What stands at the foot of every sheet of paper. */
 function addSheetFoot() {
   const left = [about.tank && say("export.tank", { tank: about.tank }), about.report_number && say("identity.report_2", { report_number: about.report_number }), about.revision && say("identity.revision_2", { revision: about.revision }),
-    about.survey_date, about.company].filter(Boolean).join(", ");
+    surveyDate, about.company].filter(Boolean).join(", ");
   const small = "font: 8pt sans-serif; color: #444c56;";
   document.head.append(make("style", {}, `@page { @bottom-left { content: ${cssText(left)}; width: 85%; overflow-wrap: anywhere; ${small} } `
     + `@bottom-right { content: ${pageOfPages()}; ${small} } }`));
 }
 
-/** Moves a text up, a line at a time, until it covers none of `others`; where no line is free it stays. */
+/** Moves a text up, a line at a time, until it covers none of `others`; where no line is free it is left out. */
 function liftClear(text, others, lines) {
   const line = 13, box = text.node().getBBox(), y = Number(text.attr("y"));
   const covers = (lift) => others.some((o) => o.x < box.x + box.width + 2 && box.x < o.x + o.width + 2 && Math.abs(o.y - (box.y - lift)) < line - 1);
-  const lift = d3.range(0, line * lines, line).find((up) => !covers(up)) ?? 0;
+  const lift = d3.range(0, line * lines, line).find((up) => !covers(up));
+  if (lift === undefined) return text.remove();
   text.attr("y", y - lift);
   others.push({ x: box.x, y: box.y - lift, width: box.width });
 }
 
+/** A text's end is cut off where it is longer than `most`; pointed at, it says all. */
+function cutTo(text, most) {
+  const whole = text.text();
+  for (let count = whole.length - 1; count > 0 && text.node().getComputedTextLength() > most; count -= 1) text.text(`${whole.slice(0, count).trim()}\u2026`);
+  if (text.text() !== whole) text.append("title").text(whole);
+  return text;
+}
+
 /** The marks on a chart against azimuth, named at its foot. */
 function drawReferenceMarks(svg, axes, height) {
-  const named = [], bottom = height - axes.margin.bottom, lines = Math.floor((bottom - axes.margin.top) / 26);
+  const named = [], bottom = height - axes.margin.bottom, lines = Math.min(4, Math.floor((bottom - axes.margin.top) / 26));
   for (const { name, azimuth_deg: azimuth } of referenceMarks) {
     const x = axes.x(azimuth), right = x > (axes.x.range()[0] + axes.x.range()[1]) / 2;
     svg.append("line").attr("class", "reference-mark").attr("x1", x).attr("x2", x).attr("y1", axes.margin.top).attr("y2", bottom);
-    liftClear(svg.append("text").attr("class", "axis-title").attr("x", right ? x - 3 : x + 3).attr("y", bottom - 5)
-      .attr("text-anchor", right ? "end" : "start").text(name), named, lines);
+    const text = svg.append("text").attr("class", "axis-title").attr("x", right ? x - 3 : x + 3).attr("y", bottom - 5).attr("text-anchor", right ? "end" : "start").text(name);
+    liftClear(cutTo(text, right ? x - 3 - axes.x.range()[0] : axes.x.range()[1] - x - 3), named, lines);
   }
 }
 
 /** The marks and, where they are numbered, the survey's points round the plan. */
 function drawPlanMarks(svg, place, ring, numbered = true) {
-  const named = [];
+  const named = [], across = place(0, 0);
   for (const { name, azimuth_deg: azimuth } of referenceMarks) {
     const [x1, y1] = place(azimuth, 0.9 * ring), [x2, y2] = place(azimuth, ring), [x, y] = place(azimuth, (surveyPoints.length > 0 ? 1 - 21 / ring : 0.86) * ring);
     svg.append("line").attr("class", "reference-mark").attr("x1", x1).attr("y1", y1).attr("x2", x2).attr("y2", y2);
-    liftClear(svg.append("text").attr("class", "plan-label").attr("x", x).attr("y", y + 4).attr("text-anchor", x > place(0, 0)[0] ? "end" : "start").text(name), named, 6);
+    const text = svg.append("text").attr("class", "plan-label").attr("x", x).attr("y", y + 4).attr("text-anchor", x > across[0] ? "end" : "start").text(name);
+    liftClear(cutTo(text, Math.abs(x - across[0]) + Math.sqrt(Math.max(0, ring ** 2 - (y - across[1]) ** 2))), named, 6);
   }
   for (const point of numbered ? surveyPoints : []) {
     const [x, y] = place(point.azimuth_deg, ring);

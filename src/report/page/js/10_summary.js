@@ -29,7 +29,7 @@ function countsSentence() {
   const count = (verdict) => checksWith(verdict).length;
   const judged = count("pass") + count("fail") + count("undecided");
   if (judged === 0) return say("summary.no_check_of_a_code");
-  const failing = checksWith("fail").map(checkTitle);
+  const failing = gravestFirst(checksWith("fail")).map((check) => `${checkTitle(check)}${isSecond(check) ? ` (${say("checks.second_opinion")})` : ""}`);
   const of = say("count.judged_check", { count: judged });
   const parts = [say("summary.of_pass", { count: judged, pass: count("pass"), judged: of })];
   if (failing.length > 0) parts.push(say("summary.fail", { failing: failing.length, failing_2: failing.join(", ") }));
@@ -115,6 +115,17 @@ function tankFacts() {
     [say("summary.shell_seen"), degrees(seen), say("summary.from_the", { side: words(side) })]];
 }
 
+/** Whether a tilt stands out of its errors, so that it has a high side. */
+const isTilted = (tilt) => tilt.angle_arcsec >= 0.05 && !(tilt.slope < 2 * tilt.sigma_slope);
+
+/** Its error, its sides and how well a plane fits. */
+function tiltWords({ direction_deg: high, sigma_slope: sigma, r2: share, p_value: chance, ...tilt }) {
+  const error = known(sigma) ? `\u00b1 ${withUnit((Math.atan(2 * sigma) * 180 * 3600) / Math.PI, 1, "\u2033")} (2\u03c3), ` : "";
+  const p = known(chance) ? `, ${chance < 0.001 ? "p < 0.001" : `p ${figure(chance, 3)}`}` : "", r2 = figure(share, 3);
+  if (!isTilted({ ...tilt, sigma_slope: sigma })) return `${error}${say("movement.not_significant")}, R\u00b2 ${r2}${p}`;
+  return error + say("summary.high_side_low_side_r", { direction_deg: degrees(high), direction_deg_2: degrees((high + 180) % 360), r2, p_value: p });
+}
+
 /** The same of its datum. */
 function datumFacts() {
   if (!usable) return [];
@@ -126,9 +137,7 @@ function datumFacts() {
   const sigma = medianSigma();
   if (known(sigma)) list.push([say("summary.standard_error"), shortLength(sigma, 2), say("summary.median_of_the_stations")]);
   if (datum.tilt) {
-    const p = datum.tilt.p_value < 0.001 ? "p < 0.001" : `p ${figure(datum.tilt.p_value, 3)}`;
-    list.push([say("common.tilt"), withUnit(datum.tilt.angle_arcsec, 1, "\u2033"),
-      say("summary.high_side_low_side_r", { direction_deg: degrees(datum.tilt.direction_deg), direction_deg_2: degrees((datum.tilt.direction_deg + 180) % 360), r2: figure(datum.tilt.r2, 3), p_value: known(datum.tilt.p_value) ? `, ${p}` : "" })]);
+    list.push([say("common.tilt"), withUnit(datum.tilt.angle_arcsec, 1, "\u2033"), tiltWords(datum.tilt)]);
   }
   if (datum.antipodal && known(datum.antipodal.max_h)) {
     list.push([say("summary.worst_diameter"), shortLength(datum.antipodal.max_h),

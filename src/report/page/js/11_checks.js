@@ -28,6 +28,11 @@ function intervalOf(check) {
   return known(check.sigma) ? `\u00b1 ${checked(2 * check.sigma, check)} (2\u03c3)` : "";
 }
 
+const isSecond = (check) => check.role === "second opinion" && ["pass", "fail", "undecided"].includes(check.verdict);
+
+/** The furthest beyond its limit first, or nearest to it; second opinions last. */
+const gravestFirst = (checks) => [...checks].sort((a, b) => isSecond(a) - isSecond(b) || (utilisation(b) || 0) - (utilisation(a) || 0));
+
 const checkTitle = (check) => `${check.code} ${checkName(check.name)}`;
 
 /** A cell with something below it. */
@@ -43,7 +48,7 @@ function checkRow(check) {
     checked(check.limit, check),
     make("td", { class: `verdict-word ${check.verdict}`, "data-head": say("common.verdict") }, make("span", {}, words(check.verdict))),
     cellWith(say("checks.rules_source"), "", say(`source.${check.source}`), typeset(translated(check.citation) || "")),
-    typeset(inShownUnits(translated(check.note)) || "")];
+    typeset([isSecond(check) ? say("checks.second_opinion") : "", inShownUnits(translated(check.note))].filter(Boolean).join("; "))];
 }
 
 /** The share of its limit that a check's figure takes; null where it has none. */
@@ -58,16 +63,18 @@ function shareText(check) {
   return `${percentOf(utilisation(check))} %${interval}`;
 }
 
-/** A bar for each judged check, the fullest first. */
+/** A bar for each judged check, the fullest first; where one is beyond its limit, all are shortened and a line shows the limit. */
 function utilisationBars() {
   const judged = [...checksWith("fail"), ...checksWith("undecided"), ...checksWith("pass")].filter((check) => utilisation(check) !== null);
   if (judged.length === 0) return null;
   judged.sort((a, b) => utilisation(b) - utilisation(a));
+  const longest = Math.max(1, utilisation(judged[0]));
   return make("ul", { class: "bars", "aria-label": say("checks.share_of_its_limit_that") }, judged.map((check) => {
-    const share = utilisation(check), bar = make("i", { class: check.verdict });
-    bar.style.width = `${Math.min(100, 100 * share)}%`;
+    const share = utilisation(check), bar = make("i", { class: check.verdict }), limit = longest > 1 ? make("em", {}) : null;
+    bar.style.width = `${(100 * share) / longest}%`;
+    if (limit !== null) limit.style.left = `${100 / longest}%`;
     const figures = say("checks.value_of_limit", { value: checkedFigure(check.value, check), limit: checked(check.limit, check) });
-    return make("li", {}, make("span", {}, `${capital(checkName(check.name))}, ${check.code}: ${figures}`), make("span", { class: "track" }, bar),
+    return make("li", {}, make("span", {}, `${capital(checkName(check.name))}, ${check.code}: ${figures}`), make("span", { class: "track" }, bar, limit),
       make("span", { class: "number" }, shareText(check)));
   }));
 }
@@ -83,9 +90,10 @@ function checksTable(checks, heading) {
 
 /** What fails or is undecided in sight, the rest folded. */
 function checkTables() {
-  const open = [...checksWith("fail"), ...checksWith("undecided")], passes = checksWith("pass");
+  const bars = utilisationBars(), isCrossed = bars !== null && bars.querySelector("em") !== null;
+  const open = [...gravestFirst(checksWith("fail")), ...gravestFirst(checksWith("undecided"))], passes = checksWith("pass");
   const rest = [...checksWith("not_evaluated"), ...checksWith("not_applicable")];
-  return [utilisationBars(), checksTable(open), checksTable(passes, passes.length === 1 ? say("checks.1_check_passes") : say("checks.checks_pass", { passes: passes.length })),
+  return [bars, isCrossed ? make("p", { class: "quiet" }, say("checks.the_line_is_the_limit")) : null, checksTable(open), checksTable(passes, passes.length === 1 ? say("checks.1_check_passes") : say("checks.checks_pass", { passes: passes.length })),
     checksTable(rest, say("checks.not_evaluated_or_not_applicable", { rest: rest.length })),
     make("p", { class: "quiet" }, say("checks.the_rules_source_says_how"))].filter(Boolean);
 }

@@ -57,10 +57,11 @@ function outOfPlaneFacts(found) {
     const between = between95([low95, high95], fineFigure, fineLength);
     list.push([say("out_of_plane.ovality_of_the_shells_top"), fineLength(value), say("out_of_plane.a_floating_roofs_rim_seal", { between: between ? `${between}, ` : "", azimuth: at(azimuth) })]);
   }
+  // its spacing is rounded before it is put in feet, as in the note of its check
   const classic = found.second_differences, worst = classic && classic.worst;
   if (worst && known(worst.value)) {
     list.push([say("out_of_plane.second_difference_s_i"), shortLength(worst.value),
-      say("out_of_plane.points_apart", { azimuth_deg: at(worst.azimuth_deg), points: classic.points, spacing: longLength(classic.spacing, 2), starts: say("count.start_angle", { count: classic.starts }) })]);
+      say("out_of_plane.points_apart", { azimuth_deg: at(worst.azimuth_deg), points: classic.points, spacing: longLength(Number(classic.spacing.toFixed(2)), 2), starts: say("count.start_angle", { count: classic.starts }) })]);
   }
   return list;
 }

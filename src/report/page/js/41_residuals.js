@@ -35,12 +35,12 @@ function addResiduals(section) {
 
 function drawHistogram(svg, from, to, height, all, own, title) {
   const sorted = all.map(Math.abs).sort(d3.ascending), half = Math.max(toShort(5e-4), 1.3 * (d3.quantile(sorted, 0.98) || 1));
-  const x = d3.scaleLinear([-half, half], [from + 52, to - 12]).nice();
+  const x = d3.scaleLinear([-half, half], [from + 52, to - 20]).nice();
   const count = d3.histogram().domain(x.domain()).thresholds(d3.range(x.domain()[0], x.domain()[1], (x.domain()[1] - x.domain()[0]) / 30));
   const share = (values) => count(values).map((bin) => ({ x0: bin.x0, x1: bin.x1, part: values.length ? bin.length / values.length : 0 }));
   const bars = share(all), outline = share(own);
   const top = d3.max([...bars, ...outline], (bin) => bin.part) || 1, y = d3.scaleLinear([0, 100 * top], [height - 44, 26]).nice();
-  drawAxes(svg, x, y, null, "", to - from < 190 ? say("residuals.distance", { unit: kShortUnit }) : say("residuals.distance_from_the_line", { unit: kShortUnit }));
+  drawAxes(svg, x, y, to - from < 190 ? x.ticks(2) : null, "", to - from < 190 ? say("residuals.distance", { unit: kShortUnit }) : say("residuals.distance_from_the_line", { unit: kShortUnit }));
   const spread = all.length > 1 ? say("residuals.two_thirds_within", { sorted: inShort(d3.quantile(sorted, 0.683), 2) }) : "";
   svg.append("text").attr("x", from + 52).attr("y", 14).text(to - from < 380 ? `${title} [%]` : say("residuals.points", { title, all: all.length, spread }));
   svg.append("g").selectAll("rect").data(bars).enter().append("rect").attr("class", "bar-all")

@@ -97,6 +97,13 @@ function withBreaks(points) {
 const kHeightsOnPaper = 8;
 
 /** A table of more heights than paper has room for leaves out every other one that passes. */
+/** Said where the tolerances are of tanks of another service: then they judge nothing. */
+function forComparison() {
+  const rule = (datum.checks || []).find((check) => check.name.startsWith("radius ") && check.role === "for comparison");
+  const clause = rule && rule.note.split("; ").find((part) => part.startsWith("for comparison"));
+  return clause ? sentence(translated(clause)) : "";
+}
+
 function roundnessTable(rounds) {
   const between = (r, i) => rounds.length > kHeightsOnPaper && i % 2 === 1 && r.verdict !== "fail" && r.verdict !== "undecided";
   return table(
@@ -104,5 +111,5 @@ function roundnessTable(rounds) {
     rounds.map((r, i) => [longLength(r.height, 2), longLength(r.radius, 4), shortLength(r.max_deviation), shortLength(r.min_deviation), degrees(r.azimuth_deg),
       known(r.sigma) ? shortLength(2 * r.sigma, 2) : kUnknown, anyFigure(r.n), shortLength(r.tolerance),
       make("td", { class: `verdict-word ${r.verdict}${between(r, i) ? " between" : ""}`, "data-head": say("common.verdict") }, make("span", {}, words(r.verdict || "")))]),
-    say("shell.against_the_circle_through_each"));
+    [say("shell.against_the_circle_through_each"), forComparison()].filter(Boolean).join(" "));
 }

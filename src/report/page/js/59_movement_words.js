@@ -1,7 +1,8 @@
 // What moved, in the words that the terminal has: as a rigid body, and the rest.
 
 const significance = (part, taken) => say(taken ? "movement.taken" : part.significant ? "movement.significant" : "movement.not_significant");
-const signed = (text, value) => (known(value) && value > 0 ? `+${text}` : text);
+/** With its sign; a figure that is shown as zero has none. */
+const signed = (text, value) => (known(value) && value > 0 && parseFloat(text) !== 0 ? `+${text}` : text);
 const arcseconds = (value, digits = 1) => say("unit.arcseconds", { value: figure(value, digits) });
 
 /** Where a change of tilt rises to; null of one that is not shown, whose direction is not known. */

@@ -33,19 +33,21 @@ function drawCourse(svg, width, height, at, rate) {
   const seen = at.filter((p) => known(p.value)), times = at.map((p) => p.time), span = times[times.length - 1] - times[0];
   const half = kLetter * d3.max(at, (p) => p.label.length), margin = (span * half) / (width - 76 - 2 * half);  // room for the labels
   const x = d3.scaleLinear([times[0] - margin, times[times.length - 1] + margin], [62, width - 14]);
-  const y = d3.scaleLinear(room(seen.flatMap((p) => [p.value - p.lod, p.value + p.lod])), [height - 44, 26]).nice();
-  drawAxes(svg, x, y, [], say("course.movement_at", { chosen: degrees(link.chosen, 1), unit: kShortUnit }), trend.baseline_date ? say("course.date_of_the_survey_the") : say("course.survey_0_the_baseline"));
+  const said = rate === null || seen.length < 2 ? "" : width < kNarrow ? rateOf(rate) : say("course.trend_2", { rate: rateOf(rate) });
+  const title = say("course.movement_at", { chosen: degrees(link.chosen, 1), unit: kShortUnit }), crowded = 2 * kLetter * (title.length + said.length + 2) > width;
+  const y = d3.scaleLinear(room(seen.flatMap((p) => [p.value - p.lod, p.value + p.lod])), [height - 44, crowded ? 42 : 26]).nice();
+  drawAxes(svg, x, y, [], title, trend.baseline_date ? say("course.date_of_the_survey_the") : say("course.survey_0_the_baseline"));
   drawSurveyTicks(svg, x, y, at);
   svg.append("path").attr("class", "line datum").attr("d", d3.line().x((p) => x(p.time)).y((p) => y(p.value))(seen));
   if (seen.length === 1) {
     svg.append("text").attr("class", "gap-label").attr("x", width / 2).attr("y", 44).attr("text-anchor", "middle").text(say("course.no_later_survey_was_compared"));
   }
-  if (rate !== null && seen.length > 1) {
+  if (said) {
     const time = d3.mean(seen, (p) => p.time), middle = d3.mean(seen, (p) => p.value);
     const level = (t) => y(middle + toShort(rate.rate) * (t - time));
     svg.append("line").attr("class", "line fit").attr("x1", x(times[0])).attr("y1", level(times[0]))
       .attr("x2", x(times[times.length - 1])).attr("y2", level(times[times.length - 1]));
-    svg.append("text").attr("x", width - 14).attr("y", 14).attr("text-anchor", "end").text(width < kNarrow ? rateOf(rate) : say("course.trend_2", { rate: rateOf(rate) }));
+    svg.append("text").attr("x", width - 14).attr("y", crowded ? 30 : 14).attr("text-anchor", "end").text(said);
   }
   for (const p of seen) {
     svg.append("line").attr("class", "whisker").attr("x1", x(p.time)).attr("x2", x(p.time)).attr("y1", y(p.value - p.lod)).attr("y2", y(p.value + p.lod));

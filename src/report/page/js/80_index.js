@@ -13,6 +13,12 @@ function raisedText({ utilisation: share, utilisation_95: interval }) {
   return known(share) && interval && share > interval[1] ? ` ${say("out_of_plane.raised")}` : "";
 }
 
+/** A tilt, with its high side where it has one. */
+function tiltOf(tilt) {
+  const angle = withUnit(tilt.angle_arcsec, 1, "\u2033");
+  return isTilted(tilt) ? say("index.high_side", { angle_arcsec: angle, direction_deg: degrees(tilt.direction_deg) }) : angle;
+}
+
 const outcomeClass = (tank) => kVerdictClasses[outcomeOf(tank)] || "not_evaluated";
 
 function addIndex() {
@@ -29,7 +35,7 @@ function addIndex() {
       tank.verdict ? `${verdictSentence(tank.verdict, null)}${raisedText(tank.verdict)}` : translated(tank.message),
       tank.tank ? longLength(tank.tank.center[0]) : "\u2013", tank.tank ? longLength(tank.tank.center[1]) : "\u2013",
       tank.tank ? longLength(tank.tank.radius) : "\u2013",
-      tank.tilt && known(tank.tilt.angle_arcsec) ? say("index.high_side", { angle_arcsec: withUnit(tank.tilt.angle_arcsec, 1, "\u2033"), direction_deg: degrees(tank.tilt.direction_deg) }) : "\u2013",
+      tank.tilt && known(tank.tilt.angle_arcsec) ? tiltOf(tank.tilt) : "\u2013",
       tank.datum ? say("index.measured_missing", { measured: tank.datum.measured, missing: tank.datum.missing }) : "\u2013"])));
 }
 

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include "support/made_datums.h"
+#include "tank_datum/report/report.h"
+#include "tank_datum/stations/stations.h"
+
+namespace tank_datum {
+namespace {
+
+using made_datums::octagon;
+
+/// "out of plane at most -0.0 mm" and the high side of no tilt are no facts.
+TEST(Summary, ASizeOfZeroHasNeitherSignNorSide) {
+  Datum datum = octagon();
+  datum.tilt.sigma_slope = 1e-5;
+  EXPECT_NE(summary(datum).find(" +- 4.1 (2 sigma), high side at "), std::string::npos) << summary(datum);
+  datum.analysis.out_of_plane.max_u = 1e-6, datum.analysis.out_of_plane.max_u_azimuth = 1.0;
+  for (Station& s : datum.stations) s.u = -1e-6;
+  EXPECT_NE(summary(datum).find("; out of plane at most 0.0 mm at 57 deg\n"), std::string::npos) << summary(datum);
+  datum.tilt.gradient = {1.9e-5, 0.0};
+  EXPECT_NE(summary(datum).find("tilt           3.9 arc-seconds +- 4.1 (2 sigma), not significant;"),
+            std::string::npos);
+  datum.tilt.sigma_slope = kUnknown;
+  EXPECT_NE(summary(datum).find("tilt           3.9 arc-seconds, high side at "), std::string::npos);
+  datum.tilt.gradient = {1e-9, 0.0};
+  EXPECT_NE(summary(datum).find("tilt           0.0 arc-seconds, not significant;"), std::string::npos);
+}
+
+TEST(Summary, ListsASecondOpinionAfterWhatGoverns) {
+  const auto check = [](const char* name, const char* role, double value) {
+    Check made;
+    made.code = "A", made.name = name, made.role = role, made.unit = "m";
+    made.value = value, made.limit = 0.010, made.verdict = Verdict::Fail;
+    return made;
+  };
+  Datum datum = octagon();
+  datum.analysis.checks = {check("second", "second opinion", 0.03), check("milder", "judged", 0.015),
+                           check("first", "governing", 0.02)};
+  const std::string text = summary(datum);
+  const auto at = [&](const char* name) { return text.find(std::string("fail           A ") + name); };
+  EXPECT_LT(at("first"), at("milder")) << text;
+  EXPECT_LT(at("milder"), at("second")) << text;
+  EXPECT_NE(text.find("30.0 mm, limit 10.0 mm (a second opinion)\n"), std::string::npos) << text;
+}
+
+/// Where the shell is seen below its neighbours' level the datum is not lifted by a heave.
+TEST(Summary, NoHeaveIsNamedWhereTheShellIsSeenBelow) {
+  Datum datum = octagon();
+  datum.stations[6].z_refused = datum.stations[2].z_refused = 0.5;
+  EXPECT_NE(summary(datum).find("in doubt       at 90 to 90, 270 to 270 deg"), std::string::npos) << summary(datum);
+  datum.stations[6].reason = Unmeasured::ShellBelow;
+  EXPECT_NE(summary(datum).find("in doubt       at 90 to 90 deg"), std::string::npos) << summary(datum);
+}
+
+}  // namespace
+}  // namespace tank_datum
