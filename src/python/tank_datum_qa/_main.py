@@ -147,9 +147,13 @@ def main(arguments: list[str] | None = None) -> int:
                 print(f"{case.name}: {case.command} {' '.join(case.inputs)}")
             return PASSED
         outcomes = run_all(cases, options)
+        try:
+            if not options.k:
+                refuse_unused(outcomes)
+        except CasesError:  # nothing has passed, but what was rewritten has been
+            print_table([outcome for outcome in outcomes if outcome.changes])
+            raise
         print_table(outcomes)
-        if not options.k:
-            refuse_unused(outcomes)
     except (CasesError, OutputIsInputError) as error:
         print(f"qa: cases: {error}", file=sys.stderr)
         return WRONG_USE
