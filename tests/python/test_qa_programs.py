@@ -90,3 +90,16 @@ def test_results_that_are_no_files_are_a_difference(tmp_path: Path, kind: str, n
     words = ["--command", fake(tmp_path, f'{kind} "$out/{name}"')]
     result = qa(one_case(tmp_path, more=f'files = ["{name}"]'), *words, timeout=20)
     assert result.returncode == 1 and "is no regular file" in result.stdout, result.stdout
+
+
+@pytest.mark.parametrize("what", ["/dev/full", "closed pipe"])
+def test_what_has_no_room_is_said_in_a_line(tmp_path: Path, what: str) -> None:
+    command = fake(tmp_path, 'echo "{}" > "$out/datum.json"')
+    words = [sys.executable, ROOT / "scripts/qa.py", one_case(tmp_path), "--command", command]
+    read, write = os.pipe()
+    os.close(read)
+    with open("/dev/full", "wb") as full, os.fdopen(write, "wb") as pipe:
+        into = full if what == "/dev/full" else pipe
+        done = subprocess.run(words, stdout=into, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+    assert done.stderr.startswith("qa: standard output, ")

@@ -137,6 +137,18 @@ def escape_what_cannot_be_shown() -> None:
 
 
 def main(arguments: list[str] | None = None) -> int:
+    try:
+        status = run(arguments)
+        sys.stdout.flush()
+        return status
+    except OSError as error:  # those of cases are theirs
+        place = error.filename or "standard output"
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what waits goes nowhere
+        print(f"qa: {place}, {error.strerror}, expected room there", file=sys.stderr)
+        return WRONG_USE
+
+
+def run(arguments: list[str] | None) -> int:
     escape_what_cannot_be_shown()
     options = parsed(sys.argv[1:] if arguments is None else arguments)
     exit_on_signals()
