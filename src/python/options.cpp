@@ -175,9 +175,9 @@ void put(const std::vector<Option>& options, const py::dict& given, const std::s
     if (found->second.of_scans && function == "read_levelling") {
       throw Error(Error::Kind::Option, "options", {found->first, shown(value), kNoScan});
     }
-    const auto refuse = [&, &option = found->second] {
+    const auto refuse = [&option = found->second, &given_value = value] {
       const std::string wanted = std::visit(TypeWanted{option}, option.value);
-      throw py::type_error(option.name + " = " + shown(value) + ", expected " + wanted);
+      throw py::type_error(option.name + " = " + shown(given_value) + ", expected " + wanted);
     };
     try {
       std::visit(Put{found->second, value}, found->second.value);
