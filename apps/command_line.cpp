@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -8,8 +9,10 @@
 #include "core/printable.h"
 #include "core/refusal.h"
 #include "exit_status.h"
+#include "flag_names.h"
 #include "option_flags.h"
 #include "options/option_json.h"
+#include "options/option_table.h"
 #include "report/identity.h"
 #include "report/section_json.h"
 #include "results/manifest.h"
@@ -26,7 +29,6 @@ void addRest(CLI::App& app, CLI::Option* scan) {
   CLI::Option* levelling = app.get_option("--stations-csv");
   CLI::Option* diameter = app.get_option("--diameter");
   levelling->needs(diameter)->excludes(scan);
-  levelling->excludes(app.get_option("--tank"))->excludes(app.get_option("--all"));
   diameter->needs(levelling);
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.set_version_flag("--version", std::string("tank_datum ") + kVersion);
@@ -59,6 +61,31 @@ void warnOfMetres(const CLI::App& app, const std::string& flag, const std::strin
   if (!plain || units == "m") return;
   std::cerr << "tank_datum: warning: " << flag << ' ' << typed << " is taken for metres, and the input is in " << units
             << ": write " << typed << units << " if that is meant\n";
+}
+
+Error notForLevellings(const std::string& flag, const std::string& value) {
+  return Error(Error::Kind::Option, "command line", flag, value, "none with --stations-csv");
+}
+
+/// Says which options a levelling survey has no use for. Those that have their defaults, as in a printed file of
+/// options, are not meant.
+/// @throws Error for which tank, or all of them
+void warnOfScans(const CLI::App& app, const Command& command) {
+  if (command.levelling.empty()) return;
+  if (command.all) throw notForLevellings("--all", "true");
+  Command plain;
+  const auto given = optionsJson(command), defaults = optionsJson(plain);
+  for (const Option& option : optionsOf(plain)) {
+    if (!option.of_scans || option.giver != Giver::All) continue;
+    std::string place = "/" + option.place;
+    std::replace(place.begin(), place.end(), '.', '/');
+    const nlohmann::ordered_json::json_pointer at(place);
+    if (given.at(at) == defaults.at(at)) continue;
+    const std::string flag = flagOf(option.name), value = app.get_option(flag)->as<std::string>();
+    if (option.name == "tank") throw notForLevellings(flag, value);
+    std::cerr << "tank_datum: warning: " << flag << ' ' << printable(value)
+              << " is not used: a levelling survey has no scan\n";
+  }
 }
 
 /// False with the status to leave with when there is nothing more to do.
@@ -113,6 +140,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   readIdentity(command);
   warnOfMetres(app, "--height", command.units);
   warnOfMetres(app, "--diameter", command.units);
+  warnOfScans(app, command);
   if (!command.print_config) return true;
   refuseFirst(firstError(command));
   std::cout << app.config_to_str(true, true);

@@ -33,12 +33,22 @@ std::string expectedOf(const std::string& name) {
   return "NAME=VALUE of an option that tank_datum --help lists";
 }
 
+std::optional<std::string> refusalOf(const std::string& line);
+
+/// What is expected of a line whose value is not taken: the same in quotes, where that is a list without them.
+std::string expectedOf(const std::string& name, const std::string& value) {
+  const std::string quoted = name + "=\"" + value + "\"";
+  const bool list = value.find(',') != std::string::npos && value.find('"') == std::string::npos;
+  return list && !refusalOf(quoted) ? quoted + ": a list stands in quotes" : expectedOf(name);
+}
+
 /// Why a line is refused; nothing when it is fine.
 std::optional<std::string> refusalOf(const std::string& line) {
   const std::string name = trimmed(line.substr(0, line.find('=')));
   if (line.find('=') == std::string::npos) return expectedOf("");
   const std::string value = trimmed(line.substr(line.find('=') + 1));
-  if (!value.empty() && value.front() == '[' && value.back() != ']') return expectedOf(name);  // would go on below
+  if (value.empty()) return expectedOf(name);                                // CLI11 takes it for no line at all
+  if (value.front() == '[' && value.back() != ']') return expectedOf(name);  // would go on below
   RunOptions run;
   CLI::App app;
   const OptionFlags flags(app, optionsOf(run));
@@ -48,7 +58,7 @@ std::optional<std::string> refusalOf(const std::string& line) {
     app.parse_from_stream(alone);
     flags.putTyped();
   } catch (const CLI::ParseError&) {
-    return expectedOf(name);
+    return expectedOf(name, value);
   } catch (const Error& error) {
     return error.refused().expected;
   }

@@ -1,3 +1,7 @@
+# The function is known in every folder of a project, variables of find_package() are not.
+set_property(GLOBAL PROPERTY tank_datum_QA_DIR "${tank_datum_QA_DIR}")
+set_property(GLOBAL PROPERTY tank_datum_COMMAND "${tank_datum_COMMAND}")
+
 # tank_datum_add_qa(<cases file> [NAME <test>] [COMMAND <tank_datum>] [ARGS <argument>...])
 # A test that runs the cases of a file as tank_datum_qa does: passed when all results are within tolerance. NAME is that
 # of the test, by default the file's without its ending; COMMAND the program, by default the installed one: a path, a name
@@ -14,20 +18,21 @@ function(tank_datum_add_qa cases)
     endif()
   endforeach()
   cmake_path(ABSOLUTE_PATH cases BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
-  if(NOT EXISTS "${cases}")
+  if(NOT EXISTS "${cases}" OR IS_DIRECTORY "${cases}")
     message(FATAL_ERROR "tank_datum_add_qa: ${cases}, expected a file of cases")
   endif()
   if(NOT qa_NAME)
     cmake_path(GET cases STEM qa_NAME)
   endif()
   if(NOT DEFINED qa_COMMAND)
-    set(qa_COMMAND ${tank_datum_COMMAND})
+    get_property(qa_COMMAND GLOBAL PROPERTY tank_datum_COMMAND)
   endif()
   tank_datum_find_command(program "${qa_COMMAND}")
   find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
-  add_test(NAME ${qa_NAME}
-           COMMAND ${Python3_EXECUTABLE} -m tank_datum_qa ${cases} --command ${program} ${qa_ARGS})
-  set_tests_properties(${qa_NAME} PROPERTIES ENVIRONMENT "PYTHONPATH=${tank_datum_QA_DIR}")
+  get_property(package GLOBAL PROPERTY tank_datum_QA_DIR)
+  add_test(NAME "${qa_NAME}"
+           COMMAND ${Python3_EXECUTABLE} -m tank_datum_qa "${cases}" --command "${program}" ${qa_ARGS})
+  set_tests_properties("${qa_NAME}" PROPERTIES ENVIRONMENT "PYTHONPATH=${package}")
 endfunction()
 
 # Sets a variable to where a COMMAND is; of a target or a generator expression that is known when tests are made.

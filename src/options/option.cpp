@@ -102,7 +102,9 @@ std::string Option::text() const {
 }
 
 double Option::typed(double kept) const {
-  return unit == Unit::Degrees ? toDegrees(kept) : unit == Unit::ArcSeconds ? toArcSeconds(kept) : kept;
+  constexpr double kRoundable = 1e250;  // beyond it what toDegrees rounds is infinite [rad]
+  if (unit == Unit::Degrees) return std::abs(kept) < kRoundable ? toDegrees(kept) : kept / kDegree;
+  return unit == Unit::ArcSeconds ? toArcSeconds(kept) : kept;
 }
 
 double Option::kept(double typed) const {

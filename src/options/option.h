@@ -80,12 +80,14 @@ struct Option {
   char letter = 0;           ///< "-o" at the command line
   bool negatable = false;    ///< a flag that has "--no-" too
   bool configurable = true;  ///< may stand in a file of options
+  bool of_scans = false;     ///< a levelling survey, which has no points, has no use for it
 
   Option& in(Unit u) { return unit = u, *this; }
   Option& within(const Bounds& b) { return bounds = b, *this; }
   Option& withNo() { return negatable = true, *this; }
   Option& ofCommand() { return giver = Giver::Command, *this; }
   Option& notInFiles() { return configurable = false, *this; }
+  Option& ofLevellingsToo() { return of_scans = false, *this; }
 
   /// The help with its unit: "the smallest tank to look for [m]".
   std::string text() const;

@@ -41,9 +41,10 @@ inline Choice anyOf(std::string& value, std::vector<std::string> words) {
 struct Table {
   std::vector<Option> rows;
   std::string topic;
+  bool of_scans = false;
 
   Option& add(const std::string& name, const std::string& place, OptionValue value, const std::string& help) {
-    rows.push_back({name, place, std::move(value), help, topic, Unit::None, {}, Giver::All, 0, false, true});
+    rows.push_back({name, place, std::move(value), help, topic, Unit::None, {}, Giver::All, 0, false, true, of_scans});
     return rows.back();
   }
   /// A field that only C++ can set; it is refused by its place.

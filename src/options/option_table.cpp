@@ -43,8 +43,11 @@ void addStations(Table& t, DatumOptions& o) {
   t.add("stations", "stations.count", &o.stations.count, "stations round the tank").within(within(8, 36'000));
   t.add("zero_azimuth_deg", "stations.zero_azimuth_deg", &o.stations.zero_azimuth,
         "where station 0 is, counter-clockwise from +x")
-      .in(Unit::Degrees);
-  t.add("clockwise", "stations.clockwise", &o.stations.clockwise, "stations run clockwise seen from above").withNo();
+      .in(Unit::Degrees)
+      .ofLevellingsToo();
+  t.add("clockwise", "stations.clockwise", &o.stations.clockwise, "stations run clockwise seen from above")
+      .withNo()
+      .ofLevellingsToo();
   t.add("longest_bridge_deg", "stations.longest_bridge_deg", &o.stations.longest_bridge,
         "arc not seen that is bridged by the curve where it is seen on both sides; 0: none is")
       .in(Unit::Degrees)
@@ -111,7 +114,7 @@ void addInput(Table& t, RunOptions& run) {
         "the axis of the scan that is up; results are in the frame turned so");
   t.add("level", "level", &run.datum.level,
         "turn the scan so that the shell stands upright; results are in that frame");
-  t.add("units", "", choiceOf(run.units, unitNames()), "units of the input");
+  t.add("units", "", choiceOf(run.units, unitNames()), "units of the input").ofLevellingsToo();
   t.add("las_classes", "las_classes", &run.reading.las_classes,
         "classes of the points of LAS files that are read; none: all; points marked as withheld never are")
       .within(within(0, 255));
@@ -211,12 +214,14 @@ std::vector<Option> optionsOf(RunOptions& run) {
       .ofCommand()
       .notInFiles()
       .letter = 'o';
+  t.of_scans = true;
   addDatum(t, run.datum);
   addStations(t, run.datum);
   addTank(t, run);
   addSetups(t, run);
   addSearch(t, run.datum);
   addInput(t, run);
+  t.of_scans = false;
   t.topic = "Movement since an earlier survey";
   t.add("baseline", "movement.baseline", Path{&run.baseline}, "datum.json of an earlier survey: movement since then");
   for (const Option& option : movementOptionsOf(run.movement)) t.rows.push_back(option);

@@ -19,7 +19,12 @@ namespace py = pybind11;
 namespace tank_datum::python {
 namespace {
 
-constexpr std::size_t kShown = 80;  // letters of a value in a message
+constexpr const char* kNoScan = "none: a levelling survey has no scan";
+
+/// A value in a message of one line.
+std::string shown(const py::handle& value) {
+  return py::module_::import("tank_datum._errors").attr("short")(value).cast<std::string>();
+}
 
 bool isTruth(const py::handle& value) {
   return py::isinstance<py::bool_>(value) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
@@ -76,7 +81,7 @@ struct Put {
       return value.cast<Integer>();
     } catch (const py::cast_error&) {  // too large, or below 0
       throw Error(Error::Kind::Option, "options",
-                  {option.name, py::repr(value).cast<std::string>().substr(0, kShown),
+                  {option.name, shown(value),
                    option.expected() + ", at most " + std::to_string(std::numeric_limits<Integer>::max())});
     }
   }
@@ -96,10 +101,13 @@ struct Put {
     try {
       path = py::module_::import("os").attr("fsencode")(value).cast<std::string>();
     } catch (const py::error_already_set& raised) {
-      if (!raised.matches(PyExc_TypeError)) throw;
-      throw py::cast_error();
+      if (raised.matches(PyExc_TypeError)) throw py::cast_error();
+      if (!raised.matches(PyExc_UnicodeEncodeError)) throw;
     }
-    if (path.empty()) throw Error(Error::Kind::Option, "options", {option.name, "\"\"", "a path, or None"});
+    if (path.empty() || path.find('\0') != std::string::npos) {
+      const bool nothing = py::isinstance<py::str>(value) && py::len(value) == 0;
+      throw Error(Error::Kind::Option, "options", {option.name, nothing ? "\"\"" : shown(value), "a path, or None"});
+    }
     return path;
   }
 };
@@ -164,12 +172,20 @@ void put(const std::vector<Option>& options, const py::dict& given, const std::s
     if (found == keywords.end()) {
       throw py::type_error(function + "() got an unexpected keyword argument '" + name.cast<std::string>() + "'");
     }
+    if (found->second.of_scans && function == "read_levelling") {
+      throw Error(Error::Kind::Option, "options", {found->first, shown(value), kNoScan});
+    }
+    const auto refuse = [&option = found->second, &given_value = value] {
+      const std::string wanted = std::visit(TypeWanted{option}, option.value);
+      throw py::type_error(option.name + " = " + shown(given_value) + ", expected " + wanted);
+    };
     try {
       std::visit(Put{found->second, value}, found->second.value);
     } catch (const py::cast_error&) {
-      const auto shown = py::repr(value).cast<std::string>();
-      const std::string wanted = std::visit(TypeWanted{found->second}, found->second.value);
-      throw py::type_error(found->first + " = " + shown + ", expected " + wanted);
+      refuse();
+    } catch (const py::error_already_set& raised) {  // an array without a length
+      if (!raised.matches(PyExc_TypeError)) throw;
+      refuse();
     }
   }
 }

@@ -31,6 +31,10 @@ TABLE = ("--stations-csv", LEVELLING, "--diameter", 42)
         ("search=foo", "search = flann or buckets"),
         ("clockwise=perhaps", "true or false"),
         ("output=there", "another option: --output goes on the command line"),
+        ("k=", "k = >= 3"),
+        ("heights=0.3,0.6", 'heights="0.3,0.6": a list stands in quotes'),
+        ("tank=0,0,5", 'tank="0,0,5": a list stands in quotes'),
+        ("heights=0.6,0.3", "heights = > 0 and <= 100 m and above the one before"),
     ],
 )
 def test_a_bad_line_is_named(run: Runner, tmp_path: Path, line: str, expected: str) -> None:

@@ -191,3 +191,20 @@ def test_needs_a_diameter(run: Runner) -> None:
     result = run("--stations-csv", LEVELLING / "fourteen_stations.csv")
     assert result.returncode == 2
     assert "--diameter" in result.stderr
+
+
+def test_what_only_a_scan_needs_is_said(run: Runner, tmp_path: Path) -> None:
+    """Not of the defaults, which a printed file of options has."""
+    table = ("--stations-csv", LEVELLING / "fourteen_stations.csv", "--diameter", 42, "--quiet")
+    config = tmp_path / "options.toml"
+    config.write_text(run("--print-config").stdout)
+    result = run(*table, "-o", tmp_path / "a", "--config", config)
+    assert (result.returncode, result.stderr) == (0, "")
+    result = run(*table, "-o", tmp_path / "b", "--stations", 72, "--up", "y", "--accept")
+    assert result.returncode == 0
+    assert result.stderr.splitlines() == [
+        f"tank_datum: warning: --{words} is not used: a levelling survey has no scan"
+        for words in ("stations 72", "accept true", "up y")
+    ]
+    result = run(*table, "-o", tmp_path / "c", "--tank", "0,0,21")
+    assert result.returncode == 2 and "--tank, 0,0,21, expected none with" in result.stderr

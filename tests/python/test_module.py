@@ -210,6 +210,7 @@ def test_origins_of_setups_are_in_the_units_of_the_scan(points: Array, tmp_path:
         ({"search": "slow"}, "options: search, slow, expected flann or buckets"),
         ({"roof": "a = 1 (must be b)"}, "options: roof, a = 1 (must be b), expected open or fixed"),
         ({"angle_deg": 95}, "options: angle_deg, 95, expected > 0 and < 90 deg"),
+        ({"angle_deg": 1e300}, "options: angle_deg, 1e+300, expected > 0 and < 90 deg"),
         ({"units": "inch"}, "options: units, inch, expected ft, in, m, mm or us-ft"),
         ({"stations": 4}, "options: stations, 4, expected 8 to 36000"),
         ({"min_radius": -1.0}, "options: min_radius, -1, expected > 0 m"),

@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+import clouds
+
 tank_datum = pytest.importorskip("tank_datum", reason="the module is not installed")
 Damage = Callable[[Path], object]
 
@@ -59,12 +61,20 @@ DAMAGES: dict[str, Damage] = {
     "no files": changed(lambda r: r["input"].pop("files")),
     "beyond numbers": changed(lambda r: r["tilt"].update(slope=float("inf"))),
     "covariance": changed(lambda r: r["covariance"].update(factors=[[1.0, 2.0]])),
+    "covariance without factors": changed(lambda r: r["covariance"].pop("factors")),
+    "covariance of fewer": changed(
+        lambda r: r["covariance"].update(independent=[0.001] * 9, factors=[])
+    ),
     "fewer rows": rows("stations.csv", 99),
     "csv cut": cut("stations.csv", 0.5),
     "csv not utf-8": written("stations.csv", b"\xff\xfe"),
     "csv a quote": written("stations.csv", b'"'),
     "csv a column twice": written("stations.csv", b"station,station\n"),
     "shell cut": cut("shell.csv", 0.5),
+    "points without an axis": written(
+        "datum_points.pcd",
+        b"FIELDS full_x full_y x y z\nSIZE 8 8 4 4 4\nPOINTS 1\nDATA binary\n" + bytes(28),
+    ),
     "points cut": cut("datum_points.pcd", 0.9),
 }
 
@@ -116,3 +126,11 @@ def test_a_file_of_another_name_draws_what_it_has(command: Path, tmp_path: Path)
     loaded.plot("elevation")
     with pytest.raises(tank_datum.OptionError, match="u is not known"):
         loaded.plot("out_of_plane")
+
+
+def test_a_rejected_circle_is_loaded_as_it_was(tmp_path: Path) -> None:
+    """Without stations there is no file of edge points."""
+    datum = tank_datum.extract_datum(clouds.tank(spacing=0.03) * 30)
+    assert datum.status == "no_crease"
+    datum.save(tmp_path)
+    assert tank_datum.load(tmp_path) == datum

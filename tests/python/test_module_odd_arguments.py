@@ -34,7 +34,10 @@ NO_PATHS = ["a\0b", b"a\0b", "a\ud800", ""]
 
 
 @pytest.mark.parametrize("path", NO_PATHS, ids=["nul", "nul in bytes", "surrogate", "empty"])
-@pytest.mark.parametrize("function", ["load", "extract_datum", "save", "report", "compare"])
+@pytest.mark.parametrize(
+    "function",
+    ["load", "extract_datum", "save", "report", "compare", "limits", "simulate", "simulate to"],
+)
 def test_what_is_no_name_of_a_file(datum: td.Datum, function: str, path: Any) -> None:
     called: dict[str, Callable[[Any], object]] = {
         "load": td.load,
@@ -42,6 +45,9 @@ def test_what_is_no_name_of_a_file(datum: td.Datum, function: str, path: Any) ->
         "save": datum.save,
         "report": datum.report,
         "compare": lambda given: td.compare([datum, given]),
+        "limits": td.limits,
+        "simulate": td.simulate,
+        "simulate to": lambda given: td.simulate({}, given),
     }
     with pytest.raises(td.FileError, match="no name of a file, expected a path") as refused:
         called[function](path)
@@ -163,3 +169,63 @@ def test_a_scan_in_no_unit_ends(scale: float) -> None:
     """Tables by height were of the scan's size: hours, or all memory."""
     datum = td.extract_datum(scale * POINTS)
     assert datum.status == "ok" and "is the scan in mm?" in datum.message
+
+
+def test_an_open_file_is_no_blocks() -> None:
+    """Its lines are no paths."""
+    with SAMPLE.open("rb") as file, pytest.raises(TypeError, match="expected an array of shape"):
+        td.extract_datum(file)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda n: td.stages.normals(POINTS, search=5),  # type: ignore[arg-type]
+        lambda n: td.stages.candidates(None),  # type: ignore[arg-type]
+        lambda n: td.stages.candidates(n._replace(normals=n.normals.astype(complex))),
+        lambda n: td.stages.candidates(n._replace(normals=n.normals.astype(str))),
+        lambda n: td.stages.edge_points(POINTS, [0], tank=5),  # type: ignore[arg-type]
+        lambda n: td.stages.edge_points(POINTS, [0], tank=()),  # type: ignore[arg-type]
+        lambda n: td.compare_curves(np.zeros((99, 2), complex)),
+        lambda n: td.extract_datum(POINTS, heights=np.array(5)),
+        lambda n: td.extract_datum(POINTS, tank=np.array(5)),
+        lambda n: td.extract_datum(POINTS, k="x" * 10_000),
+    ],
+    ids=[
+        "search",
+        "found",
+        "complex",
+        "texts",
+        "tank",
+        "no tank",
+        "line",
+        "heights",
+        "tank 0-d",
+        "long",
+    ],
+)
+def test_other_types_are_refused_in_a_line(call: Callable[[Any], object]) -> None:
+    with pytest.raises(TypeError, match="^[a-z]+ = .*, expected ") as refused:
+        call(td.stages.normals(POINTS[:50], 5))
+    assert len(str(refused.value)) < 250
+
+
+@pytest.mark.parametrize("path", ["a\0b", "a\ud800"], ids=["nul", "surrogate"])
+@pytest.mark.parametrize("name", ["baseline", "limits", "about", "setup_origins"])
+def test_options_that_are_no_path(name: str, path: str) -> None:
+    with pytest.raises(td.OptionError, match="expected a path, or None") as refused:
+        td.extract_datum(POINTS, **{name: path})  # type: ignore[arg-type]
+    assert refused.value.name == name
+
+
+def test_a_comparison_is_shown_in_a_line(datum: td.Datum) -> None:
+    compared = td.compare([datum, datum])
+    assert repr(compared) == "<tank_datum.Comparison of 2 surveys, rates in m/survey>"
+    with pytest.raises(TypeError, match="epochs = <tank_datum.Comparison of 2"):
+        td.compare([datum, compared])  # type: ignore[list-item]
+
+
+def test_a_setup_beyond_all_numbers_has_its_parts() -> None:
+    with pytest.raises(td.OptionError, match="setup -1 to -1, expected a number") as refused:
+        td.extract_datum([(POINTS, -1)])
+    assert (refused.value.name, refused.value.stage) == ("points", "options")

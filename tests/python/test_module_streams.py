@@ -116,5 +116,32 @@ def test_an_iterator_that_is_used_up_is_refused(points: Array) -> None:
         tank_datum.extract_datum(lambda: spent)
 
 
+@pytest.mark.parametrize("what", ["points", "order", "setups"])
+def test_passes_that_differ_at_one_count_are_refused(points: Array, what: str) -> None:
+    """One row of them all is enough; where blocks begin and end is free."""
+    passes = 0
+
+    def blocks() -> Iterator[Any]:
+        nonlocal passes
+        passes += 1
+        setups = np.zeros(len(points), np.uint16)
+        rows = np.arange(len(points))
+        changed = points.copy()
+        if passes > 2:  # the first ends at its first block
+            setups[5] = what == "setups"
+            rows[:2] = rows[1::-1] if what == "order" else rows[:2]
+            changed[-1] += 0.001 * (what == "points")
+        yield from (
+            (block, number)
+            for block, number in zip(
+                np.array_split(changed[rows], passes), np.array_split(setups, passes), strict=True
+            )
+        )
+
+    said = "other points or setups in a later pass than in the first, expected a function that"
+    with pytest.raises(tank_datum.FileError, match=said):
+        tank_datum.extract_datum(blocks)
+
+
 def test_no_blocks_hold_no_tank() -> None:
     assert tank_datum.extract_datum(lambda: iter([])).status == "too_few_points"

@@ -62,6 +62,12 @@ def test_levelling_is_the_commands(run: Runner, tmp_path: Path) -> None:
     assert levelled.tilt.slope == pytest.approx(0.01 / 15, rel=1e-3)
     with pytest.raises(tank_datum.OptionError, match="diameter"):
         tank_datum.read_levelling(table, -1)
+    for name, value in {"k": 30, "stations": 72, "up": "z", "heights": [1.0], "tank": None}.items():
+        said = f"options: {name}, .*, expected none: a levelling survey has no scan"
+        with pytest.raises(tank_datum.OptionError, match=said):
+            tank_datum.read_levelling(table, 30, **{name: value})
+    used = {"zero_azimuth_deg": 30, "clockwise": True, "units": "mm", "height": 9, "remove": "none"}
+    assert tank_datum.read_levelling(table, 30, **used).status == "ok"
 
 
 def test_comparison_is_the_commands(datum: Any, tmp_path: Path) -> None:

@@ -45,12 +45,22 @@ from qa_command import qa
                 ('command = ["extract"]', "a.command, ['extract'], expected extract, compare"),
                 ("status = true", "a.status, True, expected 0 or 1"),
                 ("status = [0]", "a.status, [0], expected 0 or 1"),
+                ("status = 1.0", "a.status, 1.0, expected 0 or 1"),
                 (f"tolerance = {{z = 1{'0' * 400}}}", "a.tolerance.z, 1000"),
                 ('options = ["-o", "x"]', "a.options, '-o', expected no option that names"),
                 ('options = ["-ox"]', "a.options, '-ox', expected no option that names"),
                 ('options = ["--output=x"]', "a.options, '--output=x', expected no option"),
                 ('options = ["--timings", "x"]', "a.options, '--timings', expected no option"),
+                ('options = ["--json", "x"]', "a.options, '--json', expected no option"),
+                ('options = ["--json=x"]', "a.options, '--json=x', expected no option"),
             )
+        ),
+        *(
+            (
+                f'[[case]]\nname = "a"\ninputs = ["b", "{word}"]\n',
+                f"a.inputs, '{word}', expected paths",
+            )
+            for word in ("-o", "--help", "")
         ),
     ],
 )

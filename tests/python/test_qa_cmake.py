@@ -18,16 +18,22 @@ set(tank_datum_COMMAND {default})
 include({function})
 add_executable(mine IMPORTED)
 set_target_properties(mine PROPERTIES IMPORTED_LOCATION /bin/true)
-tank_datum_add_qa(cases.toml {words})
+tank_datum_add_qa("{cases}" {words})
 """
 
 
-def configured(folder: Path, words: str, default: str = "/bin/true") -> tuple[str, str]:
+def configured(
+    folder: Path,
+    words: str,
+    default: str = "/bin/true",
+    cases: str = "cases.toml",
+    project: str = PROJECT,
+) -> tuple[str, str]:
     """What the configuration says is wrong, and the command of the test that it made."""
     if shutil.which("cmake") is None:
         pytest.skip("cmake is not installed")
     function = ROOT / "src/cmake/tank_datum-qa.cmake"
-    text = PROJECT.format(function=function, words=words, default=default)
+    text = project.format(function=function, words=words, default=default, cases=cases)
     (folder / "CMakeLists.txt").write_text(text)
     (folder / "cases.toml").touch()
     (folder / "beside").write_text("#!/bin/sh\n")
@@ -74,3 +80,28 @@ def test_program_that_is_not_there(tmp_path: Path, words: str, default: str, wro
     said, made = configured(tmp_path, words, default)
     assert f"tank_datum_add_qa: {wrong}" in said
     assert made == ""
+
+
+@pytest.mark.parametrize("cases", [".", "", "none.toml"])
+def test_what_is_no_file_of_cases_is_refused(tmp_path: Path, cases: str) -> None:
+    said, made = configured(tmp_path, "", cases=cases)
+    assert "expected a file of cases" in said and "tank_datum_add_qa: " in said
+    assert "add_test" not in made
+
+
+def test_a_semicolon_is_part_of_a_name(tmp_path: Path) -> None:
+    (tmp_path / "a;b.toml").touch()
+    said, made = configured(tmp_path, "", cases="a;b.toml")
+    assert said == "" and f'"{tmp_path}/a;b.toml" "--command" "/bin/true"' in made
+
+
+def test_the_package_may_be_found_in_another_folder(tmp_path: Path) -> None:
+    """Of which a function is seen from outside, and a variable is not."""
+    (tmp_path / "below").mkdir()
+    function = ROOT / "src/cmake/tank_datum-qa.cmake"
+    text = f"set(tank_datum_QA_DIR /qa)\nset(tank_datum_COMMAND /bin/true)\ninclude({function})\n"
+    (tmp_path / "below" / "CMakeLists.txt").write_text(text)
+    project = PROJECT.replace("set(tank_datum_COMMAND {default})\n", "")
+    project = project.replace("include({function})", "add_subdirectory(below)")
+    said, made = configured(tmp_path, "", project=project)
+    assert said == "" and '"--command" "/bin/true"' in made and "PYTHONPATH=/qa" in made

@@ -16,7 +16,7 @@ import pytest
 
 from conftest import ROOT
 from programs import executable
-from qa_command import qa
+from qa_command import fake, one_case, qa
 
 CASES = """
 [tolerance]
@@ -203,3 +203,15 @@ def test_documented_fixture_runs_a_case(folder: Path) -> None:
     shift(folder / "spring" / "datum.json", "z", 0.25)
     result = in_pytest(folder)
     assert result.returncode == 1 and "stations.*.z" in result.stdout
+
+
+def test_nothing_passes_beside_a_refused_pattern(tmp_path: Path) -> None:
+    """What is rewritten is shown nevertheless."""
+    cases = one_case(tmp_path, more='files = ["datum.json"]\n[tolerance]\nheave = 1.0')
+    words = ["--command", fake(tmp_path, 'echo "{}" > "$out/datum.json"')]
+    said = "qa: cases: tolerance.heave, for no value of any case"
+    updated = qa(cases, *words, "--update")
+    assert updated.returncode == 2 and updated.stderr.startswith(said)
+    assert "rewritten: datum.json" in updated.stdout
+    result = qa(cases, *words)
+    assert (result.returncode, result.stdout) == (2, "") and result.stderr.startswith(said)

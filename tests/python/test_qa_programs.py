@@ -11,6 +11,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+import pytest
+
 from programs import ROOT
 from qa_command import fake, one_case, qa
 
@@ -77,3 +79,27 @@ def living_groups() -> set[str]:
             state, _, group = path.read_text().split(")")[-1].split()[:3]
             groups |= {group} if state != "Z" else set()
     return groups
+
+
+@pytest.mark.parametrize("name", ["datum.json", "stations.csv", "report.html"])
+@pytest.mark.parametrize("kind", ["mkfifo", "mkdir"])
+def test_results_that_are_no_files_are_a_difference(tmp_path: Path, kind: str, name: str) -> None:
+    """Nothing is waited for, in the comparison and in the search for what tolerances are for."""
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / name).write_text("{}")
+    words = ["--command", fake(tmp_path, f'{kind} "$out/{name}"')]
+    result = qa(one_case(tmp_path, more=f'files = ["{name}"]'), *words, timeout=20)
+    assert result.returncode == 1 and "is no regular file" in result.stdout, result.stdout
+
+
+@pytest.mark.parametrize("what", ["/dev/full", "closed pipe"])
+def test_what_has_no_room_is_said_in_a_line(tmp_path: Path, what: str) -> None:
+    command = fake(tmp_path, 'echo "{}" > "$out/datum.json"')
+    words = [sys.executable, ROOT / "scripts/qa.py", one_case(tmp_path), "--command", command]
+    read, write = os.pipe()
+    os.close(read)
+    with open("/dev/full", "wb") as full, os.fdopen(write, "wb") as pipe:
+        into = full if what == "/dev/full" else pipe
+        done = subprocess.run(words, stdout=into, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+    assert done.stderr.startswith("qa: standard output, ")

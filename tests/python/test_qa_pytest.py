@@ -50,3 +50,33 @@ def test_paths_are_relative_to_the_file_as_it_is_named(tmp_path: Path, link: str
     words = ["--tank-datum-command", command, "--tank-datum-cases", "cases.toml", "test_it.py"]
     result = in_pytest(here, *words)
     assert "2 passed" in result.stdout, result.stdout
+
+
+def passing(folder: Path) -> str:
+    """A file of two cases that pass, and the program that they run."""
+    cases = one_case(folder, more=FILES)
+    cases.write_text(cases.read_text() + f'[[case]]\nname = "b"\ninputs = ["y"]\n{FILES}\n')
+    for name in ("a", "b"):
+        (folder / name).mkdir()
+        (folder / name / "datum.json").write_text("{}")
+    return str(fake(folder, 'echo "{}" > "$out/datum.json"'))
+
+
+def test_one_case_is_run_alone(tmp_path: Path) -> None:
+    """By the name under which pytest reports it."""
+    words = ["--tank-datum-command", passing(tmp_path), "--tank-datum-cases", "cases.toml"]
+    result = in_pytest(tmp_path, *words, "cases.toml::b")
+    assert "1 passed" in result.stdout, result.stdout
+    assert "2 passed" in in_pytest(tmp_path, *words, "cases.toml").stdout
+
+
+def test_a_file_in_addopts_is_found_from_every_folder(tmp_path: Path) -> None:
+    command = passing(tmp_path)
+    (tmp_path / "pytest.ini").write_text("[pytest]\naddopts = --tank-datum-cases cases.toml\n")
+    deep = tmp_path / "deep"
+    deep.mkdir()
+    for folder in (tmp_path, deep):
+        result = in_pytest(folder, "--tank-datum-command", command)
+        assert "2 passed" in result.stdout, result.stdout
+    none = in_pytest(deep, "--tank-datum-cases", "none.toml")
+    assert "--tank-datum-cases none.toml, expected a file" in none.stderr, none.stderr

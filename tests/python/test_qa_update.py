@@ -79,3 +79,13 @@ def test_what_is_kept(tmp_path: Path, name: str, before: str, after: str, kept: 
     assert (tmp_path / "a" / name).read_text() == after
     names = [path.read_text() for path in (tmp_path / "a").iterdir() if ".kept" in path.name]
     assert names == ([before] if kept else [])
+
+
+def test_a_file_that_is_not_among_the_results_is_an_error(tmp_path: Path) -> None:
+    """All of a fixture is rewritten or nothing, and a run that did not says so by its status."""
+    cases = one_case(tmp_path, more='files = ["datum.json", "shel.csv"]')
+    command = fake(tmp_path, 'echo "{}" > "$out/datum.json"')
+    result = qa(cases, "--command", command, "--update")
+    assert result.returncode == 1, result.stdout
+    assert "files 'shel.csv', expected what is among the results" in result.stdout
+    assert not (tmp_path / "a").exists()

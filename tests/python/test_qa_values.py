@@ -37,6 +37,7 @@ LONG, DEEP = "1" + "0" * 400, "[" * 100_000
         pytest.param("s.csv", "a,b\n1,2\n", "a,b\n1,2,3\n", "beyond the columns", id="new cell"),
         pytest.param("s.csv", "a,b\n1,2,4\n", "a,b\n1,2,3\n", "beyond the columns", id="cell"),
         pytest.param("s.csv", "a,b\n1\n", "a,b\n1,2\n", "s.csv b null became 2.0", id="short row"),
+        pytest.param("s.csv", "a\n10\n", "a\n1_0\n", 'a 10.0 became "1_0"', id="underscore"),
         pytest.param("s.csv", "a,a\n1,2\n", "a,a\n1,3\n", "s.csv a (2) moved 1 1", id="one name"),
         pytest.param("s.csv", 'a\n"' + "x" * 140_000, "a\n1\n", "field larger than", id="quote"),
     ],

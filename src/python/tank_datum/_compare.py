@@ -65,6 +65,9 @@ class Comparison:
         to = path_bytes("report", "folder", folder)
         _core.Compared(self._surveys, self.dates, self._options).save(to)
 
+    def __repr__(self) -> str:
+        return f"<tank_datum.Comparison of {len(self.names)} surveys, rates in {self.unit}>"
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Comparison):
             return NotImplemented
@@ -121,7 +124,7 @@ def _listed(name: str, given: Any) -> list[Any]:
 def _survey(epoch: Survey) -> tuple[bytes, str, str]:
     if not isinstance(epoch, Datum | str | bytes | os.PathLike):
         wanted = "a Datum, or the path of a folder or datum.json"
-        raise TypeError(f"epochs = {epoch!r}, expected {wanted}")
+        raise TypeError(f"epochs = {short(epoch)}, expected {wanted}")
     datum = epoch if isinstance(epoch, Datum) else load(epoch)
     text = datum.to_json()
     return os.fsencode(datum.source), text, hashlib.sha256(text.encode()).hexdigest()

@@ -60,10 +60,11 @@ class Datum(Figures):
 
     @classmethod
     def _of(cls, result: _core.Result) -> Datum:
+        stations = result.stations()  # without them there are no files of points either
         return cls(
             result.record(),
-            result.stations(),
-            result.edge_points(),
+            stations,
+            result.edge_points() if len(stations) else np.empty((0, 3)),
             result.shell_points(),
             summary=result.summary(),
             result=result,
@@ -80,12 +81,17 @@ class Datum(Figures):
 
         Shape (n, n). Shared errors are in it: those of the scanner's setups.
         """
+        own, shared = self._errors()
+        return np.asarray(np.diag(own**2) + shared.T @ shared)
+
+    def _errors(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The stations' own errors, and the factors of those they share. Raises ValueError, TypeError."""
+        count = len(self.stations)
         given = self._record.get("covariance")
         if given is None:
-            return np.full((len(self.stations), len(self.stations)), np.nan)
-        own = np.array(given["independent"], dtype=float)
-        shared = np.array(given["factors"], dtype=float).reshape(-1, len(own))
-        return np.asarray(np.diag(own**2) + shared.T @ shared)
+            return np.full(count, np.nan), np.full((1, count), np.nan)
+        own = np.array(given["independent"], dtype=float).reshape(count)
+        return own, np.array(given["factors"], dtype=float).reshape(-1, count)
 
     def to_dict(self) -> dict[str, Any]:
         """Everything, as in datum.json."""

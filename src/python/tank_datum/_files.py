@@ -68,8 +68,8 @@ def load(path: str | os.PathLike[str]) -> Datum:
         source=os.fsdecode(encoded),
     )
     try:
-        loaded.covariance()
-    except (TypeError, ValueError):
+        loaded._errors()
+    except (KeyError, TypeError, ValueError):
         raise _refused(main, "covariance of another shape", _WANTED) from None
     return loaded
 
@@ -191,11 +191,8 @@ def _cloud(path: Path, content: bytes | None) -> NDArray[np.float64]:
     rows = [line.split() for line in head.decode("ascii", "replace").splitlines()]
     words = {row[0]: row[1:] for row in rows if row}
     fields, sizes = words.get("FIELDS", []), words.get("SIZE", [])
-    axes: list[str] = [n for n in ("full_x", "full_y", "full_z") if n in fields] or [
-        "x",
-        "y",
-        "z",
-    ]
+    full = any(name.startswith("full_") for name in fields)
+    axes = [f"full_{axis}" for axis in "xyz"] if full else list("xyz")
     try:
         row = np.dtype(
             [(name, f"<f{size}") for name, size in zip(fields, sizes, strict=True)]

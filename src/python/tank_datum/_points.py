@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from io import IOBase
 from typing import Any
 
 import numpy as np
@@ -65,6 +66,8 @@ def unmasked(values: Any, points: Any) -> Any:
 
 def sources_of(points: Any) -> list[Any]:
     """One source, those of a list, or the blocks of an iterator."""
+    if isinstance(points, IOBase):  # its lines are no blocks
+        raise TypeError(f"points = {short(points)}, expected {EXPECTED}")
     if not isinstance(points, list | tuple | Iterator):
         return [points]
     sources = list(points)

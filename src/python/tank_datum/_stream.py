@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tank_datum._errors import short
+from tank_datum._errors import option_error, short
 from tank_datum._foreign import Block, Place, Unreadable
 from tank_datum._points import Array, as_points, tell_setups, unmasked
 
@@ -33,6 +34,7 @@ class Stream:
         self._source = source
         self.setups: dict[int, tuple[str, Place | None]] = {}
         self._rows: int | None = None
+        self._sums: tuple[int, int] | None = None
         self.raised: BaseException | None = None  # by the caller's function
         first = next(self._pass(), np.empty((0, 3)))
         self.tells_setups = tell_setups([first])
@@ -49,10 +51,10 @@ class Stream:
 
     def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
         """A pass. What the caller's function raises is kept in `raised`."""
-        rows = 0
+        rows, sums = 0, (0, 0)
         try:
             for block, setups in _joined(self._numbered(item) for item in self._pass()):
-                rows += len(block)
+                rows, sums = rows + len(block), _sums(block, setups, sums)
                 yield block, setups, 0, 0
         except GeneratorExit:
             raise
@@ -62,11 +64,14 @@ class Stream:
         if self._rows not in (None, rows):
             met = f"{rows} rows in a later pass, {self._rows} in the first"
             raise Unreadable("points", met, FRESH)
-        self._rows = rows
+        if self._sums not in (None, sums):
+            met = "other points or setups in a later pass than in the first"
+            raise Unreadable("points", met, FRESH)
+        self._rows, self._sums = rows, sums
 
     def _numbered(self, item: Any) -> Numbered:
         points, setups = self._parts(item)
-        block = as_points(points).astype(np.float64, copy=False)
+        block = np.ascontiguousarray(as_points(points), dtype=np.float64)
         return block, _numbers(unmasked(setups, points), len(block))
 
     def _parts(self, item: Any) -> tuple[Any, Any]:
@@ -102,6 +107,14 @@ def _together(blocks: list[Numbered]) -> Numbered:
     return np.concatenate(points), np.concatenate(setups)
 
 
+def _sums(
+    block: NDArray[np.float64], setups: NDArray[np.uint32], before: tuple[int, int]
+) -> tuple[int, int]:
+    """Of all points so far, and of their setups: however a pass divides them into blocks."""
+    each = np.ascontiguousarray(np.broadcast_to(setups, len(block)))
+    return zlib.adler32(block.data, before[0]), zlib.adler32(each.data, before[1])
+
+
 def _step(points: Array) -> float:
     """Between neighbouring coordinates as they are stored, in units of the input; 0: too small to matter."""
     stored = points[np.isfinite(points).all(axis=1)]
@@ -118,7 +131,6 @@ def _numbers(setups: Any, rows: int) -> NDArray[np.uint32]:
             f"points = a setup of shape {given.shape} in {given.dtype} for {rows} points, expected {SETUP}"
         )
     if given.size > 0 and not (0 <= given.min() and given.max() < 0xFFFFFFFF):
-        raise ValueError(
-            f"points = setup {given.min()} to {given.max()}, expected {SETUP}"
-        )
+        range_given = f"setup {given.min()} to {given.max()}"
+        raise option_error("options", "points", range_given, SETUP)
     return given.astype(np.uint32)

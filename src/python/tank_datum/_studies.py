@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from tank_datum_qa._regular_file import read_regular_text
 
 from tank_datum import _core
-from tank_datum._arguments import real, whole
+from tank_datum._arguments import path_bytes, real, whole
 from tank_datum._datum import Datum
 from tank_datum._errors import file_error, option_error, refused_by_system, short
 from tank_datum._record import Record
@@ -57,9 +57,8 @@ def limits(path: str | os.PathLike[str] | None = None) -> list[Limit]:
 
     Raises OptionError naming file and line, FileError.
     """
-    return [
-        Limit(row) for row in _core.limits(b"" if path is None else os.fsencode(path))
-    ]
+    file = b"" if path is None else path_bytes("limits", "path", path)
+    return [Limit(row) for row in _core.limits(file)]
 
 
 def limits_text() -> str:
@@ -88,6 +87,8 @@ def compare_curves(
         table = np.column_stack([line.stations["azimuth_deg"], line.stations["z"]])
     else:
         try:
+            if np.iscomplexobj(line):
+                raise TypeError
             table = np.asarray(line, dtype=np.float64)
         except (TypeError, ValueError):
             wanted = "a Datum, or an array (n, 2) of numbers"
@@ -169,9 +170,11 @@ def simulate(
     empty. The points depend on the scene alone. Raises OptionError naming the key, FileError.
     """
     text = (
-        _scene_json(scene) if isinstance(scene, Mapping) else _scene_text(Path(scene))
+        _scene_json(scene)
+        if isinstance(scene, Mapping)
+        else _scene_text(Path(os.fsdecode(path_bytes("scene", "scene", scene))))
     )
-    file = b"" if output is None else os.fsencode(output)
+    file = b"" if output is None else path_bytes("scene", "output", output)
     made = _core.simulate(text, file, whole("threads", threads))
     return Simulation(
         points=made.get("points", np.empty((0, 3))),

@@ -81,6 +81,8 @@ def normals(
     Archives 2018). Raises OptionError for k below 3 or above the number of points.
     """
     array = np.asarray(as_points(points), dtype=np.float64)
+    if not isinstance(search, str):
+        raise TypeError(f"search = {short(search)}, expected flann or buckets")
     return Normals(
         *_core.normals(array, whole("k", k), search, whole("threads", threads))
     )
@@ -93,9 +95,22 @@ def candidates(
 
     Their normal is further than the angle from that of a point whose neighbour they are.
     """
+    if not isinstance(found, Normals):
+        raise TypeError(f"found = {short(found)}, expected the Normals of points")
     near = indices("neighbours", found.neighbours)
+    normal = np.asarray(found.normals)
+    if normal.dtype.kind not in "iuf":
+        said = f"an array of shape {normal.shape} in {normal.dtype}"
+        raise TypeError(f"normals = {said}, expected (n, 3) of numbers")
     angle = real("angle_deg", angle_deg)
-    return _core.candidates(near, found.normals, angle, whole("threads", threads))
+    return _core.candidates(near, normal, angle, whole("threads", threads))
+
+
+def _circle(tank: Any) -> tuple[float, ...]:
+    shape = (len(tank),) if isinstance(tank, Sequence) else np.shape(tank)
+    if shape != (3,):
+        raise TypeError(f"tank = {short(tank)}, expected (x, y, radius)")
+    return tuple(real("tank", part) for part in tank)
 
 
 def edge_points(
@@ -114,8 +129,6 @@ def edge_points(
     kept = indices("candidates", chosen)
     if kept.ndim != 1:
         raise TypeError(f"candidates = shape {kept.shape}, expected (n,)")
-    circle = None if tank is None else tuple(real("tank", part) for part in tank)
-    if circle is not None and len(circle) != 3:
-        raise TypeError(f"tank = {short(tank)}, expected (x, y, radius)")
+    circle = None if tank is None else _circle(tank)
     within = real("tolerance", tolerance)
     return EdgePoints(**_core.edge_points(array, kept, circle, within))

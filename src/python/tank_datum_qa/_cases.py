@@ -32,7 +32,7 @@ KEYS = (
     "tolerance",
 )
 IGNORE = "ignore"
-OUTPUTS = re.compile(r"-o|--output\b|--timings\b")
+OUTPUTS = re.compile(r"-o|--(output|timings|json)\b")
 """the options after which a command writes somewhere else"""
 
 
@@ -142,6 +142,9 @@ def _inputs(where: str, value: Any, command: str) -> tuple[str, ...]:
     inputs = _texts(where, value, 2 if command == "compare" else 1)
     if command == "levelling" and len(inputs) > 1:
         raise _refuse(where, list(inputs), "one table of stations")
+    for name in inputs:
+        if not name or name.startswith("-"):  # a command would take it for an option
+            raise _refuse(where, name, "paths; ./-a is a file called -a")
     return inputs
 
 
@@ -157,7 +160,7 @@ def _case(
     if not (isinstance(name, str) and name):
         raise _refuse(f"{where}.name", name, "a text")
     status = table.get("status", 0)
-    if isinstance(status, bool) or status not in (0, 1):
+    if type(status) is not int or status not in (0, 1):
         raise _refuse(f"{name}.status", status, "0 or 1: other runs leave no results")
     fixture = table.get("fixture", name)
     if not (isinstance(fixture, str) and _is_below(root, root / fixture)):

@@ -191,6 +191,8 @@ def compare_file(
     """Two files by their kind; those that are neither JSON nor CSV byte by byte."""
     if not result.exists():
         return [Change(file, "", "is missing")]
+    if not result.is_file():  # nothing is waited for
+        return [Change(file, "", "is no regular file")]
     if not fixture.exists():
         return [Change(file, "", "has no fixture")]
     if not fixture.is_file():
@@ -221,6 +223,8 @@ def values_of(case: Case, results: Path) -> Iterator[tuple[str, str]]:
     """File and key of every value of a case, in its fixture or its results."""
     for file in case.files:
         for path in (case.fixture / file, results / file):
+            if not path.is_file():
+                continue
             try:
                 if file.endswith(".json"):
                     yield from ((file, key) for key in json_values(path))

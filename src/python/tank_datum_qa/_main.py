@@ -137,6 +137,18 @@ def escape_what_cannot_be_shown() -> None:
 
 
 def main(arguments: list[str] | None = None) -> int:
+    try:
+        status = run(arguments)
+        sys.stdout.flush()
+        return status
+    except OSError as error:  # those of cases are theirs
+        place = error.filename or "standard output"
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what waits goes nowhere
+        print(f"qa: {place}, {error.strerror}, expected room there", file=sys.stderr)
+        return WRONG_USE
+
+
+def run(arguments: list[str] | None) -> int:
     escape_what_cannot_be_shown()
     options = parsed(sys.argv[1:] if arguments is None else arguments)
     exit_on_signals()
@@ -147,9 +159,13 @@ def main(arguments: list[str] | None = None) -> int:
                 print(f"{case.name}: {case.command} {' '.join(case.inputs)}")
             return PASSED
         outcomes = run_all(cases, options)
+        try:
+            if not options.k:
+                refuse_unused(outcomes)
+        except CasesError:  # nothing has passed, but what was rewritten has been
+            print_table([outcome for outcome in outcomes if outcome.changes])
+            raise
         print_table(outcomes)
-        if not options.k:
-            refuse_unused(outcomes)
     except (CasesError, OutputIsInputError) as error:
         print(f"qa: cases: {error}", file=sys.stderr)
         return WRONG_USE

@@ -127,6 +127,10 @@ def _run_and_compare(
         outcome.error += " a pattern that is for some"
         return
     if update and outcome.changes:
+        lacking = [file for file in case.files if not (results / file).is_file()]
+        if lacking:
+            outcome.error = f"files {lacking[0]!r}, expected what is among the results"
+            return
         outcome.updated = rewrite(case, results)
 
 

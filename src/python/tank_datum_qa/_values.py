@@ -64,7 +64,9 @@ def csv_value(row: list[str], at: int) -> Scalar:
     if at >= len(row):
         return None
     try:
-        number = float(row[at])
+        number = (
+            float(row[at]) if "_" not in row[at] else math.nan
+        )  # Python's 1_0 is no 10
     except ValueError:
         return row[at]
     return number if math.isfinite(number) else row[at]

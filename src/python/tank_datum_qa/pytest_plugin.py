@@ -41,15 +41,23 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def _files(config: pytest.Config) -> list[Path]:
+    """In the folder that pytest was started in, or else, as addopts are read, in its root folder."""
     given = config.getoption("--tank-datum-cases") or []
-    return [named(path) for path in given]
+    here, root = config.invocation_params.dir, config.rootpath
+    return [
+        named(here / name if (here / name).is_file() else root / name) for name in given
+    ]
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    for path in _files(config):
+    here = config.invocation_params.dir
+    chosen = {named(here / argument.partition("::")[0]) for argument in config.args}
+    given = config.getoption("--tank-datum-cases") or []
+    for name, path in zip(given, _files(config), strict=True):
         if not path.is_file():
-            raise pytest.UsageError(f"--tank-datum-cases {path}, expected a file")
-        config.args.append(str(path))
+            raise pytest.UsageError(f"--tank-datum-cases {name}, expected a file")
+        if path not in chosen:  # file::case is that case alone
+            config.args.append(str(path))
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> CasesFile | None:
