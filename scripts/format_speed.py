@@ -3,8 +3,8 @@
 Scans are made of one that is simulated, repeated with noise, one format after the other; each is
 removed after its runs. The command is the one that is installed beside this Python; a plain read
 takes every coordinate through the package that the command reads the format by, and drops it.
-Both are run in turn, and the fastest run of each counts. "Passes alone" are the two stages that
-read the scan; the others take as long whatever its size. The last column is their rows in a second.
+Both are run in turn, and the fastest run of each counts. "locate + crop" are the two stages that
+read the scan; others take as long whatever its size. The last column is their rows in a second.
 """
 
 from __future__ import annotations
@@ -238,7 +238,7 @@ def main() -> None:
     kinds = given.formats.split(",")
     if not set(kinds) <= set(WRITERS):
         parser.error(f"--formats: {given.formats}, expected some of {', '.join(WRITERS)}")
-    columns = ("scan", "points", "seconds (of processors)", "beside", "times", "passes alone")
+    columns = ("scan", "points", "seconds (of processors)", "beside", "times", "locate + crop")
     print(f"| {' | '.join((*columns, 'peak MB', 'M points/s'))} |\n|{' --- |' * 8}")
     with tempfile.TemporaryDirectory(dir=given.folder) as folder:
         for kind in kinds:
