@@ -94,13 +94,17 @@ void chooseInOrder(const Scan::Source& source, const Eigen::Vector3d& origin, co
   std::vector<ChosenOfLabel> chosen;
   std::uint64_t finite = 0;
   const ScanCounts all = source.visit(origin, [&](const Points& points, const Labels& of_points) {
-    thinned.clear();
-    labels.clear();
-    for (std::size_t i = block % choice.n; i < points.size(); i += choice.n) {
-      thinned.push_back(points[i]);
-      if (!of_points.empty()) labels.push_back(of_points[i]);
+    if (choice.n == 1) {
+      chooseByLabel(choice.choose, block++, points, of_points, chosen);
+    } else {
+      thinned.clear();
+      labels.clear();
+      for (std::size_t i = block % choice.n; i < points.size(); i += choice.n) {
+        thinned.push_back(points[i]);
+        if (!of_points.empty()) labels.push_back(of_points[i]);
+      }
+      chooseByLabel(choice.choose, block++, thinned, labels, chosen);
     }
-    chooseByLabel(choice.choose, block++, thinned, labels, chosen);
     finite += points.size();
     tell(told, {points.size(), 0}, chosen);
     return true;

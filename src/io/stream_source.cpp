@@ -58,11 +58,11 @@ class BlockStream : public Scan::Source {
     Labels labels;
     ReadAhead ahead(blocks_.start());
     while (ahead.take(block)) {
-      counts += {block.invalid + block.left_out, block.invalid, block.left_out};
-      for (std::size_t i = 0; i < block.points.size(); ++i) {
-        const bool kept = appendFinite(block.points[i], {1.0, origin}, points);
-        counts += {1, kept ? 0U : 1U};
-        if (kept && blocks_.tells_setups) labels.push_back(block.setups.empty() ? block.setup : block.setups[i]);
+      const std::uint64_t rows = block.points.size();
+      counts += {rows + block.invalid + block.left_out, block.invalid, block.left_out};
+      for (std::size_t first = 0, next = 0; first < rows; first = next) {
+        next = std::min<std::size_t>(rows, first + kBlockRows - points.size());
+        counts.invalid += next - first - appendRows(block, {first, next}, origin, points, labels);
         if (points.size() < kBlockRows) continue;
         if (!visit(points, labels)) return counts;
         points.clear();
@@ -83,6 +83,30 @@ class BlockStream : public Scan::Source {
   }
 
  private:
+  struct RowRange {
+    std::size_t first = 0, behind = 0;
+  };
+
+  /// Appends the finite ones of some rows, and their labels where the blocks tell them.
+  /// @return how many these are
+  std::size_t appendRows(const ScanBlocks::Block& block, RowRange rows, const Eigen::Vector3d& origin, Points& points,
+                         Labels& labels) const {
+    const std::size_t before = points.size();
+    points.resize(before + rows.behind - rows.first);
+    if (blocks_.tells_setups) labels.resize(points.size());
+    std::size_t kept = before;
+    for (std::size_t i = rows.first; i < rows.behind; ++i) {
+      const Eigen::Vector3d p = block.points[i] - origin;
+      points[kept] = p;
+      if (blocks_.tells_setups) labels[kept] = block.setups.empty() ? block.setup : block.setups[i];
+      // 0 times a finite number is 0, times anything else NaN; no branch
+      kept += static_cast<std::size_t>(p.x() * 0.0 + p.y() * 0.0 + p.z() * 0.0 == 0.0);
+    }
+    points.resize(kept);
+    if (blocks_.tells_setups) labels.resize(kept);
+    return kept - before;
+  }
+
   std::uint64_t countPoints() const {
     std::uint64_t points = 0;
     ScanBlocks::Block block;

@@ -3,12 +3,15 @@
 # ruff: noqa: F811  fixtures are imported
 from __future__ import annotations
 
+import resource
 import signal
+import struct
 import subprocess
 import time
 from collections.abc import Callable
 from pathlib import Path
 
+import laspy
 import numpy as np
 import pye57
 import pytest
@@ -69,6 +72,42 @@ def test_scale_of_laz_that_is_none(laz: Path, installed: Runner, tmp_path: Path)
     (tmp_path / "broken").write_bytes(whole)
     line = refused(installed(tmp_path / "broken", "-o", tmp_path / "out"), tmp_path / "out")
     assert f"LAS scale of x of {tmp_path}/broken, 0.000000, expected a number > 0" in line
+
+
+def test_layers_of_laz_beyond_their_chunk(laz: Path, installed: Runner, tmp_path: Path) -> None:
+    """lazrs would claim what memory they say."""
+    whole = bytearray(laz.read_bytes())
+    (data,) = struct.unpack_from("<I", whole, 96)
+    for layer in range(9):
+        broken = whole.copy()
+        struct.pack_into("<I", broken, data + 8 + 30 + 4 + 4 * layer, 1 << 31)
+        (tmp_path / "broken").write_bytes(broken)
+        with pytest.raises(tank_datum.FileError, match="LASzip layers of chunk 0 of"):
+            tank_datum.extract_datum(tmp_path / "broken")
+    line = refused(installed(tmp_path / "broken", "-o", tmp_path / "out"), tmp_path / "out")
+    assert "bytes, expected at most" in line
+
+
+def test_chunks_of_laz_of_two_thousand_million_rows(tmp_path: Path) -> None:
+    """As the record of LASzip says they are: nothing is claimed for rows that are not there."""
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    cloud = laspy.LasData(header)
+    cloud.x, cloud.y, cloud.z = np.random.default_rng(1).random((3, 300))
+    cloud.write(tmp_path / "small.laz")
+    whole = bytearray((tmp_path / "small.laz").read_bytes())
+    at = whole.index(b"laszip encoded") + 52  # behind its user id and the rest of its head
+    struct.pack_into("<I", whole, at + 12, 1 << 31)
+    (tmp_path / "small.laz").write_bytes(whole)
+    words = [launcher().with_name("tank_datum_convert"), tmp_path / "small.laz", tmp_path / "c.pcd"]
+    made = subprocess.run(
+        words,
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30)),
+    )
+    assert made.returncode == 0, made.stderr
+    assert made.stdout.startswith("300 points of ")
 
 
 def test_pose_that_is_no_rotation(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from pye57 import libe57
 
 from tank_datum._foreign import (
-    BLOCK,
     FIRST_BLOCK,
     Block,
     Place,
@@ -22,6 +21,7 @@ from tank_datum._foreign import (
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
 SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
 TURN_TOLERANCE = 1e-3  # of the length of a quaternion, which is 1
+READ_BLOCK = 1 << 16  # rows; what is made of them stays in a core's cache
 
 Array = NDArray[np.float64]
 
@@ -33,12 +33,19 @@ class Pose:
     turn: Array = field(default_factory=lambda: np.eye(3))
     shift: Array = field(default_factory=lambda: np.zeros(3))
 
-    def apply(self, points: Array) -> Array:
+    def apply(self, columns: Sequence[Array]) -> Array:
+        """The points of columns x, y and z."""
+        points = np.empty((len(columns[0]), 3))
+        turned: Iterable[Array] = columns
         if not np.array_equal(self.turn, np.eye(3)):
             # no matrix product: its last digit may depend on the threads
-            x, y, z = points.T
-            points = np.stack([x * a + y * b + z * c for a, b, c in self.turn], axis=1)
-        return points + self.shift if self.shift.any() else points
+            x, y, z = columns
+            turned = (x * a + y * b + z * c for a, b, c in self.turn)
+        for i, column in enumerate(turned):
+            points[:, i] = column
+        if self.shift.any():
+            points += self.shift
+        return points
 
 
 def turn_of(quaternion: Array) -> Array:
@@ -76,24 +83,22 @@ def pose_of(scan: Any, what: str) -> Pose:
     return pose
 
 
-def cartesian(ranges: Array, azimuths: Array, elevations: Array) -> Array:
+def cartesian(ranges: Array, azimuths: Array, elevations: Array) -> list[Array]:
     """Of a range, an azimuth from x towards y and an elevation above their plane."""
     level = ranges * np.cos(elevations)
-    return np.stack(
-        [
-            level * np.cos(azimuths),
-            level * np.sin(azimuths),
-            ranges * np.sin(elevations),
-        ],
-        axis=1,
-    )
+    return [
+        level * np.cos(azimuths),
+        level * np.sin(azimuths),
+        ranges * np.sin(elevations),
+    ]
 
 
 class E57Scan:
     """One of the scans of a file: a setup of the scanner."""
 
     def __init__(self, file: E57File, index: int) -> None:
-        self._image, self._node = file.image, file.image.root()["data3D"][index]
+        self._file, self._index = file, index
+        self._node = file.image.root()["data3D"][index]
         name = self._node["name"].value() if self._node.isDefined("name") else ""
         self.name = " ".join(name.split()) or str(index)
         self.what = f"scan {index} of {file.path}"
@@ -101,6 +106,7 @@ class E57Scan:
         self.size: int = self._points.childCount()
         self._pose = pose_of(self._node, self.what)
         self._columns, self._state = self._find_columns()
+        self._is_sound = False  # a whole pass found no wrong checksum
 
     def _find_columns(self) -> tuple[tuple[str, ...], str]:
         """The coordinates, and the column that says which are none."""
@@ -151,46 +157,46 @@ class E57Scan:
 
     def _read(self, capacity: int) -> Iterator[tuple[list[Array], int]]:
         """Columns of the points that are valid, which the next ones replace, and how many are not."""
-        buffers, columns, states = libe57.VectorSourceDestBuffer(), [], None
         if capacity == 0:
             return
-        for name in self._columns:
-            columns.append(np.empty(capacity))
-            buffers.append(self._buffer(name, columns[-1]))
-        if self._state:
-            states = np.empty(capacity, np.int8)
-            buffers.append(self._buffer(self._state, states))
-        reader = self._points.reader(buffers)
+        image, points = self._file.image, self._points
+        if self._is_sound:
+            image = self._file.unchecked()
+            points = image.root()["data3D"][self._index]["points"]
+        buffers = libe57.VectorSourceDestBuffer()
+        columns = [np.empty(capacity) for _ in self._columns]
+        states = np.zeros(capacity, np.int8)
+        named = [*zip(self._columns, columns, strict=True)]
+        for name, values in [*named, (self._state, states)]:
+            if name:
+                buffers.append(
+                    libe57.SourceDestBuffer(image, name, values, capacity, True, True)
+                )
+        reader = points.reader(buffers)
         try:
             done = 0
             while rows := reader.read():
                 done += rows
-                read = [column[:rows] for column in columns]
-                if states is None:
-                    yield read, 0
-                    continue
                 valid = states[:rows] == 0
-                yield [c[valid] for c in read], rows - int(valid.sum())
+                if valid.all():
+                    yield [column[:rows] for column in columns], 0
+                else:
+                    invalid = rows - int(np.count_nonzero(valid))
+                    yield [column[:rows][valid] for column in columns], invalid
         finally:
             reader.close()
         if done != self.size:
             raise Unreadable(
                 f"points of {self.what}", done, f"{self.size}, as its header says"
             )
-
-    def _buffer(self, name: str, values: NDArray[Any]) -> Any:
-        return libe57.SourceDestBuffer(
-            self._image, name, values, len(values), True, True
-        )
+        self._is_sound = True
 
     def blocks(self) -> Iterator[tuple[Array, int]]:
         """Points in the file's frame, and how many rows hold none."""
-        for columns, invalid in self._read(min(BLOCK, self.size)):
+        for columns, invalid in self._read(min(READ_BLOCK, self.size)):
             if self._columns == SPHERICAL:
-                points = cartesian(*columns)
-            else:
-                points = np.stack(columns, axis=1)
-            yield self._pose.apply(points), invalid
+                columns = cartesian(*columns)
+            yield self._pose.apply(columns), invalid
 
 
 class E57File:
@@ -202,6 +208,7 @@ class E57File:
     def __init__(self, path: str) -> None:
         self.path = path
         self.image = libe57.ImageFile(path, "r")
+        self._unchecked: Any = None
         root = self.image.root()
         count = root["data3D"].childCount() if root.isDefined("data3D") else 0
         if count == 0:
@@ -218,6 +225,13 @@ class E57File:
             )
             for i, scan in enumerate(self._scans)
         }
+
+    def unchecked(self) -> Any:
+        """The file without a look at its checksums, which takes most of the time of reading."""
+        if self._unchecked is None:
+            none = libe57.CHECKSUM_POLICY_NONE
+            self._unchecked = libe57.ImageFile(self.path, "r", none)
+        return self._unchecked
 
     def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
         with refusing(self.path, "E57"):

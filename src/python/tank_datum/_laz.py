@@ -4,24 +4,29 @@ from __future__ import annotations
 
 import logging
 import os
-import struct
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import accumulate
-from typing import BinaryIO
 
 import laspy
 import lazrs
 import numpy as np
+from numpy.typing import NDArray
 
 from tank_datum._foreign import (
     BLOCK,
-    FORMATS,
     Block,
     Place,
     Unreadable,
     refusing,
     sizes,
+)
+from tank_datum._laz_layout import (
+    HEADER,
+    Chunks,
+    check_records,
+    check_scales,
+    even_chunks,
+    read_at,
+    read_table,
 )
 
 # What laspy logs it raises too.
@@ -36,111 +41,11 @@ NEEDED = (
     | laspy.DecompressionSelection.POINT_SOURCE_ID
 )
 
-HEADER = 227  # bytes, of versions 1.0 to 1.2
-RECORD = 54  # bytes that a variable length record has at least
+FIRST_NEW = 6  # of the point formats
+WITHHELD = 0x04  # of the flags of formats 6 to 10
+OLD_CLASS, OLD_WITHHELD = 0x1F, 0x80  # of the byte that formats 0 to 5 have for both
 
-
-def check_records(head: bytes, size: int, path: str) -> None:
-    """Refuses more records before the points than there is room for: laspy would make them all."""
-    if len(head) < HEADER:
-        raise Unreadable(
-            f"LAS header of {path}", f"{len(head)} bytes", f"at least {HEADER}"
-        )
-    header, points, records = struct.unpack_from("<HII", head, 94)
-    if not HEADER <= header <= points <= size:
-        expected = (
-            f"at least {HEADER} and the header size, {header}, and at most {size}"
-        )
-        raise Unreadable(f"LAS offset to the points of {path}", points, expected)
-    most = (points - header) // RECORD
-    if records > most:
-        raise Unreadable(
-            f"LAS records of {path}", records, f"at most {most} before the points"
-        )
-
-
-def check_scales(header: laspy.LasHeader, path: str) -> None:
-    """Refuses scales and offsets as the library does those of LAS."""
-    for axis, scale, offset in zip("xyz", header.scales, header.offsets, strict=True):
-        if not (scale > 0 and np.isfinite(scale * 2.0**31)):
-            expected = "a number > 0, such as 0.001"
-            raise Unreadable(f"LAS scale of {axis} of {path}", f"{scale:f}", expected)
-        if not np.isfinite(abs(offset) + scale * 2.0**31):
-            raise Unreadable(
-                f"LAS offset of {axis} of {path}", f"{offset:f}", "a number"
-            )
-
-
-@dataclass(frozen=True)
-class Chunks:
-    """Where the chunks of a file are that all have so many rows, but for the last."""
-
-    record: bytes  # of LASzip
-    rows: int
-    offsets: list[int]  # of their bytes in the file, and of the end of the last
-
-    def of(self, i: int, points: int) -> int:
-        """Rows of the i-th, of so many points in all."""
-        return min(self.rows, points - i * self.rows)
-
-
-def checked_chunks(
-    source: BinaryIO, header: laspy.LasHeader, path: str
-) -> Chunks | None:
-    """The chunks, if they are of one size. Refuses a table that is not the file's: lazrs claims
-    what memory it says.
-    """
-    size = os.fstat(source.fileno()).st_size
-    record_data = header.vlrs[header.vlrs.index("LasZipVlr")].record_data
-    record = lazrs.LazVlr(record_data)
-    if record.item_size() != header.point_format.size:
-        expected = f"{header.point_format.size}, the bytes of a point"
-        raise Unreadable(
-            f"LASzip record of {path}", f"{record.item_size()} bytes", expected
-        )
-    begin = header.offset_to_point_data
-    (table,) = struct.unpack("<q", read_at(source, begin, 8, path))
-    # of a file that was written without going back it stands at the end
-    if table == -1:
-        (table,) = struct.unpack("<q", read_at(source, size - 8, 8, path))
-    if not begin + 8 <= table <= size - 8:
-        expected = f"{begin + 8} to {size - 8}, since the file has {size} bytes"
-        raise Unreadable(f"LASzip chunk table of {path}", f"at byte {table}", expected)
-    _, chunks = struct.unpack("<II", read_at(source, table, 8, path))
-    room = table - begin - 8
-    most = (
-        room // header.point_format.size
-    )  # a chunk begins with a point that is not compressed
-    if chunks > most:
-        raise Unreadable(
-            f"LASzip chunks of {path}", chunks, f"at most {most}, for {room} bytes"
-        )
-    source.seek(begin)
-    listed = lazrs.read_chunk_table(source, record)
-    points, held = (
-        (sum(column) for column in zip(*listed, strict=True)) if listed else (0, 0)
-    )
-    spare = 0 if record.uses_variable_size_chunks() else record.chunk_size() - 1
-    if held > room or not header.point_count <= points <= header.point_count + spare:
-        expected = f"{header.point_count} points, as the header says, in {room} bytes"
-        raise Unreadable(
-            f"LASzip chunks of {path}", f"{points} in {held} bytes", expected
-        )
-    rows = 0 if record.uses_variable_size_chunks() else record.chunk_size()
-    if not 0 < rows <= BLOCK or len(listed) != -(-header.point_count // rows):
-        return None
-    sizes_held = (size_held for _, size_held in listed)
-    return Chunks(record_data, rows, list(accumulate(sizes_held, initial=begin + 8)))
-
-
-def read_at(source: BinaryIO, offset: int, count: int, path: str) -> bytes:
-    source.seek(max(0, offset))
-    read = source.read(count)
-    if len(read) < count:
-        raise Unreadable(
-            f"LAZ data of {path}", f"cut short at byte {offset}", FORMATS["LAZ"][2]
-        )
-    return read
+IN_CACHE = 1 << 16  # rows that are scaled at once
 
 
 class LazFile:
@@ -152,25 +57,36 @@ class LazFile:
     def __init__(self, path: str, classes: Sequence[int]) -> None:
         self._path = path
         self._source = open(path, "rb")  # noqa: SIM115  stays open: every pass sees the same file
+        # several chunks at once, each whole in memory: not those larger than a block
+        self._backend = laspy.LazBackend.LazrsParallel
         size = os.fstat(self._source.fileno()).st_size
         check_records(self._source.read(HEADER), size, path)
         header = self._begin().header
         check_scales(header, path)
         self._chunks = None
         if header.point_count > 0:
-            self._chunks = checked_chunks(self._source, header, path)
+            table = read_table(self._source, header, path)
+            self._chunks = even_chunks(table, header)
+            if max(rows for rows, _ in table.listed) > BLOCK:
+                self._backend = laspy.LazBackend.Lazrs
         self.parts = len(self._chunks.offsets) - 1 if self._chunks else 0
         self.size = int(header.point_count)
         self.step = float(max(header.scales))
         self.setups: dict[int, tuple[str, Place | None]] = {0: ("", None)}
         self._wanted = np.full(256, not classes)
         self._wanted[list(classes)] = True
+        # formats 0 to 5 have the class and its flags in one byte
+        bytes_of = np.arange(256)
+        self._wanted_old = self._wanted[bytes_of & OLD_CLASS] & (
+            bytes_of & OLD_WITHHELD == 0
+        )
 
     def _begin(self) -> laspy.LasReader:
         self._source.seek(0)
         return laspy.LasReader(
             self._source,
             closefd=False,
+            laz_backend=self._backend,
             read_evlrs=False,
             decompression_selection=NEEDED,
         )
@@ -223,14 +139,26 @@ class LazFile:
     def _block(
         self, points: laspy.ScaleAwarePointRecord, header: laspy.LasHeader
     ) -> Block:
-        kept = self._wanted[np.asarray(points.classification)]
-        kept &= np.asarray(points.withheld) == 0
-        xyz = np.empty((int(kept.sum()), 3))
-        for i, axis in enumerate("XYZ"):
-            stored = points.array[axis][kept]
-            xyz[:, i] = stored * header.scales[i] + header.offsets[i]
-        labels = np.asarray(points.point_source_id)[kept].astype(np.uint32)
-        return xyz, labels, 0, len(kept) - len(xyz)
+        kept = self._kept(points)
+        rows = points.array if kept.all() else points.array[kept]
+        xyz, labels = np.empty((len(rows), 3)), np.empty(len(rows), np.uint32)
+        for begin in range(0, len(rows), IN_CACHE):
+            part = slice(begin, begin + IN_CACHE)
+            for i, axis in enumerate("XYZ"):
+                xyz[part, i] = rows[axis][part] * header.scales[i] + header.offsets[i]
+            labels[part] = rows["point_source_id"][part]
+        return xyz, labels, 0, len(kept) - len(rows)
+
+    def _kept(self, points: laspy.ScaleAwarePointRecord) -> NDArray[np.bool_]:
+        """Which rows are of a class that is wanted, and not withheld."""
+        rows = points.array
+        kept: NDArray[np.bool_]
+        if points.point_format.id < FIRST_NEW:
+            kept = self._wanted_old[rows["raw_classification"]]
+        else:
+            kept = self._wanted[rows["classification"]]
+            kept &= rows["classification_flags"] & WITHHELD == 0
+        return kept
 
 
 def open_blocks(path: str, classes: Sequence[int]) -> LazFile:
