@@ -92,8 +92,8 @@ double ShellOutline::at(double azimuth) const {
 }
 
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach) {
-  ShellOutline shell = outline(ring, tank.circle.radius,
-                               [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; });
+  ShellOutline shell =
+      outline(ring, tank.circle.radius, [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; });
   const double arc = kTwoPi * tank.circle.radius / static_cast<double>(shell.radius.size());
   shell.radius = withoutObjects({std::move(shell.radius), shell.noise, arc});
   return shell;

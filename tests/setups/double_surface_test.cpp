@@ -38,7 +38,8 @@ struct MadeArcs {
                    d = kBand.from + (kBand.to - kBand.from) * across;
       const double r = side == Side::Outside ? kRadius + d : kRadius - d;
       const bool second = is_second ? is_second(t, across) : chance < share;
-      ring.points.push_back({r * std::cos(azimuth), r * std::sin(azimuth), (second ? apart : 0.0) + normal(random) + above()});
+      ring.points.push_back(
+          {r * std::cos(azimuth), r * std::sin(azimuth), (second ? apart : 0.0) + normal(random) + above()});
     }
     std::vector<Station> stations = emptyStations({});
     for (Station& s : stations) s.z = 0.5 * apart, s.radius = kRadius;
