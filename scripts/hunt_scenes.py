@@ -98,6 +98,47 @@ def tank(draw: random.Random) -> dict[str, Any]:
     return made | {"soil": heaped(soil, made["foundation"])}
 
 
+def chairs(draw: random.Random, radius: float) -> list[dict[str, Any]]:
+    """Anchor chairs against the shell, evenly round the tank."""
+    depth, width = draw.uniform(0.08, 0.3), draw.uniform(0.1, 0.4)
+    count = draw.randint(6, max(7, int(2.0 * math.pi * radius / max(1.5, 3.0 * width))))
+    height, first = draw.uniform(0.3, 0.9), draw.uniform(0, 360)  # above the ground
+    return [
+        {
+            "kind": "box",
+            "azimuth_deg": first + 360.0 * i / count,
+            "gap": depth / 2.0,
+            "length": depth,
+            "width": width,
+            "height": height,
+        }
+        for i in range(count)
+    ]
+
+
+def bushes(draw: random.Random) -> list[dict[str, Any]]:
+    """Plants that grow beside the shell, their leaves in balls."""
+    return [
+        {
+            "kind": "tree",
+            "azimuth_deg": draw.uniform(0, 360),
+            "gap": draw.uniform(0.1, 1.0),
+            "height": draw.uniform(0.05, 0.3),
+            "radius": 0.01,
+            "width": draw.uniform(0.2, 1.0),
+            "count": draw.randint(20, 150),
+        }
+        for _ in range(draw.randint(3, 40))
+    ]
+
+
+def beside(seed: int, radius: float) -> list[dict[str, Any]]:
+    """What stands at the foot of one tank in three, drawn apart from the rest of the scene."""
+    draw = random.Random(seed + 2_000_003)
+    made = chairs(draw, radius) if draw.random() < 0.2 else []
+    return made + (bushes(draw) if draw.random() < 0.2 else [])
+
+
 def scene_of(seed: int) -> Scene:
     draw = random.Random(seed)
     made = tank(draw)
@@ -115,6 +156,7 @@ def scene_of(seed: int) -> Scene:
             "slope": draw.uniform(0.0, 0.02),
             "roughness": draw.uniform(0.0, 0.02),
         },
+        "objects": beside(seed, radius),
         "clutter": {"boxes": draw.choice([0, 4, 12]), "pipes": draw.choice([0, 3, 8])},
         "scanner": {
             "count": count,
