@@ -113,6 +113,7 @@ PYBIND11_MODULE(_core, module) {
   module.def("stop_command_by", &stopCommandBy);
   module.def("foreign_format", &foreignFormatOf);
   module.def("defaults", &defaults);
+  module.def("keywords_of_scans", &keywordsOfScans);
   module.def("keyword_help", &keywordHelp);
 }
 

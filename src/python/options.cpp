@@ -214,6 +214,15 @@ py::dict defaults() {
   return all;
 }
 
+py::list keywordsOfScans() {
+  RunOptions run;
+  py::list names;
+  for (const Option& option : keywordsOf(run)) {
+    if (option.of_scans) names.append(option.name);
+  }
+  return names;
+}
+
 std::string keywordHelp() {
   RunOptions run;
   std::string lines;

@@ -19,6 +19,9 @@ MovementOptions movementOptionsFrom(const pybind11::dict& keywords);
 /// Every keyword and its default.
 pybind11::dict defaults();
 
+/// The keywords that a levelling survey has no use for, in the order of defaults().
+pybind11::list keywordsOfScans();
+
 /// A line for each keyword: its name, what it is, in what unit and what it must be.
 std::string keywordHelp();
 

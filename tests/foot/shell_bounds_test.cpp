@@ -45,6 +45,18 @@ TEST(OutlineBand, AShellTurnsByAtMostFifteenHundredthsOverFourCells) {
   EXPECT_FALSE(stands(0.21));
 }
 
+TEST(FitShellLine, ABoxBeforeTheShellMovesNoLineBesideIt) {
+  const double cell = kTwoPi / 200.0, from = 50.0 * cell, to = 56.0 * cell;
+  const PolarRing ring(shellOf(8000, 0.13, from, to), {0.0, 0.0});
+  const ShellOutline outline = outlineShell(ring, madeTank(), kReach);
+  const auto lineAt = [&](double azimuth) {
+    return fitShellLine(ring, outline, {azimuth, 2.0 * cell, 0.0, {0.1, kReach}});
+  };
+  EXPECT_FALSE(lineAt(0.5 * (from + to)).seen());
+  EXPECT_NEAR(lineAt(from - cell).radius, kRadius, 1e-4) << "half of what is before it is the box";
+  EXPECT_NEAR(lineAt(to + cell).radius, kRadius, 1e-4);
+}
+
 TEST(FitShellLine, TwelvePointsTellItsFourUnknownsElevenDoNot) {
   const ShellOutline outline{std::vector<double>(36, kRadius), 0.001};
   const auto seen = [&](int count) {

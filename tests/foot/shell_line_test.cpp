@@ -53,18 +53,6 @@ ShellLine lineAt(const Points& points, double azimuth, double from = 0.05, doubl
   return fitShellLine(ring, outlineShell(ring, tankAtZero(), kReach), {azimuth, half_width, 0.0, {from, kReach}});
 }
 
-TEST(FitShellLine, ABoxBeforeTheShellMovesNoLineBesideIt) {
-  Shell shell;
-  shell.noise = 0.001;
-  shell.radius = [](double a, double) { return kRadius + (std::abs(a - 1.0) < 0.03 ? 0.13 : 0.0); };  // 0.6 m wide
-  const Points points = shell.points();
-  EXPECT_FALSE(lineAt(points, 1.0).seen());
-  for (const double side : {-1.0, 1.0}) {
-    EXPECT_NEAR(lineAt(points, 1.0 + 0.034 * side).radius, kRadius, 0.001);  // half of its window is before the box
-    EXPECT_NEAR(lineAt(points, 1.0 + 0.06 * side).radius, kRadius, 0.001);
-  }
-}
-
 TEST(ShellLine, IsAFormula) {
   ShellLine line;
   EXPECT_FALSE(line.seen());

@@ -166,7 +166,9 @@ class E57Scan:
         buffers = libe57.VectorSourceDestBuffer()
         columns = [np.empty(capacity) for _ in self._columns]
         states = np.zeros(capacity, np.int8)
-        named = [*zip(self._columns, columns, strict=True)]
+        named: list[tuple[str, NDArray[Any]]] = [
+            *zip(self._columns, columns, strict=True)
+        ]
         for name, values in [*named, (self._state, states)]:
             if name:
                 buffers.append(

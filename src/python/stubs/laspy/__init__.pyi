@@ -1,5 +1,5 @@
 # What tank_datum uses of laspy, which has no py.typed.
-from enum import IntFlag
+from enum import Enum, IntFlag
 from typing import Any, BinaryIO
 
 import lazrs
@@ -14,7 +14,13 @@ class DecompressionSelection(IntFlag):
     POINT_SOURCE_ID = ...
     def to_lazrs(self) -> lazrs.DecompressionSelection: ...
 
+class LazBackend(Enum):
+    LazrsParallel = ...
+    Lazrs = ...
+
 class PointFormat:
+    @property
+    def id(self) -> int: ...
     @property
     def size(self) -> int: ...
     def dtype(self) -> np.dtype[np.void]: ...
@@ -41,6 +47,7 @@ class LasHeader:
 
 class ScaleAwarePointRecord:
     array: NDArray[np.void]
+    point_format: PointFormat
     def __init__(
         self,
         array: NDArray[np.void],

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import tank_datum
+from tank_datum import _core
 from tank_datum.farm.sources import local_copies
 from tank_datum.farm.store import ROW, Store
 from tank_datum.farm.task import BAD, FAILED, OK, Meant, Row, TankRow, Task
@@ -160,7 +161,9 @@ def _meant(paths: list[str], meant: Meant, threads: int) -> tank_datum.Datum:
 
 
 def _levelled(path: str, meant: Meant, diameter: float) -> tank_datum.Datum:
-    return tank_datum.read_levelling(path, diameter, **meant.options)
+    of_scans = _core.keywords_of_scans()
+    options = {k: v for k, v in meant.options.items() if k not in of_scans}
+    return tank_datum.read_levelling(path, diameter, **options)
 
 
 def _is_there(tank: Any, meant: Meant) -> bool:
