@@ -164,11 +164,9 @@ class E57Scan:
             image = self._file.unchecked()
             points = image.root()["data3D"][self._index]["points"]
         buffers = libe57.VectorSourceDestBuffer()
-        columns = [np.empty(capacity) for _ in self._columns]
-        states = np.zeros(capacity, np.int8)
-        named: list[tuple[str, NDArray[Any]]] = [
-            *zip(self._columns, columns, strict=True)
-        ]
+        columns: list[NDArray[Any]] = [np.empty(capacity) for _ in self._columns]
+        states: NDArray[Any] = np.zeros(capacity, np.int8)
+        named = [*zip(self._columns, columns, strict=True)]
         for name, values in [*named, (self._state, states)]:
             if name:
                 buffers.append(
