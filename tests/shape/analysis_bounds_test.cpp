@@ -8,28 +8,13 @@
 #include "shape/level_rows.h"
 #include "shape/out_of_plane.h"
 #include "shape/survey_rows.h"
-#include "support/made_surveys.h"
+#include "support/made_analyses.h"
 
 namespace tank_datum {
 namespace {
 
 using namespace made_surveys;
 constexpr double kFoot = 0.3048;
-
-std::vector<double> level(std::size_t count) {
-  return wave(count, [](double) { return 0.0; });
-}
-
-Analysis analysed(const std::vector<double>& z, double radius, double sigma) {
-  auto stations = survey(z, radius, sigma);
-  const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
-  return analyse({stations, tilt, radius}, AnalysisOptions());
-}
-
-bool notes(const Analysis& analysis, const std::string& text) {
-  return std::any_of(analysis.notes.begin(), analysis.notes.end(),
-                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
-}
 
 TEST(Analyse, AGapOfMoreThanTwentyFeetLeavesTheShapeUndecided) {
   for (const std::size_t missing : {2U, 3U}) {  // gaps of 4.7 and 6.3 m

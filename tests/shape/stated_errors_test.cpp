@@ -3,29 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shape/analysis.h"
-#include "shape/deformation.h"
-#include "support/made_surveys.h"
+#include "support/made_analyses.h"
 
 namespace tank_datum {
 namespace {
 
 using namespace made_surveys;
-
-std::vector<double> level(std::size_t count) {
-  return wave(count, [](double) { return 0.0; });
-}
-
-Analysis analysed(const std::vector<double>& z, double radius, double sigma) {
-  auto stations = survey(z, radius, sigma);
-  const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
-  return analyse({stations, tilt, radius}, AnalysisOptions());
-}
-
-bool notes(const Analysis& analysis, const std::string& text) {
-  return std::any_of(analysis.notes.begin(), analysis.notes.end(),
-                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
-}
 
 /// Sigmas of millimetres typed as metres, or by far too careful: no figure is then 0 to 0 of its limit.
 TEST(Analyse, SigmasFarBeyondWhatIsSeenAreSaidAndHoldTheFigure) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "shape/analysis.h"
+#include "shape/deformation.h"
+#include "support/made_surveys.h"
+
+namespace tank_datum::made_surveys {
+
+inline std::vector<double> level(std::size_t count) {
+  return wave(count, [](double) { return 0.0; });
+}
+
+inline Analysis analysed(const std::vector<double>& z, double radius, double sigma) {
+  auto stations = survey(z, radius, sigma);
+  const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
+  return analyse({stations, tilt, radius}, AnalysisOptions());
+}
+
+/// Whether one of the notes holds a text.
+inline bool notes(const Analysis& analysis, const std::string& text) {
+  return std::any_of(analysis.notes.begin(), analysis.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+}  // namespace tank_datum::made_surveys
