@@ -24,9 +24,7 @@ std::string figureIn(double value, const Display::Scale& scale, int further = 0)
 }
 
 std::string signedIn(double value, const Display::Scale& scale) {
-  const std::string figure = fixedText(scale.factor * value, scale.digits + 1);
-  const bool is_shown = figure.find_first_not_of("-0.") != std::string::npos;  // a zero has no sign
-  return (value > 0.0 && is_shown ? "+" : "") + figure + " " + scale.unit;
+  return signedText(scale.factor * value, scale.digits + 1) + " " + scale.unit;
 }
 
 /// When, or whether, the limit is reached.

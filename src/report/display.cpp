@@ -4,6 +4,13 @@
 #include "core/plain_text.h"
 
 namespace tank_datum {
+
+std::string signedText(double value, int digits) {
+  const std::string text = fixedText(value, digits);
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return value > 0.0 && !is_zero ? "+" + text : text;
+}
+
 Display::Display(const std::string& units) {
   if (units == "mm") return;
   const double feet = 1.0 / kMetresPerFoot;
@@ -22,9 +29,7 @@ std::string Display::shortText(double metres, int digits) const {
 }
 
 std::string Display::signedShort(double metres, int digits) const {
-  const std::string text = fixedText(short_factor_ * metres, digits + further_);
-  const bool is_shown = text.find_first_not_of("-0.") != std::string::npos;  // a zero has no sign
-  return metres > 0.0 && is_shown ? "+" + text : text;
+  return signedText(short_factor_ * metres, digits + further_);
 }
 
 std::string Display::longFigure(double metres, int digits) const { return fixedText(long_factor_ * metres, digits); }

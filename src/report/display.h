@@ -4,6 +4,9 @@
 
 namespace tank_datum {
 
+/// "+6.0", "-6.0": a figure with its sign; one that is shown as zero has none.
+std::string signedText(double value, int digits);
+
 /// Lengths as people read them: short ones in mm, in or ft, long ones in m or ft. Kept as page/js/00_units.js has it.
 class Display {
  public:

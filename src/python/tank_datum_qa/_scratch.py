@@ -23,9 +23,7 @@ SETTLED = 60.0  # seconds after which a folder without a lock is no longer being
 @contextmanager
 def scratch() -> Generator[Path]:
     """A new folder, removed at the end; those of runs that were killed are removed before."""
-    with (
-        no_stop()
-    ):  # the first question for it writes a file there, to see whether that can be done
+    with no_stop():  # its first call writes a file there and removes it
         place = Path(tempfile.gettempdir())
     clear_stale(place)
     folder, lock = None, -1
