@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <vector>
 
+#include "core/bucket_sort.h"
 #include "core/cell_number.h"
 #include "core/parallel.h"
-#include "core/point_hash.h"
 #include "io/point_extent.h"
 
 namespace tank_datum {
@@ -16,40 +16,92 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t i : cell) hash = mixed(hash ^ static_cast<std::uint64_t>(i));
-    return hash;
-  }
+/// A cell of the grid with the points in it.
+struct PointsOfCell {
+  Cell cell;
+  std::uint32_t point;
 };
 
-Cell cellOf(const Eigen::Vector3d& p, double edge) {
-  const auto index = [&](int axis) { return cellNumber(p[axis] / edge); };
-  return {index(0), index(1), index(2)};
+using SortedPoints = std::vector<PointsOfCell, DefaultInitAllocator<PointsOfCell>>;
+
+/// The points in the order of their cells: those of a row of cells along the third axis follow each other.
+SortedPoints sortedByCell(const Points& points, double edge) {
+  constexpr std::size_t kBuckets = 4096;
+  SortedPoints sorted(points.size());
+  forEachRun(points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto index = [&](int axis) { return cellNumber(points[i][axis] / edge); };
+      sorted[i] = {{index(0), index(1), index(2)}, static_cast<std::uint32_t>(i)};
+    }
+  });
+  const auto by_cell = [](const PointsOfCell& a, const PointsOfCell& b) { return a.cell < b.cell; };
+  const auto [low, high] = std::minmax_element(sorted.begin(), sorted.end(), by_cell);
+  const auto lowest = static_cast<double>(low->cell[0]);
+  const double scale = static_cast<double>(kBuckets) / (static_cast<double>(high->cell[0]) - lowest + 1.0);
+  const auto bucket_of = [&](const PointsOfCell& p) {
+    return std::min(kBuckets - 1, static_cast<std::size_t>(scale * (static_cast<double>(p.cell[0]) - lowest)));
+  };
+  sortByBuckets(sorted, kBuckets, bucket_of, by_cell, 0);
+  return sorted;
 }
 
-using CellCounts = std::unordered_map<Cell, std::uint32_t, CellHash>;
+/// Counts the points in the three cells of one of the nine rows about a cell. Cells are asked for in their order, so
+/// that the places of the row's first and last point only ever move on.
+class RowCount {
+ public:
+  RowCount(const SortedPoints& sorted, std::int64_t along_first, std::int64_t along_second)
+      : sorted_(sorted), offset_{along_first, along_second} {}
 
-/// The 27 cells about one, nearest first: of a point on a surface the first few tell that it has company.
-std::array<Cell, 27> offsetsNearestFirst() {
-  std::array<Cell, 27> offsets;
-  for (std::int64_t i = 0; i < 27; ++i) offsets[static_cast<std::size_t>(i)] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
-  const auto squared = [](const Cell& c) { return c[0] * c[0] + c[1] * c[1] + c[2] * c[2]; };
-  std::stable_sort(offsets.begin(), offsets.end(),
-                   [&](const Cell& a, const Cell& b) { return squared(a) < squared(b); });
-  return offsets;
-}
-
-bool hasCompany(const CellCounts& counts, const Cell& cell, std::uint32_t enough) {
-  static const std::array<Cell, 27> offsets = offsetsNearestFirst();
-  std::uint32_t sum = 0;
-  for (const Cell& offset : offsets) {
-    const auto found = counts.find({cell[0] + offset[0], cell[1] + offset[1], cell[2] + offset[2]});
-    if (found != counts.end()) sum += found->second;
-    if (sum >= enough) return true;
+  /// Before the first cell that is asked for: a search in place of a walk.
+  void startAt(const Cell& cell) {
+    const auto before = [](const PointsOfCell& p, const Cell& wanted) { return p.cell < wanted; };
+    begin_ = end_ = static_cast<std::size_t>(std::lower_bound(sorted_.begin(), sorted_.end(), lowestOf(cell), before) -
+                                             sorted_.begin());
   }
-  return false;
+
+  std::size_t at(const Cell& cell) {
+    const Cell lowest = lowestOf(cell), highest = {lowest[0], lowest[1], cell[2] + 1};
+    while (begin_ < sorted_.size() && sorted_[begin_].cell < lowest) ++begin_;
+    end_ = std::max(begin_, end_);
+    while (end_ < sorted_.size() && !(highest < sorted_[end_].cell)) ++end_;
+    return end_ - begin_;
+  }
+
+ private:
+  Cell lowestOf(const Cell& cell) const { return {cell[0] + offset_[0], cell[1] + offset_[1], cell[2] - 1}; }
+
+  const SortedPoints& sorted_;
+  std::array<std::int64_t, 2> offset_;
+  std::size_t begin_ = 0, end_ = 0;
+};
+
+/// The nine rows about a cell, nearest first: of a point on a surface the first few tell that it has company.
+std::vector<RowCount> rowsNearestFirst(const SortedPoints& sorted) {
+  std::vector<RowCount> rows;
+  for (const std::int64_t squared : {0, 1, 2}) {
+    for (std::int64_t i = -1; i <= 1; ++i) {
+      for (std::int64_t j = -1; j <= 1; ++j) {
+        if (i * i + j * j == squared) rows.emplace_back(sorted, i, j);
+      }
+    }
+  }
+  return rows;
+}
+
+/// Marks the points of a run of sorted ones that have less company than enough in their cell and the 26 about it.
+void markAlone(const SortedPoints& sorted, std::size_t begin, std::size_t end, std::size_t enough,
+               std::vector<char>& is_alone) {
+  std::vector<RowCount> rows = rowsNearestFirst(sorted);
+  for (RowCount& row : rows) row.startAt(sorted[begin].cell);
+  bool alone = false;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i == begin || sorted[i].cell != sorted[i - 1].cell) {
+      std::size_t company = 0;
+      for (std::size_t k = 0; k < rows.size() && company < enough; ++k) company += rows[k].at(sorted[i].cell);
+      alone = company < enough;
+    }
+    is_alone[sorted[i].point] = static_cast<char>(alone);
+  }
 }
 
 }  // namespace
@@ -78,15 +130,12 @@ double closingEdge(const VoxelSample& sample) {
 }
 
 std::vector<char> findStrays(const Points& points, double edge) {
-  constexpr std::uint32_t kCompany = 5;  // points in 27 cells, itself included; where surfaces close there are 18
-  const double cell = 2.0 * edge;
-  CellCounts counts;
-  counts.reserve(points.size());
-  for (const auto& p : points) ++counts[cellOf(p, cell)];
+  constexpr std::size_t kCompany = 5;  // points in 27 cells, itself included; where surfaces close there are 18
   std::vector<char> is_stray(points.size());
-  forEachRun(points.size(), 0, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) is_stray[i] = !hasCompany(counts, cellOf(points[i], cell), kCompany);
-  });
+  if (points.empty()) return is_stray;
+  const SortedPoints sorted = sortedByCell(points, 2.0 * edge);
+  forEachRun(sorted.size(), 0,
+             [&](std::size_t begin, std::size_t end) { markAlone(sorted, begin, end, kCompany, is_stray); });
   // half are strays at most: where most are alone at this edge, it parts points that lie in pairs and fours
   constexpr double kMost = 0.6;
   const auto strays = std::count(is_stray.begin(), is_stray.end(), 1);

@@ -94,6 +94,34 @@ TEST(FootUnit, MetresBetweenADrumAndTheLargestTank) {
   EXPECT_LT(footUnit(0.1, 0.1 / 61.0), 1.0);
 }
 
+/// The company of a point as its definition says it: points in the cell of its own and the 26 about it.
+std::size_t companyOf(const Points& points, const Eigen::Vector3d& point, double edge) {
+  const auto cell = [edge](const Eigen::Vector3d& p) -> Eigen::Array3d { return (p.array() / (2.0 * edge)).floor(); };
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const Eigen::Vector3d& p) {
+    return ((cell(p) - cell(point)).abs() <= 1.0).all();
+  }));
+}
+
+TEST(FindStrays, OfAnyPointsThoseWithLessCompanyThanFive) {
+  Points points = with(uniformPoints(1'500, {3.0, 2.0, 0.01}, 7), uniformPoints(900, {5.0, 4.0, 3.0}, 8));
+  for (const double far : {1e3, 1e15, 1e300}) {
+    points.emplace_back(far, -far, far);
+    points.emplace_back(-far, far, -far);
+  }
+  for (const double edge : {0.03, 0.06, 0.12}) {
+    const std::vector<char> is_stray = findStrays(points, edge);
+    std::size_t strays = 0;
+    for (std::size_t i = 0; i < points.size() - 6; ++i) {
+      ASSERT_EQ(is_stray[i] == 1, companyOf(points, points[i], edge) < 5) << i << " at " << edge;
+      strays += static_cast<std::size_t>(is_stray[i]);
+    }
+    EXPECT_GT(strays, 100U) << edge;
+    EXPECT_EQ(std::count(is_stray.end() - 6, is_stray.end(), 1), 6) << edge;
+  }
+}
+
+TEST(FindStrays, OfNoPoints) { EXPECT_TRUE(findStrays({}, 0.01).empty()); }
+
 TEST(FindStrays, OfAFloorSeenFourTimesInClustersNoneIs) {
   Points points;
   for (int i = 0; i < 60; ++i) {
