@@ -6,6 +6,8 @@
 #include "command.h"
 #include "core/plain_text.h"
 #include "core/units.h"
+#include "foreign.h"
+#include "io/e57_pages.h"
 #include "io/scan_format.h"
 #include "job.h"
 #include "report/section_json.h"
@@ -112,6 +114,12 @@ PYBIND11_MODULE(_core, module) {
   module.def("run_command", &runCommand);
   module.def("stop_command_by", &stopCommandBy);
   module.def("foreign_format", &foreignFormatOf);
+  module.def("scaled_points", &scaledPoints);
+  module.def("e57_pages_are_sound", [](const py::bytes& path, std::uint64_t first, std::uint64_t count) {
+    const std::string bytes = path;
+    const py::gil_scoped_release unlocked;
+    return e57PagesAreSound(bytes, {first, count});
+  });
   module.def("defaults", &defaults);
   module.def("keywords_of_scans", &keywordsOfScans);
   module.def("keyword_help", &keywordHelp);

@@ -1,6 +1,5 @@
 #include "foreign.h"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <array>
@@ -118,6 +117,27 @@ ScanBlocks blocksOf(const Reader& reader) {
 }
 
 }  // namespace
+
+py::array_t<double> scaledPoints(const std::array<Steps, 3>& columns, const std::array<double, 3>& scales,
+                                 const std::array<double, 3>& offsets) {
+  const py::ssize_t rows = columns[0].size();
+  std::array<const char*, 3> from{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (columns[axis].ndim() != 1 || columns[axis].size() != rows) throw py::value_error("columns of different shapes");
+    from[axis] = reinterpret_cast<const char*>(columns[axis].data());
+  }
+  py::array_t<double> points({rows, py::ssize_t{3}});
+  double* to = points.mutable_data();
+  for (py::ssize_t i = 0; i < rows; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::int32_t steps = 0;  // of a record of any length: not aligned
+      std::memcpy(&steps, from[axis], sizeof steps);
+      from[axis] += columns[axis].strides(0);
+      *to++ = steps * scales[axis] + offsets[axis];
+    }
+  }
+  return points;
+}
 
 void PythonGate::enter(const std::function<void()>& call) {
   const std::lock_guard<std::mutex> alone(one_);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pye57 import libe57
 
+from tank_datum import _core
 from tank_datum._foreign import (
     FIRST_BLOCK,
     Block,
@@ -21,6 +23,8 @@ from tank_datum._foreign import (
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
 SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
 TURN_TOLERANCE = 1e-3  # of the length of a quaternion, which is 1
+PAGE = 1024  # bytes
+LOOKED_AT = 1 << 16  # pages at once, between which a run may be given up
 READ_BLOCK = 1 << 16  # rows; what is made of them stays in a core's cache
 
 Array = NDArray[np.float64]
@@ -106,7 +110,6 @@ class E57Scan:
         self.size: int = self._points.childCount()
         self._pose = pose_of(self._node, self.what)
         self._columns, self._state = self._find_columns()
-        self._is_sound = False  # a whole pass found no wrong checksum
 
     def _find_columns(self) -> tuple[tuple[str, ...], str]:
         """The coordinates, and the column that says which are none."""
@@ -159,10 +162,8 @@ class E57Scan:
         """Columns of the points that are valid, which the next ones replace, and how many are not."""
         if capacity == 0:
             return
-        image, points = self._file.image, self._points
-        if self._is_sound:
-            image = self._file.unchecked()
-            points = image.root()["data3D"][self._index]["points"]
+        image = self._file.image
+        points = image.root()["data3D"][self._index]["points"]
         buffers = libe57.VectorSourceDestBuffer()
         columns: list[NDArray[Any]] = [np.empty(capacity) for _ in self._columns]
         states: NDArray[Any] = np.zeros(capacity, np.int8)
@@ -189,7 +190,6 @@ class E57Scan:
             raise Unreadable(
                 f"points of {self.what}", done, f"{self.size}, as its header says"
             )
-        self._is_sound = True
 
     def blocks(self) -> Iterator[tuple[Array, int]]:
         """Points in the file's frame, and how many rows hold none."""
@@ -208,7 +208,7 @@ class E57File:
     def __init__(self, path: str) -> None:
         self.path = path
         self.image = libe57.ImageFile(path, "r")
-        self._unchecked: Any = None
+        self._pages_known = 0  # how many from the first on are sound
         root = self.image.root()
         count = root["data3D"].childCount() if root.isDefined("data3D") else 0
         if count == 0:
@@ -226,15 +226,28 @@ class E57File:
             for i, scan in enumerate(self._scans)
         }
 
-    def unchecked(self) -> Any:
-        """The file without a look at its checksums, which takes most of the time of reading."""
-        if self._unchecked is None:
-            none = libe57.CHECKSUM_POLICY_NONE
-            self._unchecked = libe57.ImageFile(self.path, "r", none)
-        return self._unchecked
+    def _look_at_pages(self) -> Iterator[None]:
+        """Looks at all checksums, with a pause after some; once they are sound the reader need not.
+
+        Its own look takes longer than the rest of reading. It stays where one is wrong: not all
+        pages need be read.
+        """
+        path = os.fsencode(self.path)
+        pages = -(-os.stat(path).st_size // PAGE)
+        while self._pages_known < pages:
+            if not _core.e57_pages_are_sound(path, self._pages_known, LOOKED_AT):
+                return
+            self._pages_known += LOOKED_AT
+            if self._pages_known >= pages:
+                self.image = libe57.ImageFile(
+                    self.path, "r", libe57.CHECKSUM_POLICY_NONE
+                )
+            yield
 
     def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
         with refusing(self.path, "E57"):
+            for _ in self._look_at_pages():
+                yield np.empty((0, 3)), np.zeros((), np.uint32), 0, 0
             for i, scan in enumerate(self._scans):
                 setup = np.array(i, np.uint32)
                 if wanted is not None and i not in wanted:

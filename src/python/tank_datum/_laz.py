@@ -11,6 +11,7 @@ import lazrs
 import numpy as np
 from numpy.typing import NDArray
 
+from tank_datum import _core
 from tank_datum._foreign import (
     BLOCK,
     Block,
@@ -44,8 +45,6 @@ NEEDED = (
 FIRST_NEW = 6  # of the point formats
 WITHHELD = 0x04  # of the flags of formats 6 to 10
 OLD_CLASS, OLD_WITHHELD = 0x1F, 0x80  # of the byte that formats 0 to 5 have for both
-
-IN_CACHE = 1 << 16  # rows that are scaled at once
 
 
 class LazFile:
@@ -141,12 +140,9 @@ class LazFile:
     ) -> Block:
         kept = self._kept(points)
         rows = points.array if kept.all() else points.array[kept]
-        xyz, labels = np.empty((len(rows), 3)), np.empty(len(rows), np.uint32)
-        for begin in range(0, len(rows), IN_CACHE):
-            part = slice(begin, begin + IN_CACHE)
-            for i, axis in enumerate("XYZ"):
-                xyz[part, i] = rows[axis][part] * header.scales[i] + header.offsets[i]
-            labels[part] = rows["point_source_id"][part]
+        columns = [rows[axis] for axis in "XYZ"]
+        xyz = _core.scaled_points(columns, header.scales, header.offsets)
+        labels = rows["point_source_id"].astype(np.uint32)
         return xyz, labels, 0, len(kept) - len(rows)
 
     def _kept(self, points: laspy.ScaleAwarePointRecord) -> NDArray[np.bool_]:
