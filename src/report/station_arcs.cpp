@@ -5,6 +5,7 @@
 #include "core/plain_text.h"
 #include "core/ring_runs.h"
 #include "core/units.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -26,6 +27,13 @@ std::vector<Arc> arcsOf(const std::vector<char>& is, const std::vector<Station>&
   return arcs;
 }
 
+template <typename Predicate>
+std::vector<char> where(const std::vector<Station>& stations, const Predicate& is) {
+  std::vector<char> marks;
+  for (const Station& s : stations) marks.push_back(is(s) ? 1 : 0);
+  return marks;
+}
+
 }  // namespace
 
 Json arcsJson(const std::vector<char>& is, const std::vector<Station>& stations) {
@@ -36,24 +44,12 @@ Json arcsJson(const std::vector<char>& is, const std::vector<Station>& stations)
 }
 
 std::vector<char> withReason(const std::vector<Station>& stations, Unmeasured reason) {
-  std::vector<char> has;
-  for (const Station& s : stations) has.push_back(s.reason == reason ? 1 : 0);
-  return has;
+  return where(stations, [reason](const Station& s) { return s.reason == reason; });
 }
 
-std::vector<char> inDoubt(const std::vector<Station>& stations) {
-  std::vector<char> is;
-  for (const Station& s : stations) is.push_back(std::isfinite(s.z_refused) ? 1 : 0);
-  return is;
-}
+std::vector<char> inDoubt(const std::vector<Station>& stations) { return where(stations, isInDoubt); }
 
-std::vector<char> maybeHeaved(const std::vector<Station>& stations) {
-  std::vector<char> is = inDoubt(stations);
-  for (std::size_t i = 0; i < is.size(); ++i) {
-    if (stations[i].reason == Unmeasured::ShellBelow) is[i] = 0;
-  }
-  return is;
-}
+std::vector<char> maybeHeaved(const std::vector<Station>& stations) { return where(stations, mayBeHeaved); }
 
 std::string arcsText(const std::vector<char>& is, const std::vector<Station>& stations, std::size_t shortest) {
   constexpr std::size_t kShown = 5;  // arcs

@@ -92,22 +92,12 @@ std::vector<LocalSettlement> localSettlementsOf(const RingModel& model) {
   return all;
 }
 
-/// Stations where the datum is known to lie lower than its neighbours say, by what is not known.
-std::size_t countShellBelow(const std::vector<Station>& stations) {
-  const auto below = [](const Station& s) { return s.reason == Unmeasured::ShellBelow; };
-  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), below));
-}
+/// Where the datum is known to lie lower than its neighbours say, by what is not known.
+bool hasShellBelow(const Station& station) { return station.reason == Unmeasured::ShellBelow; }
 
-/// The same, but for those where the shell is seen below, which are none that a heave lifts.
-std::size_t countMaybeHeaved(const std::vector<Station>& stations) {
-  const auto heaved = [](const Station& s) { return std::isfinite(s.z_refused) && s.reason != Unmeasured::ShellBelow; };
-  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), heaved));
-}
-
-/// Stations of gaps in which what was refused may be the datum.
-std::size_t countInDoubt(const std::vector<Station>& stations) {
-  const auto doubted = [](const Station& s) { return std::isfinite(s.z_refused); };
-  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), doubted));
+template <typename Predicate>
+std::size_t count(const std::vector<Station>& stations, const Predicate& is) {
+  return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), is));
 }
 
 /// The widest arc without elevations round which a rule on the shape can pass [m].
@@ -148,7 +138,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, double ra
   }
   const std::string gap = gapNote(stations, analysis.longest_gap, widestGap(stations, radius));
   if (!gap.empty()) notes.push_back(gap);
-  if (const auto below = countShellBelow(stations); below > 0) {
+  if (const auto below = count(stations, hasShellBelow); below > 0) {
     char text[200];
     snprintfPlain(text, sizeof text,
                   "The shell is seen below the level that the neighbours give (stations: %zu): "
@@ -156,7 +146,7 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, double ra
                   below);
     notes.push_back(text);
   }
-  if (const auto doubted = countMaybeHeaved(stations); doubted > 0) {
+  if (const auto doubted = count(stations, mayBeHeaved); doubted > 0) {
     char text[200];
     snprintfPlain(text, sizeof text,
                   "What was refused may be a heave of the foundation (stations: %zu): "
@@ -194,13 +184,13 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   figures.addLevels(result);
   result.measures = figures.all();
   addTopOvality(radius, options.facts.height, result);
-  const bool whole = result.longest_gap <= widestGap(stations, radius) + 1e-6 && countShellBelow(stations) == 0;
+  const bool whole = result.longest_gap <= widestGap(stations, radius) + 1e-6 && count(stations, hasShellBelow) == 0;
   for (Measure& m : result.measures) m.whole_ring = whole;
   addTilt(ring.tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
   addAntipodal(stations, result.measures);
   result.checks = judge(options.limits, result.measures, options.facts, 2.0 * radius);
-  result.headline = headlineOf(result.checks, {surveys.model().dense(), whole && countInDoubt(stations) == 0});
+  result.headline = headlineOf(result.checks, {surveys.model().dense(), whole && count(stations, isInDoubt) == 0});
   for (Measure& m : result.measures) m.share = nullptr;  // it refers to the simulated surveys
   result.notes = notesOf(stations, radius, ring.tilt, result);
   const std::string errors = errorsNote(surveys.model());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "tank_datum/edge/edge_points.h"
@@ -23,6 +24,14 @@ template <typename Part>
 std::vector<Station> withParts(std::vector<Station> stations, const std::vector<Part>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) static_cast<Part&>(stations[i]) = parts[i];
   return stations;
+}
+
+/// Whether a station's gap is in doubt: what was refused in it may be the datum.
+inline bool isInDoubt(const StationDatum& station) { return std::isfinite(station.z_refused); }
+
+/// The same, but for those where the shell is seen below, which are none that a heave lifts.
+inline bool mayBeHeaved(const StationDatum& station) {
+  return isInDoubt(station) && station.reason != Unmeasured::ShellBelow;
 }
 
 /// Flags of stations by a list of support: measured where supported, interpolated in gaps up to options.longest_bridge
