@@ -15,6 +15,7 @@ Mask = NDArray[np.bool_]
 
 MM = 1e3
 HARMONICS = (1, 2, 3, 4)
+WIDEST_GAP = 45.0  # half the shortest wave [deg]
 
 
 @dataclass(frozen=True)
@@ -119,8 +120,9 @@ def rms(values: Array) -> float:
 
 
 def false_harmonics(azimuth: Array, error: Array) -> list[float]:
-    """Amplitudes n = 1..4 of the harmonic fit of an error."""
-    if len(error) <= 2 * len(HARMONICS):
+    """Amplitudes n = 1..4 of the harmonic fit of an error; unknown where the ring has a wide gap."""
+    gaps = np.diff(azimuth, append=azimuth[:1] + 360.0)
+    if len(error) <= 2 * len(HARMONICS) or max(gaps) > WIDEST_GAP:
         return [float("nan")] * len(HARMONICS)
     turn = np.radians(azimuth)
     waves = [wave(n * turn) for n in HARMONICS for wave in (np.cos, np.sin)]

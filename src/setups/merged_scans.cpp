@@ -99,6 +99,7 @@ double commonExcess(const std::vector<ArcVariance>& arcs) {
 double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
   constexpr std::size_t kFewestArcs = 6;  // arcs
   constexpr double kOther = 25.0;         // times the median: an arc where something else is seen
+  constexpr double kBank = 0.15;          // fall of a surface that looks another from each place [m/m]
   if (ring.points.size() < 1000 || ring.setupCount() > 1) return 0.0;
   const Ring visits = visitsOf(ring, tank);
   if (visits.setups.size() < 2) return 0.0;
@@ -107,7 +108,7 @@ double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
   std::vector<ArcVariance> variances, usual;
   std::vector<double> sizes;
   for (const ArcView& view : viewArcs(polar, tank, ring.reach, origins, threads)) {
-    if (view.shell) continue;
+    if (view.shell || view.fall > kBank) continue;
     variances.push_back(varianceOf(view.seen));
     sizes.push_back(std::abs(variances.back().excess));
   }

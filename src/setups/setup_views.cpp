@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "core/parallel.h"
+#include "core/statistics.h"
 #include "core/units.h"
 #include "stations/highest_wave.h"
 
@@ -61,6 +64,20 @@ ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, std::s
   return all;
 }
 
+/// How steeply the points of a foundation fall away from the shell: the median slope between their bins [m/m].
+double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
+  std::map<std::uint16_t, std::vector<double>> heights;
+  for (const ArcPoint& p : foot) heights[p.bin].push_back(p.value);
+  std::vector<std::pair<double, double>> bins;  // distance, height
+  for (auto& [bin, values] : heights) bins.emplace_back(bin_width * bin, median(std::move(values)));
+  std::vector<double> slopes;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    for (std::size_t j = i + 1; j < bins.size(); ++j)
+      slopes.push_back((bins[i].second - bins[j].second) / (bins[j].first - bins[i].first));
+  }
+  return slopes.empty() ? 0.0 : median(std::move(slopes));
+}
+
 /// What a setup's error does to an elevation at a place.
 SetupMotion::Vector motionOfFoot(const Eigen::Vector3d& arm) {
   return (SetupMotion::Vector() << 1.0, arm.x(), arm.y(), 0.0, 0.0).finished();
@@ -94,6 +111,7 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
       ArcView view;
       view.shell = shell;
       view.seen = *seen;
+      if (!shell) view.fall = fallOf(points.foot, kFootBin * reach);
       view.motion.resize(static_cast<Eigen::Index>(seen->setups.size()), SetupMotion::kParameters);
       for (std::size_t i = 0; i < seen->setups.size(); ++i) {
         const Eigen::Vector3d arm = place - origins[seen->setups[i]];

@@ -121,6 +121,30 @@ TEST(MergedScans, SixArcsTellADisagreementFiveDoNot) {
   EXPECT_GT(disagreementIn(8), 0.002);
 }
 
+/// What two scans of twenty arcs disagree by, 2 mm apart, where the surface falls so steeply away from the shell.
+double disagreementOnFall(double fall) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> any;
+  std::normal_distribution<double> noise(0.0, 0.0005);
+  Ring ring;
+  ring.reach = 0.5;
+  for (const double error : {0.001, -0.001}) {
+    for (int i = 0; i < 200 * 20; ++i) {
+      const double azimuth = toRadians(2.5 * (i + 0.5) / 200.0);
+      const bool shell = i % 4 == 0;
+      const double d = shell ? 0.0 : 0.03 + 0.3 * any(random);
+      const double z = shell ? 0.2 + 0.3 * any(random) : error - fall * d + noise(random);
+      ring.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), z});
+    }
+  }
+  return mergedDisagreement(ring, madeTank());
+}
+
+TEST(MergedScans, BanksLookAnotherFromEachPlace) {
+  EXPECT_NEAR(disagreementOnFall(0.10), 0.002 / std::sqrt(2.0), 0.0002);
+  EXPECT_EQ(disagreementOnFall(0.20), 0.0);
+}
+
 /// What two scans of twenty arcs disagree by, of which the second is 1.5 mm higher in some.
 double withHigher(const std::vector<int>& arcs, std::uint64_t seed) {
   std::mt19937_64 random(seed);
