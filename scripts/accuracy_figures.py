@@ -120,7 +120,7 @@ def rms(values: Array) -> float:
 
 
 def false_harmonics(azimuth: Array, error: Array) -> list[float]:
-    """Amplitudes n = 1..4 of the harmonic fit of an error; unknown where the ring has a wide gap."""
+    """Amplitudes n = 1..4 of the harmonic fit of an error; unknown where a gap is wide."""
     gaps = np.diff(azimuth, append=azimuth[:1] + 360.0)
     if len(error) <= 2 * len(HARMONICS) or max(gaps) > WIDEST_GAP:
         return [float("nan")] * len(HARMONICS)
