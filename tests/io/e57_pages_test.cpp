@@ -59,7 +59,9 @@ TEST(E57Pages, APageThatIsCutShortIsNone) {
   EXPECT_FALSE(e57PagesAreSound(folder.file("short", pagesOf(3).substr(0, 3 * 1024 - 1)), {0, 3}));
   EXPECT_FALSE(e57PagesAreSound(folder.file("short", pagesOf(3).substr(0, 2 * 1024 + 1)), {0, 3}));
   EXPECT_TRUE(e57PagesAreSound(folder.file("empty", ""), {0, 3}));
-  EXPECT_NE(pcd_files::errorOf([&] { e57PagesAreSound(folder.path("none"), {0, 1}); }).find("No such file"),
+  EXPECT_NE(pcd_files::errorOf([&] {
+              e57PagesAreSound(folder.path("none"), {0, 1});
+            }).find("No such file"),
             std::string::npos);
 }
 
