@@ -12,6 +12,7 @@
 #include "foot/foot_doubts.h"
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
+#include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_circle.h"
@@ -195,7 +196,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const FootPass pass = runPasses(foot, elevations);
   found.refined.profile = pass.sections.whole;
   if (found.refined.profile.unseen > 0.0) return found;
-  const FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
+  const FootLevels levels =
+      isResolved(foot) ? withShadowsDoubted(levelStations(foot, pass), foot, pass) : FootLevels{pass.fits, {}};
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;
