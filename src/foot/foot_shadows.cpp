@@ -73,24 +73,24 @@ Roughness unshadowed(const Roughness& seen, double steepness) {
   return rough;
 }
 
-FootLevels withShadowsDoubted(FootLevels levels, const Foot& foot, const FootPass& pass) {
+std::vector<StationDatum> withShadowsDoubted(std::vector<StationDatum> stations, const Foot& foot,
+                                             const FootPass& pass) {
   const Windows windows = lookAtWindows(foot, pass);
   std::vector<double> known;
   std::copy_if(windows.steepness.begin(), windows.steepness.end(), std::back_inserter(known),
                [](double s) { return std::isfinite(s); });
-  if (known.empty()) return levels;
+  if (known.empty()) return stations;
   const double usual = median(known);
   const Roughness seen = roughnessOf(windows.fits, pass.sections.whole, usual / kFromTheSide * foot.scales.shell_noise);
   const Roughness rough = unshadowed(seen, usual);
   std::vector<double> doubts;
   for (const double s : windows.steepness) doubts.push_back(seenHeights(s > 0.0 ? s : usual, rough).lift);
-  for (std::size_t i = 0; i < levels.fits.size(); ++i) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
     const double doubt = doubts[(i + windows.stride / 2) / windows.stride % doubts.size()];  // of the nearest window
-    FootFit& fit = levels.fits[i];
-    if (fit.valid()) fit.sigma = std::hypot(fit.sigma, doubt);
-    if (levels.process.valid()) levels.process.sigma[i] = std::hypot(levels.process.sigma[i], doubt);
+    StationDatum& s = stations[i];
+    if (s.flag != StationFlag::Missing) s.sigma_z = std::hypot(s.sigma_z, doubt);
   }
-  return levels;
+  return stations;
 }
 
 }  // namespace tank_datum

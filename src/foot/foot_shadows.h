@@ -21,7 +21,9 @@ SeenHeights seenHeights(double steepness, const Roughness& roughness);
 /// @param seen  of what is seen; its patches are taken to be the surface's
 Roughness unshadowed(const Roughness& seen, double steepness);
 
-/// The levels whose sigmas hold what the shadows of a rough surface may lift them by; no level moves.
-FootLevels withShadowsDoubted(FootLevels levels, const Foot& foot, const FootPass& pass);
+/// The stations whose sigmas hold what the shadows of a rough surface may lift them by, bridges too; no elevation
+/// moves.
+std::vector<StationDatum> withShadowsDoubted(std::vector<StationDatum> stations, const Foot& foot,
+                                             const FootPass& pass);
 
 }  // namespace tank_datum

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
@@ -196,8 +197,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const FootPass pass = runPasses(foot, elevations);
   found.refined.profile = pass.sections.whole;
   if (found.refined.profile.unseen > 0.0) return found;
-  const FootLevels levels =
-      isResolved(foot) ? withShadowsDoubted(levelStations(foot, pass), foot, pass) : FootLevels{pass.fits, {}};
+  const FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;
@@ -205,7 +205,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const auto stations = withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center),
                                     pass.outliers.reasons);
   const double sigma_bend = kHighestWave / tank.circle.radius;
-  const auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
+  auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
+  if (isResolved(foot)) bridged = withShadowsDoubted(std::move(bridged), foot, pass);
   found.stations = asAsked(withRefusedDoubted(bridged, pass.outliers.refused, foot), fitted, asked);
   found.refined.sections = asAsked(profilesOf(foot, elevations, levels.fits, shell.lines, band), fitted, asked);
   return found;

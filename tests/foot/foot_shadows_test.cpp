@@ -66,8 +66,8 @@ TEST(Unshadowed, IsTheSurfaceThatIsSeenSo) {
 
 constexpr double kSigma = 0.0003;
 
-/// Levels of a rough pad, seen as steeply as points on the shell make it: other ones from station 180 on.
-FootLevels doubtedLevels(const RoughSurface& surface, int on_shell, int on_shell_beyond) {
+/// Stations on a rough pad, seen as steeply as points on the shell make it: other ones from station 180 on.
+std::vector<StationDatum> doubtedStations(const RoughSurface& surface, int on_shell, int on_shell_beyond) {
   constexpr int kOnPad = 90;  // of a station: 300 a metre outwards
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> along(-0.5, 0.5), across(0.0, 0.3);
@@ -92,42 +92,42 @@ FootLevels doubtedLevels(const RoughSurface& surface, int on_shell, int on_shell
   FootFit fit;
   fit.z = 0.0, fit.sigma = kSigma;
   pass.fits.assign(360, fit);
-  FootLevels levels{pass.fits, {}};
-  levels.fits[7] = {};
-  levels.process.amplitude = 0.001;
-  levels.process.value.assign(360, 0.0);
-  levels.process.sigma.assign(360, kSigma);
-  return withShadowsDoubted(std::move(levels), foot, pass);
+  StationDatum station;
+  station.flag = StationFlag::Measured;
+  station.z = 0.0, station.sigma_z = kSigma;
+  std::vector<StationDatum> stations(360, station);
+  stations[7] = {};
+  stations[8].flag = StationFlag::Interpolated;
+  return withShadowsDoubted(std::move(stations), foot, pass);
 }
 
-double doubtAt(const FootLevels& levels, std::size_t station) {
-  return std::sqrt(std::pow(levels.fits[station].sigma, 2.0) - kSigma * kSigma);
+double doubtAt(const std::vector<StationDatum>& stations, std::size_t station) {
+  return std::sqrt(std::pow(stations[station].sigma_z, 2.0) - kSigma * kSigma);
 }
 
-TEST(WithShadowsDoubted, SigmasHoldTheLiftOfRaysFromTheSideAndNoLevelMoves) {
+TEST(WithShadowsDoubted, SigmasHoldTheLiftOfRaysFromTheSideAndNoStationMoves) {
   const Roughness rough{0.0015, 0.012};
-  const FootLevels levels = doubtedLevels(RoughSurface(rough.heights, rough.length), 300, 300);  // steepness 0.2
+  const auto stations = doubtedStations(RoughSurface(rough.heights, rough.length), 300, 300);  // steepness 0.2
   const double lift = seenHeights(0.64 * 0.2, unshadowed(rough, 0.64 * 0.2)).lift;
   EXPECT_GT(lift, 0.00015);
   for (std::size_t i = 8; i < 360; ++i) {
-    EXPECT_NEAR(doubtAt(levels, i), lift, 0.2 * lift) << i;
-    EXPECT_EQ(levels.fits[i].z, 0.0);
-    EXPECT_EQ(levels.process.sigma[i], levels.fits[i].sigma);
+    EXPECT_NEAR(doubtAt(stations, i), lift, 0.2 * lift) << i;
+    EXPECT_EQ(stations[i].z, 0.0);
   }
-  EXPECT_FALSE(levels.fits[7].valid());
+  EXPECT_TRUE(std::isnan(stations[7].sigma_z));
 }
 
 TEST(WithShadowsDoubted, EveryFiveDegreesHaveTheirOwnAndThoseWithoutAShellTheUsual) {
   const RoughSurface surface(0.0015, 0.012);
-  const FootLevels two = doubtedLevels(surface, 300, 600);
+  const auto two = doubtedStations(surface, 300, 600);
   EXPECT_NEAR(doubtAt(two, 177), doubtAt(two, 100), 1e-6);
   EXPECT_GT(doubtAt(two, 183), 1.3 * doubtAt(two, 177));
-  const FootLevels half = doubtedLevels(surface, 300, 0);
+  const auto half = doubtedStations(surface, 300, 0);
   EXPECT_NEAR(doubtAt(half, 270), doubtAt(half, 90), 1e-6);
 }
 
 TEST(WithShadowsDoubted, ASmoothSurfaceIsNotDoubted) {
-  EXPECT_NEAR(doubtAt(doubtedLevels(RoughSurface(0.0005, 0.03), 300, 300), 90), 0.0, 1e-6);
+  EXPECT_NEAR(doubtAt(doubtedStations(RoughSurface(0.0005, 0.03), 300, 300), 90), 0.0, 1e-6);
 }
 
 }  // namespace
