@@ -20,4 +20,18 @@ struct FittedPoints {
 ///         times n (sigma / noise)^2 [m^2]
 double sharedRoughness(const std::vector<FittedPoints>& fits, const FootProfile& profile);
 
+/// A surface whose heights are a random process, alike over patches (correlated as exp(-x^2 / (2 length^2))).
+struct Roughness {
+  double heights = 0;  ///< root mean square, about the surface [m]
+  double length = 0;   ///< [m]
+  /// Root mean square, to any side [m/m].
+  double slopes() const { return heights > 0.0 ? heights / length : 0.0; }
+};
+
+/// Roughness of the band: its heights from how points scatter, the length of its patches from what pairs of points
+/// share that lie in one cell.
+/// @param fits   all round, each over several degrees
+/// @param noise  what the points err by, each alone [m]
+Roughness roughnessOf(const std::vector<FittedPoints>& fits, const FootProfile& profile, double noise);
+
 }  // namespace tank_datum

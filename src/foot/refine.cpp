@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
@@ -12,6 +13,7 @@
 #include "foot/foot_doubts.h"
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
+#include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_circle.h"
@@ -203,7 +205,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const auto stations = withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center),
                                     pass.outliers.reasons);
   const double sigma_bend = kHighestWave / tank.circle.radius;
-  const auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
+  auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
+  if (isResolved(foot)) bridged = withShadowsDoubted(std::move(bridged), foot, pass);
   found.stations = asAsked(withRefusedDoubted(bridged, pass.outliers.refused, foot), fitted, asked);
   found.refined.sections = asAsked(profilesOf(foot, elevations, levels.fits, shell.lines, band), fitted, asked);
   return found;

@@ -5,8 +5,12 @@
 #include <cmath>
 #include <random>
 
+#include "support/rough_surface.h"
+
 namespace tank_datum {
 namespace {
+
+using made_feet::RoughSurface;
 
 FootProfile pad() {
   FootProfile profile;
@@ -54,6 +58,75 @@ TEST(SharedRoughness, IsToldByFitsWithTenPointsAPart) {
   EXPECT_EQ(sharedRoughness(fits, pad()), 0.0);
   for (FittedPoints& f : fits) f.fit.points = 31;
   EXPECT_GT(sharedRoughness(fits, pad()), 0.0);
+}
+
+/// Windows of 1 m along a rough pad, each with points here and there, fitted.
+std::vector<FittedPoints> windowsOf(const RoughSurface& rough, int count, double noise, int windows = 72) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> along(-0.5, 0.5), across(0.0, 0.3);
+  FootProfile profile = pad();
+  profile.edge = 0.3, profile.blur = 0.0, profile.noise = 0.001;
+  FootPrior prior;
+  prior.sigma_slope = 1.0, prior.sigma_bend = 1.0;
+  std::vector<FittedPoints> all;
+  for (int k = 0; k < windows; ++k) {
+    std::vector<FootPoint> points;
+    for (int i = 0; i < count; ++i) {
+      const double t = along(random), d = across(random);
+      points.push_back({t, d, rough(2.0 * k + t, d) + noise * normal(random)});
+    }
+    const FootFit fit = fitFoundation(points, profile, 0.0, 0.0, prior);
+    all.push_back({points, fit});
+  }
+  return all;
+}
+
+TEST(RoughnessOf, IsThatOfTheSurface) {
+  for (const double length : {0.008, 0.015, 0.03}) {
+    const Roughness rough = roughnessOf(windowsOf(RoughSurface(0.0015, length), 600, 0.0), pad(), 0.0);
+    EXPECT_NEAR(rough.heights, 0.0015, 0.00008) << length;
+    EXPECT_NEAR(rough.length, length, 0.1 * length);
+    EXPECT_NEAR(rough.slopes(), rough.heights / rough.length, 1e-12);
+  }
+}
+
+TEST(RoughnessOf, NoiseOfEachPointAloneIsNone) {
+  const auto noisy = windowsOf(RoughSurface(0.0015, 0.015), 600, 0.001);
+  EXPECT_NEAR(roughnessOf(noisy, pad(), 0.001).heights, 0.0015, 0.00006);
+  EXPECT_NEAR(roughnessOf(noisy, pad(), 0.001).length, 0.015, 0.002);
+  EXPECT_EQ(roughnessOf(noisy, pad(), 0.003).slopes(), 0.0);
+}
+
+TEST(RoughnessOf, PointsBesideTheBandOrFarOffAreNotOfTheSurface) {
+  auto windows = windowsOf(RoughSurface(0.0015, 0.015), 600, 0.0);
+  const Roughness before = roughnessOf(windows, pad(), 0.0);
+  for (FittedPoints& w : windows) {
+    for (int i = 0; i < 30; ++i) {
+      w.points.push_back({0.01 * i, 0.15, w.fit.z + w.fit.slope * 0.15 + 5.0 * w.fit.noise});
+      w.points.push_back({0.01 * i, 0.31, w.fit.z});
+    }
+  }
+  EXPECT_EQ(roughnessOf(windows, pad(), 0.0).heights, before.heights);
+  EXPECT_EQ(roughnessOf(windows, pad(), 0.0).length, before.length);
+}
+
+TEST(RoughnessOf, WhatAFitTakesAwayIsGivenBack) {
+  const Roughness rough = roughnessOf(windowsOf(RoughSurface(0.0015, 0.008), 12, 0.0, 4000), pad(), 0.0);
+  EXPECT_NEAR(rough.heights, 0.0015, 0.0001);
+}
+
+TEST(RoughnessOf, PatchesMayBeAsShortAsFewPairsLeaveOpen) {
+  const RoughSurface surface(0.0015, 0.012);
+  const double many = roughnessOf(windowsOf(surface, 600, 0.0), pad(), 0.0).length;
+  const double few = roughnessOf(windowsOf(surface, 60, 0.0), pad(), 0.0).length;
+  EXPECT_NEAR(many, 0.012, 0.0012);
+  EXPECT_NEAR(few, 0.0085, 0.0012);
+}
+
+TEST(RoughnessOf, NothingSeenIsNoRoughness) {
+  EXPECT_EQ(roughnessOf({}, pad(), 0.0).slopes(), 0.0);
+  EXPECT_EQ(roughnessOf({FittedPoints{}}, pad(), 0.0).slopes(), 0.0);
 }
 
 }  // namespace
