@@ -88,8 +88,7 @@ struct Plateau {
 /// The part of the surface that is plainly it. Beams near the shell blend with it and lift the points, beams near an
 /// outer edge lower them, and the far scanner's wide footprints reach into the middle of a narrow plate: from the bin
 /// where the section runs most nearly parallel to the surface, out to where it is off by what can be told.
-/// @param end  how far out it goes where bins beyond the last are seen here and there, and all lie on it
-Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t last, std::size_t end) {
+Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t last) {
   const auto level = [&](std::size_t i) { return profile.height[i] - profile.slope * middle(profile, i); };
   const std::size_t reach = std::max<std::size_t>(1, std::min<std::size_t>(3, (last - first) / 4));
   std::size_t flattest = (first + last) / 2;
@@ -110,9 +109,6 @@ Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t l
   std::size_t from = flattest, to = flattest;
   while (from > first && (lies_on(from - 1) || (from > first + 1 && lies_on(from - 2)))) --from;
   while (to < last && (lies_on(to + 1) || (to + 1 < last && lies_on(to + 2)))) ++to;
-  for (std::size_t i = last + 1; to >= last && i <= end && lies_on(i); ++i) {
-    if (std::isfinite(level(i))) to = i;
-  }
   double squares = 0, expected = 0, bins = 0;
   for (std::size_t i = first; i <= last; ++i) {
     if (!std::isfinite(level(i))) continue;
@@ -166,8 +162,6 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   }
   profile.noise = std::max(median(spreads), 1e-7);
   profile.edge = static_cast<double>(last + 1) * profile.bin;
-  const auto blurred = static_cast<std::size_t>(std::ceil(profile.blur / profile.bin));
-  const std::size_t end = last - std::min(last, blurred);
   last = lastOfSurface(profile, first, last);
   const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
   profile.surface =
@@ -175,12 +169,12 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   const bool plate = profile.surface == Surface::AnnularPlate;
   profile.slope_beyond = plate ? slopeBeyond(profile, last, reach) : 0.0;
   profile.slope = plate ? profile.slope_beyond : own.slope;
-  last -= std::min(last - first - 3, blurred);
-  Plateau plateau = findPlateau(profile, first, last, std::max(last, end));
+  last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
+  Plateau plateau = findPlateau(profile, first, last);
   if (plate && std::abs(own.slope) < kSteepestLip) {  // one that leans is plain along its own slope only
     FootProfile leaning = profile;
     leaning.slope = own.slope;
-    const Plateau wider = findPlateau(leaning, first, last, std::max(last, end));
+    const Plateau wider = findPlateau(leaning, first, last);
     if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = own.slope;
   }
   profile.offset = plateau.offset;
