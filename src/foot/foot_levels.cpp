@@ -101,8 +101,8 @@ FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const Stretch& s
   for (FootPoint& p : points) p.t -= beside * foot.radius;
   FootPrior prior = pass.priors.at(at);
   if (pass.priors.settled) prior.sigma_slope = kSettledSlope;
-  FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
-  return {std::move(points), fit};
+  const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
+  return {std::move(points), pass.priors.blends.without(fit, at)};
 }
 
 /// Of each station the stretch that it belongs to, where that could be fitted.
@@ -209,7 +209,7 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
       continue;
     }
     if (bends[i] != Bend::None) {
-      fit = bentFit(pass.fits[i], process, i, shared[i], bends[i]);
+      fit = bentFit(pass.priors.blends.without(pass.fits[i], i), process, i, shared[i], bends[i]);
       continue;
     }
     const double gain = own.of_station[i]->sigma / process.sigma[i];

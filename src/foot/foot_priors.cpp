@@ -128,8 +128,9 @@ void addCommonSigma(std::vector<SeriesValue>& series) {
 
 /// Slopes of a lip window by window, each with the lean that its slanting rays may feign.
 struct LipSlopes {
-  std::size_t stride = 1;  ///< stations between windows
-  std::vector<SeriesValue> series;
+  std::size_t stride = 1;           ///< stations between windows
+  std::vector<SeriesValue> seen;    ///< with the errors of what is seen
+  std::vector<SeriesValue> series;  ///< with the lean in their errors
   std::vector<double> lean;
   double doubt = 0;  ///< the lean that range noise may feign, typical [m/m]
 };
@@ -148,6 +149,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
   }
   doubtStray(lips.series);
   addCommonSigma(lips.series);
+  lips.seen = lips.series;
   for (std::size_t k = 0; k < lips.series.size(); ++k) {
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
     lips.series[k].sigma = std::hypot(lips.series[k].sigma, lips.lean.back());
@@ -156,6 +158,35 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
   lips.doubt = feignedSlopeOf(found, 0.25 * sections.whole.blur);
   return lips;
 }
+
+/// What beams feign of each window's slope, as neighbours agree on it.
+std::vector<SeriesValue> blendedSlopes(const LipSlopes& lips, const std::vector<SeriesValue>& smooth,
+                                       std::size_t widest) {
+  std::vector<SeriesValue> blended = smoothed(lips.seen, widest);
+  for (std::size_t k = 0; k < blended.size(); ++k) {
+    blended[k] = blendedSlope(blended[k], smooth[k].value, lips.lean[k]);
+  }
+  return blended;
+}
+
+/// A station between two windows; beside the one where the other is not known.
+struct Between {
+  std::size_t left, right;
+  double share;  ///< of the right one
+  bool known;
+
+  Between(std::size_t station, std::size_t stride, const std::vector<SeriesValue>& windows)
+      : left(station / stride), right((left + 1) % windows.size()) {
+    share = static_cast<double>(station - left * stride) / static_cast<double>(stride);
+    if (!std::isfinite(windows[left].value)) left = right;
+    if (!std::isfinite(windows[right].value)) right = left;
+    known = std::isfinite(windows[left].value);
+  }
+
+  double mean(const std::vector<SeriesValue>& windows, double SeriesValue::*what) const {
+    return (1.0 - share) * windows[left].*what + share * windows[right].*what;
+  }
+};
 
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
@@ -173,18 +204,29 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
     smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);
   }
   const double least = std::hypot(kLeastSigma, ring.sigma);  // what the windows together leave open
+  const std::vector<SeriesValue> blended = blendedSlopes(lips, smooth, kWidest);
+  BlendedLip& blends = priors.blends;
+  blends.level_at = 0.5 * (foot.scales.nearest() + whole.edge);
+  blends.slope.assign(priors.slope.size(), 0.0), blends.sigma = blends.slope;
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
-    const std::size_t k = i / lips.stride, next = (k + 1) % smooth.size();
-    const double share = static_cast<double>(i - k * lips.stride) / static_cast<double>(lips.stride);
-    const bool left = std::isfinite(smooth[k].value), right = std::isfinite(smooth[next].value);
-    if (!left && !right) continue;
-    const SeriesValue &a = smooth[left ? k : next], &b = smooth[right ? next : k];
-    priors.slope[i] = (1.0 - share) * a.value + share * b.value;
-    priors.sigma_slope[i] = std::hypot(least, (1.0 - share) * a.sigma + share * b.sigma);
+    const Between at(i, lips.stride, smooth);
+    if (!at.known) continue;
+    priors.slope[i] = at.mean(smooth, &SeriesValue::value);
+    priors.sigma_slope[i] = std::hypot(least, at.mean(smooth, &SeriesValue::sigma));
+    blends.slope[i] = at.mean(blended, &SeriesValue::value);
+    blends.sigma[i] = at.mean(blended, &SeriesValue::sigma);
   }
 }
 
 }  // namespace
+
+FootFit BlendedLip::without(FootFit fit, std::size_t station) const {
+  if (slope.empty() || !fit.valid()) return fit;
+  const double beside = fit.middle - level_at;
+  fit.z -= slope[station] * beside;
+  fit.sigma = std::hypot(fit.sigma, sigma[station] * beside);
+  return fit;
+}
 
 FootPrior FootPriors::at(std::size_t station) const {
   FootPrior prior;

@@ -72,12 +72,24 @@ bool isOfLevel(const FootProfile& section, double reach);
 /// it is so, each station is moved to where its own points lie on the section of all; else none is.
 FootElevations alignedElevations(const Foot& foot, FootElevations elevations);
 
+/// What beams that meet the shell or the edge too make of a lip: beside the shell they lift its points, beside the edge
+/// they lower them, which feigns a slope. In between is a place where neither does.
+struct BlendedLip {
+  std::vector<double> slope, sigma;  ///< that is feigned at each station, and its standard error; empty: none [m/m]
+  double level_at = 0;               ///< distance of that place from the shell [m]
+
+  /// A fit without what blends do to it. Points that lie on either side of that place alike are off by nothing; the few
+  /// rows of a scan that slants lie beside the shell here, beside the edge there.
+  FootFit without(FootFit fit, std::size_t station) const;
+};
+
 /// What is known of the surface's slope at every station before its own points are looked at.
 struct FootPriors {
   std::vector<double> slope, sigma_slope;  ///< [m/m]
   double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
   bool settled = false;                    ///< a station's own points have no more to say about its slope
   double seen = 0;                         ///< where it is settled: as the ring's windows show it, feigned or not [m/m]
+  BlendedLip blends;                       ///< where it is settled
 
   FootPrior at(std::size_t station) const;
 };

@@ -120,6 +120,12 @@ double blendBeyond(const FootProfile& profile) {
   return beside.empty() ? 0.0 : std::max(0.0, median(beside) - 2.0 * robustSigma(far, below));
 }
 
+SeriesValue blendedSlope(const SeriesValue& seen, double lip, double lean) {
+  if (!std::isfinite(seen.value) || !std::isfinite(lip) || !(lean > 0.0)) return {0.0, 0.0, 1.0};
+  const double known = lean / std::hypot(lean, seen.sigma);  // a normal distribution before and one of the errors
+  return {known * known * std::clamp(seen.value - lip, -lean, 0.0), known * seen.sigma, 1.0};
+}
+
 double liftOf(double seen, double lip, double lean) {
   constexpr double kLift = 0.3;  // of the lean: what falls off with the square of the distance, in the lip's middle
   return lean > 0.0 && std::isfinite(seen) && std::isfinite(lip) ? kLift * std::abs(seen - lip) : 0.0;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "fit/adaptive_smooth.h"
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
 
@@ -60,6 +61,13 @@ double feignedSlope(const BandPoints& points, double steepness, double noise, do
 /// seen.
 /// @return [m]
 double blendBeyond(const FootProfile& profile);
+
+/// The slope that beams feign which meet shell or edge too, where a lip is seen to lean otherwise than it does: no more
+/// than they can, and downwards only.
+/// @param seen  with the standard error of what is seen
+/// @param lip   its own slope [m/m]
+/// @param lean  beamLean there
+SeriesValue blendedSlope(const SeriesValue& seen, double lip, double lean);
 
 /// How far a lip's middle may be lifted where it is seen to lean otherwise than it does, as a slope that would do it
 /// about the shell.

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/made_feet.h"
 
 namespace tank_datum {
@@ -114,6 +116,38 @@ TEST(LevelStations, ASlopeThatIsSettledIsLearntNoFurtherThanATenthOfAMillimetreA
   const double middle = 0.15, left = settled.pass.fits[10].z / (0.0002 * middle);
   EXPECT_GT(left, 0.3);
   EXPECT_LT(left, 0.7);
+}
+
+/// Beams lift a level lip beside the shell and lower it beside the edge. Of every station's rows one lies beside the
+/// shell here, one beside the edge there.
+TEST(LevelStations, StationsWhoseRowsLieBesideTheShellOrTheEdgeAreLevelledWithoutWhatBlendsDoThere) {
+  constexpr double kSlope = -0.06, kLevelAt = 0.035;
+  MadeFoot made;
+  made.options.wanted_sigma = 1.0;
+  for (int s = 0; s < 360; ++s) {
+    const double row = s % 20 < 10 ? 0.018 : 0.050;
+    made.addStation(s, 12, row - 0.002, row + 0.002, [](double d) { return kSlope * (d - kLevelAt); });
+  }
+  const auto fitsOf = [&](double sigma) {
+    Ready r = ready(made);
+    FootProfile& lip = r.pass.sections.whole;
+    lip.band_to = 0.055, lip.edge = 0.06, lip.blur = 1e-6;
+    r.pass.priors.settled = true;
+    r.pass.priors.blends.slope.assign(360, sigma > 0.0 ? kSlope : 0.0);
+    r.pass.priors.blends.sigma.assign(360, sigma);
+    r.pass.priors.blends.level_at = kLevelAt;
+    level(r);
+    return std::array<FootFit, 2>{r.pass.fits[4], r.pass.fits[14]};
+  };
+  const auto blended = fitsOf(0.0), fits = fitsOf(0.01);
+  EXPECT_GT(blended[0].z - blended[1].z, 0.0015);
+  EXPECT_NEAR(fits[0].z, 0.0, 0.0001);
+  EXPECT_NEAR(fits[1].z, 0.0, 0.0001);
+  const BlendedLip lip{{kSlope}, {0.01}, kLevelAt};
+  FootFit beside;
+  beside.z = 0.001, beside.sigma = 0.0003, beside.middle = 0.075;
+  EXPECT_NEAR(lip.without(beside, 0).z, 0.001 - 0.04 * kSlope, 1e-12);
+  EXPECT_NEAR(lip.without(beside, 0).sigma, 0.0005, 1e-12);
 }
 
 /// The fit of station 100 of a quiet ring where so many neighbours lie 8 mm lower, and their windows say so; and

@@ -223,5 +223,19 @@ TEST(LearnPriors, WhatSeemsSteeperThanOneInTenIsNoLipsSlope) {
   EXPECT_NEAR(lip(-0.115).sigma_slope[100], 0.05, 0.005);
 }
 
+TEST(LearnPriors, WhereBeamsSlantWhatALipLeansBeyondItsOwnSlopeIsFeigned) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const bool slant = s >= 180;  // the shell is seen, but the lip hardly
+    made.addStation(s, slant ? 8 : 60, 0.0155, 0.0595, [slant](double d) { return slant ? -0.04 * (d - 0.037) : 0.0; });
+    for (int i = 0; i < 400; i += slant ? 1 : 50) made.add((s + 0.002 * i - 0.4) * made.step(), 0.0, 0.06 + 0.0004 * i);
+  }
+  const FootPriors priors = learnt(made, Surface::AnnularPlate, 0.002, 1e-5);
+  EXPECT_NEAR(priors.slope[270], 0.0, 0.002);
+  EXPECT_NEAR(priors.blends.slope[270], -0.04, 0.004);
+  EXPECT_EQ(priors.blends.slope[90], 0.0);
+  EXPECT_NEAR(priors.blends.level_at, 0.5 * (kScales.weld + 0.06), 1e-9);  // beyond the weld, before the edge
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -111,6 +111,21 @@ TEST(LiftOf, IsThatOfTheMiddleWhereTheLiftFallsOffWithTheSquareOfTheDistance) {
   EXPECT_EQ(liftOf(0.02, kUnknown, 0.05), 0.0);
 }
 
+TEST(BlendedSlope, IsWhatIsSeenBeyondTheLipsOwnAndNoMoreThanBeamsCan) {
+  const auto feigned = [](double seen, double sigma, double lean) {
+    return blendedSlope({seen, sigma, 1.0}, 0.01, lean);
+  };
+  EXPECT_NEAR(feigned(-0.03, 0.0, 0.1).value, -0.04, 1e-12);
+  EXPECT_NEAR(feigned(-0.03, 0.0, 0.02).value, -0.02, 1e-12);
+  EXPECT_EQ(feigned(0.03, 0.0, 0.1).value, 0.0);  // they feign no lip that rises outwards
+  EXPECT_EQ(feigned(-0.03, 0.0, 0.0).value, 0.0);
+  // seen no better than beams can feign: half of it, with the error of both
+  EXPECT_NEAR(feigned(-0.03, 0.05, 0.05).value, -0.02, 1e-12);
+  EXPECT_NEAR(feigned(-0.03, 0.05, 0.05).sigma, 0.05 / std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(feigned(kUnknown, 0.05, 0.05).sigma, 0.0);
+  EXPECT_EQ(blendedSlope({-0.03, 0.01, 1.0}, kUnknown, 0.05).value, 0.0);
+}
+
 /// What a level surface between two distances shows whose points range noise moves along rays of some steepness.
 std::vector<FootPoint> movedAlongRays(double from, double to, double steepness, double noise) {
   std::mt19937_64 random(3);
