@@ -5,6 +5,7 @@
 #include <pcl/point_types.h>
 
 #include <algorithm>
+#include <new>
 #include <pcl/features/impl/normal_3d.hpp>
 
 #include "core/parallel.h"
@@ -24,6 +25,13 @@ Cloud::Ptr roundedCloud(const Points& points) {
   return cloud;
 }
 
+/// FLANN goes on with a null pointer where there is no memory for its nodes: asks first whether there is.
+/// @throws std::bad_alloc
+void requireMemoryForNodes(std::size_t points) {
+  constexpr std::size_t kOfPoint = 64, kOfOtherThreads = std::size_t{16} << 20;  // bytes
+  ::operator delete(::operator new(points* kOfPoint + kOfOtherThreads));
+}
+
 }  // namespace
 
 Normals estimateNormalsWithPcl(const Points& points, int k, int threads) {
@@ -40,6 +48,7 @@ Normals estimateNormalsWithPcl(const Points& points, int k, int threads) {
       order = mortonOrder(points);
     } else {
       cloud = roundedCloud(points);
+      requireMemoryForNodes(points.size());
       tree.setInputCloud(cloud);
     }
   });
