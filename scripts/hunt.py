@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import csv
 import json
+import math
 import os
 import subprocess
 import sys
@@ -139,16 +140,19 @@ def report(results: list[dict[str, Any]]) -> None:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--minutes", type=float, default=10.0)
-    parser.add_argument("--scenes", type=int, default=1_000_000, help="at most so many")
+    parser.add_argument(
+        "--minutes", type=float, help="10 where --scenes is not given, else no limit"
+    )
+    parser.add_argument("--scenes", type=int, help="at most so many")
     parser.add_argument("--seed", type=int, default=1, help="of the first scene")
     parser.add_argument("--only", type=int, help="this seed alone")
     parser.add_argument("--json", type=Path, help="file for what every scene gave")
     given = parser.parse_args()
     results: list[dict[str, Any]] = []
     first = given.seed if given.only is None else given.only
-    count = given.scenes if given.only is None else 1
-    end = time.monotonic() + 60.0 * given.minutes
+    minutes = given.minutes or (math.inf if given.scenes else 10.0)
+    count = (given.scenes or 1_000_000) if given.only is None else 1
+    end = time.monotonic() + 60.0 * minutes
     while len(results) < count and (not results or time.monotonic() < end):
         with tempfile.TemporaryDirectory() as folder:
             results.append(result_of(first + len(results), Path(folder)))
