@@ -17,6 +17,11 @@ double offOf(const FootPoint& p, const FootFit& fit) {
   return p.z - fit.z - fit.slope * p.d - fit.along * p.t - fit.bend * p.t * p.t;
 }
 
+/// Whether a point that lies so far off a fit is one of the band's.
+bool isOfBand(const FootPoint& p, double off, const FootFit& fit, const FootProfile& profile) {
+  return p.d >= profile.band_from && p.d < profile.band_to && std::abs(off) <= kStray * fit.noise;
+}
+
 /// Variance of the means of a band's parts, beyond that of points that err alone, over the number of parts [m^2].
 double roughnessIn(const std::vector<FittedPoints>& fits, const FootProfile& profile, std::size_t parts) {
   constexpr std::size_t kPlenty = 10;  // points of a part, on the average
@@ -27,7 +32,7 @@ double roughnessIn(const std::vector<FittedPoints>& fits, const FootProfile& pro
     std::vector<double> sums(parts, 0.0), counts(parts, 0.0);
     for (const FootPoint& p : points) {
       const double off = offOf(p, fit);
-      if (p.d < profile.band_from || p.d >= profile.band_to || std::abs(off) > kStray * fit.noise) continue;
+      if (!isOfBand(p, off, fit, profile)) continue;
       const auto part = std::min(parts - 1, static_cast<std::size_t>((p.d - profile.band_from) / width));
       sums[part] += off;
       counts[part] += 1.0;
@@ -55,7 +60,7 @@ struct Cells {
   void add(const FittedPoints& fitted, const FootProfile& profile, double width) {
     for (const FootPoint& p : fitted.points) {
       const double off = offOf(p, fitted.fit);
-      if (p.d < profile.band_from || p.d >= profile.band_to || std::abs(off) > kStray * fitted.fit.noise) continue;
+      if (!isOfBand(p, off, fitted.fit, profile)) continue;
       auto& [sum, count] = sums[{std::lround(p.t / kCell), std::lround((p.d - profile.band_from) / width - 0.5)}];
       sum += off, count += 1.0;
       squares += off * off, points += 1.0;

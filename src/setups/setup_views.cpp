@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -66,10 +65,15 @@ ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, std::s
 
 /// How steeply the points of a foundation fall away from the shell: the median slope between their bins [m/m].
 double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
-  std::map<std::uint16_t, std::vector<double>> heights;
-  for (const ArcPoint& p : foot) heights[p.bin].push_back(p.value);
+  std::vector<std::vector<double>> heights;
+  for (const ArcPoint& p : foot) {
+    if (p.bin >= heights.size()) heights.resize(p.bin + std::size_t{1});
+    heights[p.bin].push_back(p.value);
+  }
   std::vector<std::pair<double, double>> bins;  // distance, height
-  for (auto& [bin, values] : heights) bins.emplace_back(bin_width * bin, median(std::move(values)));
+  for (std::size_t bin = 0; bin < heights.size(); ++bin) {
+    if (!heights[bin].empty()) bins.emplace_back(bin_width * static_cast<double>(bin), median(std::move(heights[bin])));
+  }
   std::vector<double> slopes;
   for (std::size_t i = 0; i < bins.size(); ++i) {
     for (std::size_t j = i + 1; j < bins.size(); ++j)

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from conftest import SMALL_TANK
-from programs import TIMEOUT, run_program
+from programs import TIMEOUT
 from results import Array, Run, read_pcd, write_pcd
 
 Runner = Callable[..., Run]
+Synth = Callable[..., Path]
 PYTHON = "/usr/bin/python3"  # Debian's, which has python3-open3d
 
 WRITE = """
@@ -45,18 +45,13 @@ KINDS: dict[str, Callable[[Array], Array]] = {
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Array]:
+def written(synth: Synth, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Array]:
     """The folder of Open3D's files, and the points that it was given."""
     there = subprocess.run([PYTHON, "-c", "import open3d"], capture_output=True, timeout=TIMEOUT)
     if there.returncode != 0:
         pytest.skip(f"{PYTHON} has no open3d")
     folder = tmp_path_factory.mktemp("open3d")
-    words = [str(word) for pair in SMALL_TANK for word in pair]
-    made = run_program(
-        "tank_datum_synth", ["-o", folder / "made.pcd", "--quiet", "--double", *words]
-    )
-    assert made.returncode == 0, made.stderr
-    columns = read_pcd(folder / "made.pcd")
+    columns = read_pcd(synth("--double"))
     points = np.stack([columns[n] for n in "xyz"], axis=1)
     np.save(folder / "points.npy", points)
     words = [PYTHON, "-c", WRITE, folder / "points.npy", *(folder / kind for kind in KINDS)]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "core/units.h"
@@ -121,23 +122,30 @@ TEST(MergedScans, SixArcsTellADisagreementFiveDoNot) {
   EXPECT_GT(disagreementIn(8), 0.002);
 }
 
-/// What two scans of twenty arcs disagree by, 2 mm apart, where the surface falls so steeply away from the shell.
-double disagreementOnFall(double fall) {
-  std::mt19937_64 random(6);
+/// What two scans of twenty arcs disagree by, whose points beside the shell lie at heights of their scan, arc and
+/// distance, with noise.
+double disagreementOfTwo(std::uint64_t seed, double sigma, const std::function<double(bool, int, double)>& height) {
+  std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> any;
-  std::normal_distribution<double> noise(0.0, 0.0005);
+  std::normal_distribution<double> noise(0.0, sigma);
   Ring ring;
   ring.reach = 0.5;
-  for (const double error : {0.001, -0.001}) {
+  for (const bool second : {false, true}) {
     for (int i = 0; i < 200 * 20; ++i) {
       const double azimuth = toRadians(2.5 * (i + 0.5) / 200.0);
       const bool shell = i % 4 == 0;
       const double d = shell ? 0.0 : 0.03 + 0.3 * any(random);
-      const double z = shell ? 0.2 + 0.3 * any(random) : error - fall * d + noise(random);
+      const double z = shell ? 0.2 + 0.3 * any(random) : height(second, i / 200, d) + noise(random);
       ring.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), z});
     }
   }
   return mergedDisagreement(ring, madeTank());
+}
+
+/// Of two scans 2 mm apart, where the surface falls so steeply away from the shell.
+double disagreementOnFall(double fall) {
+  return disagreementOfTwo(6, 0.0005,
+                           [fall](bool second, int, double d) { return (second ? -0.001 : 0.001) - fall * d; });
 }
 
 TEST(MergedScans, BanksLookAnotherFromEachPlace) {
@@ -145,23 +153,11 @@ TEST(MergedScans, BanksLookAnotherFromEachPlace) {
   EXPECT_EQ(disagreementOnFall(0.20), 0.0);
 }
 
-/// What two scans of twenty arcs disagree by, of which the second is 1.5 mm higher in some.
+/// Of two scans of which the second is 1.5 mm higher in some arcs.
 double withHigher(const std::vector<int>& arcs, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> any;
-  std::normal_distribution<double> noise(0.0, 0.004);
-  Ring ring;
-  ring.reach = 0.5;
-  for (const bool second : {false, true}) {
-    for (int i = 0; i < 200 * 20; ++i) {
-      const double azimuth = toRadians(2.5 * (i + 0.5) / 200.0);
-      const bool is_higher = second && std::find(arcs.begin(), arcs.end(), i / 200) != arcs.end(), shell = i % 4 == 0;
-      const double d = shell ? 0.0 : 0.03 + 0.3 * any(random);
-      const double z = shell ? 0.2 + 0.3 * any(random) : (is_higher ? 0.0015 : 0.0) + noise(random);
-      ring.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), z});
-    }
-  }
-  return mergedDisagreement(ring, madeTank());
+  return disagreementOfTwo(seed, 0.004, [&arcs](bool second, int arc, double) {
+    return second && std::find(arcs.begin(), arcs.end(), arc) != arcs.end() ? 0.0015 : 0.0;
+  });
 }
 
 TEST(MergedScans, ArcsTellADisagreementWhereTheirNeighboursDoToo) {
