@@ -89,6 +89,16 @@ std::size_t decode(const CoordinateColumns& xyz, std::size_t rows, const Frame& 
   return kept;
 }
 
+/// Labels that no test is needed of, as LAS has them.
+void copyShort(const CoordinateColumn& label, std::size_t rows, Labels& labels) {
+  labels.resize(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    std::uint16_t stored = 0;
+    std::memcpy(&stored, label.first + i * label.stride, sizeof stored);
+    labels[i] = stored;
+  }
+}
+
 }  // namespace
 
 void decodeRows(const CoordinateColumns& xyz, std::size_t rows, const Frame& frame, Points& points) {
@@ -141,6 +151,8 @@ void decodeLabels(const CoordinateColumn& label, const CoordinateColumns& xyz, s
                                            LoadNumber(xyz[2].number)};
   const LoadNumber load(label.number);
   const bool all_finite = allFinite(xyz, frame);
+  const auto is_short = label.number.type == 'U' && label.number.size == 2 && !label.number.swapped;
+  if (all_finite && is_short && !label.number.scaled) return copyShort(label, rows, labels);
   for (std::size_t i = 0; i < rows; ++i) {
     bool finite = true;
     for (std::size_t axis = 0; axis < 3 && !all_finite; ++axis) {

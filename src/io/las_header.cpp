@@ -8,13 +8,13 @@
 #include "core/plain_text.h"
 #include "io/input_file.h"
 #include "io/io_error.h"
+#include "io/las_rows.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr std::size_t kShortestHeader = 227;  // bytes, of versions 1.0 to 1.2
 constexpr std::size_t kHeader14 = 375;        // of version 1.4
-constexpr std::array<std::size_t, 11> kPointBytes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};  // of formats 0 to 10
 
 /// The header's bytes, little-endian as this machine is.
 class LasBytes {
@@ -47,8 +47,7 @@ struct LasFacts {
   unsigned minor = 0;  ///< of version 1.minor
   unsigned header_bytes = 0;
   std::uint64_t data_offset = 0;
-  unsigned format = 0;  ///< of a point
-  std::size_t row_bytes = 0;
+  LasStorage stored;
   std::uint64_t points = 0;
 };
 
@@ -62,15 +61,15 @@ void checkVersion(const InputFile& file, const LasBytes& bytes, LasFacts& facts)
 }
 
 void checkFormat(const InputFile& file, const LasBytes& bytes, LasFacts& facts) {
-  facts.format = bytes.at<std::uint8_t>(104);
-  if (facts.format >= kPointBytes.size()) {
-    throw fileError("LAS point format", file.path(), std::to_string(facts.format), "0 to 10");
+  facts.stored.format = bytes.at<std::uint8_t>(104);
+  if (facts.stored.format >= kLasPointBytes.size()) {
+    throw fileError("LAS point format", file.path(), std::to_string(facts.stored.format), "0 to 10");
   }
-  facts.row_bytes = bytes.at<std::uint16_t>(105);
-  if (facts.row_bytes < kPointBytes[facts.format]) {
-    throw fileError(
-        "LAS point length", file.path(), std::to_string(facts.row_bytes) + " bytes",
-        "at least " + std::to_string(kPointBytes[facts.format]) + " of point format " + std::to_string(facts.format));
+  facts.stored.row_bytes = bytes.at<std::uint16_t>(105);
+  if (facts.stored.row_bytes < kLasPointBytes[facts.stored.format]) {
+    throw fileError("LAS point length", file.path(), std::to_string(facts.stored.row_bytes) + " bytes",
+                    "at least " + std::to_string(kLasPointBytes[facts.stored.format]) + " of point format " +
+                        std::to_string(facts.stored.format));
   }
 }
 
@@ -93,15 +92,14 @@ void checkPlace(const InputFile& file, const LasBytes& bytes, LasFacts& facts) {
 void checkPoints(const InputFile& file, const LasBytes& bytes, LasFacts& facts) {
   if (facts.minor == 4) facts.points = bytes.at<std::uint64_t>(247);
   if (facts.points == 0) facts.points = bytes.at<std::uint32_t>(107);
-  const std::uint64_t most = (file.size() - facts.data_offset) / facts.row_bytes;
+  const std::uint64_t most = (file.size() - facts.data_offset) / facts.stored.row_bytes;
   if (facts.points > most) {
     throw fileError("points", file.path(), std::to_string(facts.points) + " in the header",
                     "at most " + std::to_string(most) + ", all that " + std::to_string(file.size()) + " bytes hold");
   }
 }
 
-/// How an axis is stored.
-StoredNumber numberOf(const InputFile& file, const LasBytes& bytes, std::size_t axis) {
+void checkScale(const InputFile& file, const LasBytes& bytes, std::size_t axis, LasStorage& stored) {
   constexpr double kLargest = 0x1p31;  // of what is stored
   const double scale = bytes.at<double>(131 + 8 * axis), shift = bytes.at<double>(155 + 8 * axis);
   const std::string name(1, "xyz"[axis]);
@@ -111,19 +109,8 @@ StoredNumber numberOf(const InputFile& file, const LasBytes& bytes, std::size_t 
   if (!std::isfinite(shift) || !std::isfinite(std::abs(shift) + kLargest * scale)) {
     throw fileError("LAS offset of " + name, file.path(), fixedText(shift), "a number");
   }
-  return {'I', 4, false, true, scale, shift};
-}
-
-RowFilter filterOf(unsigned format, const std::vector<int>& classes) {
-  RowFilter filter;
-  if (format < 6) {
-    filter = {15, 0x1f, 15, 0x80, {}};
-  } else {
-    filter = {16, 0xff, 15, 0x04, {}};
-  }
-  filter.wanted.fill(classes.empty());
-  for (const int code : classes) filter.wanted[static_cast<std::size_t>(code)] = true;
-  return filter;
+  stored.scales[axis] = scale;
+  stored.shifts[axis] = shift;
 }
 
 }  // namespace
@@ -135,9 +122,10 @@ RecordRows readLasHeader(const InputFile& file, const std::vector<int>& classes)
   checkFormat(file, bytes, facts);
   checkPlace(file, bytes, facts);
   checkPoints(file, bytes, facts);
-  RecordRows records{facts.data_offset, facts.points, facts.row_bytes, {}, {}, filterOf(facts.format, classes)};
-  for (std::size_t axis = 0; axis < 3; ++axis) records.xyz[axis] = {4 * axis, numberOf(file, bytes, axis)};
-  records.label = RecordColumn{facts.format < 6 ? 18U : 20U, {'U', 2}};
+  for (std::size_t axis = 0; axis < 3; ++axis) checkScale(file, bytes, axis, facts.stored);
+  RecordRows records = lasRows(facts.stored, classes);
+  records.offset = facts.data_offset;
+  records.rows = facts.points;
   return records;
 }
 

@@ -16,6 +16,12 @@ ReadAhead::~ReadAhead() {
 }
 
 bool ReadAhead::take(ScanBlocks::Block& block) {
+  if (!fetch(block)) return false;
+  if (block.finish) block.finish(block);
+  return true;
+}
+
+bool ReadAhead::fetch(ScanBlocks::Block& block) {
   if (asked_ == 0) start();
   std::unique_lock<std::mutex> lock(mutex_);
   ++asked_;

@@ -19,12 +19,13 @@ class ReadAhead {
   ReadAhead& operator=(const ReadAhead&) = delete;
   ~ReadAhead();  ///< waits for the block that is being read
 
-  /// Replaces the block by the next one; false behind the last. Nothing is read ahead of the second call: many look at
-  /// no more than the first block.
+  /// Replaces the block by the next one, finished; false behind the last. Nothing is read ahead of the second call:
+  /// many look at no more than the first block.
   /// @throws what the source throws
   bool take(ScanBlocks::Block& block);
 
  private:
+  bool fetch(ScanBlocks::Block& block);
   void start();
   void serve();
 

@@ -53,11 +53,16 @@ std::uint64_t recordBlockCount(const RecordRows& records) {
 
 ScanCounts decodeRecordBlock(const InputFile& file, const RecordRows& records, const Frame& frame,
                              const BlockRows& chosen, BlockBuffer& buffer) {
-  RowChoice choice = chosen.choice;
   const std::uint64_t begin = chosen.block * rowsPerBlock(records);
   const std::size_t rows = std::min<std::size_t>(rowsPerBlock(records), records.rows - begin);
   buffer.bytes.resize(rows * records.row_bytes);
   file.read(records.offset + begin * records.row_bytes, buffer.bytes.data(), buffer.bytes.size());
+  return decodeRecords(records, rows, frame, chosen.choice, buffer);
+}
+
+ScanCounts decodeRecords(const RecordRows& records, std::size_t rows, const Frame& frame, const RowChoice& chosen,
+                         BlockBuffer& buffer) {
+  RowChoice choice = chosen;
   ScanCounts counts{rows, 0};
   std::size_t looked_at = choice.of(rows);
   if (choice.step != 1) counts.invalid = countInvalid(columnsOf(records, buffer.bytes.data(), {}), rows, frame);
@@ -72,7 +77,7 @@ ScanCounts decodeRecordBlock(const InputFile& file, const RecordRows& records, c
   if (records.label) {
     decodeLabels(columnOf(records, *records.label, buffer.bytes.data(), choice), xyz, looked_at, frame, buffer.labels);
   }
-  if (chosen.choice.step == 1) counts.invalid = looked_at - buffer.points.size();
+  if (chosen.step == 1) counts.invalid = looked_at - buffer.points.size();
   return counts;
 }
 

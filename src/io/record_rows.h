@@ -50,6 +50,10 @@ std::uint64_t recordBlockCount(const RecordRows& records);
 ScanCounts decodeRecordBlock(const InputFile& file, const RecordRows& records, const Frame& frame,
                              const BlockRows& chosen, BlockBuffer& buffer);
 
+/// The same of so many rows that buffer.bytes holds; what they hold is lost.
+ScanCounts decodeRecords(const RecordRows& records, std::size_t rows, const Frame& frame, const RowChoice& chosen,
+                         BlockBuffer& buffer);
+
 /// The longest step of the three coordinates at a place of the scan's frame [m].
 double stepAt(const std::array<RecordColumn, 3>& xyz, const Eigen::Vector3d& place, double metres_per_unit);
 

@@ -111,7 +111,10 @@ class BlockStream : public Scan::Source {
     std::uint64_t points = 0;
     ScanBlocks::Block block;
     const ScanBlocks::Next next = blocks_.start();
-    while (next(block)) points += block.points.size() + block.invalid + block.left_out;
+    while (next(block)) {
+      if (block.finish) block.finish(block);
+      points += block.points.size() + block.invalid + block.left_out;
+    }
     return points;
   }
 

@@ -10,6 +10,7 @@
 #include "io/e57_pages.h"
 #include "io/scan_format.h"
 #include "job.h"
+#include "las_block.h"
 #include "report/section_json.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
@@ -108,13 +109,13 @@ PYBIND11_MODULE(_core, module) {
   });
   addResult(module);
   addStages(module);
+  addLasBlock(module);
   addStudies(module);
   addPrograms(module);
   module.def("run", &run);
   module.def("run_command", &runCommand);
   module.def("stop_command_by", &stopCommandBy);
   module.def("foreign_format", &foreignFormatOf);
-  module.def("scaled_points", &scaledPoints);
   module.def("e57_pages_are_sound", [](const py::bytes& path, std::uint64_t first, std::uint64_t count) {
     const std::string bytes = path;
     const py::gil_scoped_release unlocked;

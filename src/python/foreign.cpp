@@ -9,6 +9,7 @@
 #include <optional>
 #include <tuple>
 
+#include "las_block.h"
 #include "tank_datum/core/error.h"
 
 namespace py = pybind11;
@@ -55,13 +56,8 @@ struct Reader {
 
 Eigen::Vector3d vectorOf(const std::array<double, 3>& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
 
-/// Fills a block with the next that an iterator of Python's yields: points, setups, invalid, left_out.
-bool fetch(PyObject* iterator, double metres_per_unit, ScanBlocks::Block& block) {
-  const auto item = py::reinterpret_steal<py::object>(PyIter_Next(iterator));
-  if (!item) {
-    if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-    return false;
-  }
+/// Fills a block with points, setups, invalid, left_out.
+void fill(const py::object& item, double metres_per_unit, ScanBlocks::Block& block) {
   using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
   using Numbers = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
   const auto [points, setups, invalid, left_out] = item.cast<std::tuple<Rows, Numbers, std::uint64_t, std::uint64_t>>();
@@ -79,6 +75,25 @@ bool fetch(PyObject* iterator, double metres_per_unit, ScanBlocks::Block& block)
   }
   block.invalid = invalid;
   block.left_out = left_out;
+}
+
+/// Fills a block with the next that an iterator of Python's yields. A LasBlock is decoded by whom looks at it, while
+/// Python reads the next one.
+bool fetch(PyObject* iterator, const Reader& reader, ScanBlocks::Block& block) {
+  auto item = py::reinterpret_steal<py::object>(PyIter_Next(iterator));
+  if (!item) {
+    if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+    return false;
+  }
+  block.finish = nullptr;
+  if (py::isinstance<LasBlock>(item)) {
+    const auto* las = item.cast<const LasBlock*>();
+    block.finish = [las, kept = shared(item, reader.gate), unit = reader.metres_per_unit](ScanBlocks::Block& whole) {
+      las->decode(unit, whole);
+    };
+  } else {
+    fill(item, reader.metres_per_unit, block);
+  }
   return true;
 }
 
@@ -89,7 +104,7 @@ ScanBlocks::Next begin(const Reader& reader, const char* method, const Argument&
   reader.enter([&] { iterator = shared(py::handle(reader.object.get()).attr(method)(argument), reader.gate); });
   return [reader, iterator](ScanBlocks::Block& block) {
     bool more = false;
-    reader.enter([&] { more = fetch(iterator.get(), reader.metres_per_unit, block); });
+    reader.enter([&] { more = fetch(iterator.get(), reader, block); });
     return more;
   };
 }
@@ -117,27 +132,6 @@ ScanBlocks blocksOf(const Reader& reader) {
 }
 
 }  // namespace
-
-py::array_t<double> scaledPoints(const std::array<Steps, 3>& columns, const std::array<double, 3>& scales,
-                                 const std::array<double, 3>& offsets) {
-  const py::ssize_t rows = columns[0].size();
-  std::array<const char*, 3> from{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (columns[axis].ndim() != 1 || columns[axis].size() != rows) throw py::value_error("columns of different shapes");
-    from[axis] = reinterpret_cast<const char*>(columns[axis].data());
-  }
-  py::array_t<double> points({rows, py::ssize_t{3}});
-  double* to = points.mutable_data();
-  for (py::ssize_t i = 0; i < rows; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::int32_t steps = 0;  // of a record of any length: not aligned
-      std::memcpy(&steps, from[axis], sizeof steps);
-      from[axis] += columns[axis].strides(0);
-      *to++ = steps * scales[axis] + offsets[axis];
-    }
-  }
-  return points;
-}
 
 void PythonGate::enter(const std::function<void()>& call) {
   const std::lock_guard<std::mutex> alone(one_);

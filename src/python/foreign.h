@@ -2,8 +2,6 @@
 
 #include <pybind11/numpy.h>
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -35,13 +33,6 @@ class PythonGate {
 /// Points that an object of Python's yields, see Blocks in tank_datum/_foreign.py. To be called without the
 /// interpreter's lock.
 ScanBlocks blocksFrom(const std::shared_ptr<PythonGate>& gate, const pybind11::handle& reader, double metres_per_unit);
-
-/// Coordinates as LAS stores them, of any stride.
-using Steps = pybind11::array_t<std::int32_t, 0>;
-
-/// Points of shape (n, 3), each coordinate its steps times the scale plus the offset of its axis, as NumPy rounds it.
-pybind11::array_t<double> scaledPoints(const std::array<Steps, 3>& columns, const std::array<double, 3>& scales,
-                                       const std::array<double, 3>& offsets);
 
 /// Reads scans through the package's Python readers. To be called with the interpreter's lock held; what it returns
 /// is called without.

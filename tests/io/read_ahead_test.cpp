@@ -59,6 +59,27 @@ TEST(ReadAhead, IsOneAheadFromTheSecondBlockOn) {
   EXPECT_EQ(blocks.read, 3U);
 }
 
+TEST(ReadAhead, WhoTakesABlockFinishesIt) {
+  std::set<std::thread::id> finishers;
+  std::uint32_t read = 0;
+  ReadAhead ahead([&](ScanBlocks::Block& block) {
+    block.setup = read;
+    block.finish = [&finishers](ScanBlocks::Block& whole) {
+      finishers.insert(std::this_thread::get_id());
+      whole.points.assign(whole.setup + 1, Eigen::Vector3d::Zero());
+    };
+    if (read % 2 == 1) block.finish = nullptr, block.points.clear();
+    return ++read <= 4;
+  });
+  ScanBlocks::Block block;
+  for (const std::size_t rows : {1U, 0U, 3U, 0U}) {
+    ASSERT_TRUE(ahead.take(block));
+    EXPECT_EQ(block.points.size(), rows);
+  }
+  EXPECT_FALSE(ahead.take(block));
+  EXPECT_EQ(finishers, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
 TEST(ReadAhead, ThrowsWhatTheSourceThrowsWhenThatBlockIsAskedFor) {
   int read = 0;
   ReadAhead ahead([&read](ScanBlocks::Block&) -> bool {

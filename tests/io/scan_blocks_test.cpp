@@ -40,6 +40,24 @@ struct Made {
   }
 };
 
+TEST(ScanBlocks, PointsMayComeWithTheLookAtThem) {
+  Made made{{10, 0, 40'000, 5'000}};
+  ScanBlocks blocks = made.blocks(), later = blocks;
+  later.start = [start = blocks.start]() -> ScanBlocks::Next {
+    return [next = start()](ScanBlocks::Block& block) {
+      ScanBlocks::Block whole;
+      if (!next(whole)) return false;
+      block.points.clear();
+      block.finish = [whole](ScanBlocks::Block& asked) { asked.points = whole.points, asked.setup = whole.setup; };
+      return true;
+    };
+  };
+  const auto [at_once, then] = std::pair(Scan::fromBlocks(blocks), Scan::fromBlocks(later));
+  EXPECT_EQ(then.size(), 45'010U);
+  EXPECT_EQ(passOf(then).points, passOf(at_once).points);
+  EXPECT_EQ(passOf(then, 1, 3).points, passOf(at_once, 1, 3).points);
+}
+
 TEST(ScanBlocks, AnySizesAreReadInOrderAndAgain) {
   Made made{{10, 0, 40'000, 5'000}};
   const Scan scan = Scan::fromBlocks(made.blocks());

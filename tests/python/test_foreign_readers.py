@@ -95,15 +95,21 @@ def test_checksums_are_looked_at_until_a_pass_was_whole(tmp_path: Path) -> None:
             list(broken.blocks(None))
 
 
-def test_every_nth_chunk_of_laz(tmp_path: Path) -> None:
-    """The rows of those chunks, the last and shorter one among them; the others are left out."""
+def chunked(path: Path, rows: int) -> laspy.LasData:
+    """A file in chunks of 50 000 points."""
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = [0.001] * 3
     cloud = laspy.LasData(header)
-    rows = 2 * _foreign.BLOCK + 70_000  # of chunks of 50 000
     cloud.x, cloud.y, cloud.z = (np.arange(rows) * 0.01 + i for i in range(3))
     cloud.classification = np.where(np.arange(rows) % 10 == 3, 7, 2)
-    cloud.write(tmp_path / "cloud.laz")
+    cloud.write(path)
+    return cloud
+
+
+def test_every_nth_chunk_of_laz(tmp_path: Path) -> None:
+    """The rows of those chunks, the last and shorter one among them; the others are left out."""
+    rows = 2 * _foreign.BLOCK + 70_000
+    cloud = chunked(tmp_path / "cloud.laz", rows)
     reader: Any = _foreign.open_blocks(str(tmp_path / "cloud.laz"), "LAZ", [2])
     assert reader.parts == -(-rows // 50_000)
     kept = np.asarray(cloud.classification) == 2
@@ -113,6 +119,45 @@ def test_every_nth_chunk_of_laz(tmp_path: Path) -> None:
         wanted = kept & (np.arange(rows) // 50_000 % n == 0)
         np.testing.assert_array_equal(np.concatenate([b for b, *_ in blocks]), cloud.xyz[wanted])
         assert sum(len(block) + left_out for block, _, _, left_out in blocks) == rows
+
+
+@pytest.mark.parametrize(("held", "read_again"), [(1 << 29, 0), (0, 3)])
+def test_chunks_that_were_looked_at_are_decompressed_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, held: int, read_again: int
+) -> None:
+    """Where there is room to hold them; each point comes once, in order, in later passes too."""
+    from tank_datum import _laz
+
+    monkeypatch.setattr(_laz, "HELD", held)
+    cloud = chunked(tmp_path / "cloud.laz", 430_000)  # 9 chunks
+    reader: Any = _laz.open_blocks(str(tmp_path / "cloud.laz"), [])
+    list(reader.every(4))
+    read: list[int] = []
+    decompressed = reader._decompressed
+
+    def counting(chunks: Any, wanted: Any) -> Any:
+        read.extend(wanted)
+        return decompressed(chunks, wanted)
+
+    monkeypatch.setattr(reader, "_decompressed", counting)
+    for again in (read_again, 3):
+        read.clear()
+        points = np.concatenate([block for block, *_ in reader.blocks(None)])
+        np.testing.assert_array_equal(points, cloud.xyz)
+        assert sorted(read) == [i for i in range(9) if i % 4 or again]
+
+
+@pytest.mark.parametrize("bytes_of_a_point", [19, 0])
+def test_records_shorter_than_their_format(bytes_of_a_point: int) -> None:
+    from tank_datum import _core
+
+    ones = np.ones(3)
+    with pytest.raises(ValueError, match="shorter than their point format"):
+        _core.LasBlock([], 0, bytes_of_a_point, ones, ones, [], 0)
+    with pytest.raises(ValueError, match="another length"):
+        _core.LasBlock([np.zeros((2, 21), np.uint8)], 0, 20, ones, ones, [], 0)
+    with pytest.raises(ValueError, match="shorter than their point format"):
+        _core.LasBlock([], 11, 200, ones, ones, [], 0)
 
 
 def test_chunks_of_other_sizes_are_all_read(data: Path) -> None:

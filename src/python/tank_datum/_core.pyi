@@ -1,4 +1,4 @@
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,19 @@ class Compared:
     def movements(self) -> list[NDArray[Any]]: ...
     def save(self, folder: bytes) -> None: ...
 
+class LasBlock:
+    def __init__(
+        self,
+        records: Sequence[NDArray[np.uint8]],
+        format: int,
+        row_bytes: int,
+        scales: NDArray[np.float64],
+        shifts: NDArray[np.float64],
+        classes: Sequence[int],
+        left_out: int,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[Any]: ...
+
 def run(
     function: str,
     paths: Sequence[bytes],
@@ -40,11 +53,6 @@ def run(
 def run_command(words: Sequence[bytes]) -> int: ...
 def stop_command_by(number: int, program: str) -> None: ...
 def foreign_format(path: bytes) -> str: ...
-def scaled_points(
-    columns: Sequence[NDArray[np.int32]],
-    scales: NDArray[np.float64],
-    offsets: NDArray[np.float64],
-) -> NDArray[np.float64]: ...
 def e57_pages_are_sound(path: bytes, first: int, count: int) -> bool: ...
 def defaults() -> dict[str, Any]: ...
 def keywords_of_scans() -> list[str]: ...

@@ -14,11 +14,13 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from tank_datum import _core
+
 FIRST_BLOCK = 1 << 16  # rows; a look at the beginning of a file should not take long
 BLOCK = 1 << 20  # rows
 
 Place = tuple[float, float, float]
-Block = tuple[NDArray[np.float64], NDArray[np.uint32], int, int]
+Block = tuple[NDArray[np.float64], NDArray[np.uint32], int, int] | _core.LasBlock
 
 
 class Unreadable(Exception):

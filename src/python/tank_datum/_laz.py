@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import os
 from collections.abc import Iterator, Sequence
+from itertools import accumulate
 
 import laspy
 import lazrs
@@ -33,6 +34,8 @@ from tank_datum._laz_layout import (
 # What laspy logs it raises too.
 logging.getLogger("laspy").addHandler(logging.NullHandler())
 
+Records = NDArray[np.uint8]  # of shape (points, bytes of a point)
+
 # What of a point is decompressed, where its format allows to choose.
 NEEDED = (
     laspy.DecompressionSelection.XY_RETURNS_CHANNEL
@@ -42,9 +45,7 @@ NEEDED = (
     | laspy.DecompressionSelection.POINT_SOURCE_ID
 )
 
-FIRST_NEW = 6  # of the point formats
-WITHHELD = 0x04  # of the flags of formats 6 to 10
-OLD_CLASS, OLD_WITHHELD = 0x1F, 0x80  # of the byte that formats 0 to 5 have for both
+HELD = 1 << 29  # bytes at most of what every() decompressed, for the next pass
 
 
 class LazFile:
@@ -72,13 +73,8 @@ class LazFile:
         self.size = int(header.point_count)
         self.step = float(max(header.scales))
         self.setups: dict[int, tuple[str, Place | None]] = {0: ("", None)}
-        self._wanted = np.full(256, not classes)
-        self._wanted[list(classes)] = True
-        # formats 0 to 5 have the class and its flags in one byte
-        bytes_of = np.arange(256)
-        self._wanted_old = self._wanted[bytes_of & OLD_CLASS] & (
-            bytes_of & OLD_WITHHELD == 0
-        )
+        self._classes = classes
+        self._held: dict[int, Records] = {}  # chunks
 
     def _begin(self) -> laspy.LasReader:
         self._source.seek(0)
@@ -92,69 +88,88 @@ class LazFile:
 
     def blocks(self, wanted: Sequence[int] | None) -> Iterator[Block]:
         with refusing(self._path, "LAZ"):
-            reader = self._begin()
-            for rows in sizes(self.size):
-                points = reader.read_points(rows)
-                if len(points) != rows:
-                    done = reader.points_read - rows + len(points)
-                    raise Unreadable(
-                        f"points of {self._path}", done, f"{self.size} of the header"
-                    )
-                yield self._block(points, reader.header)
+            header = self._begin().header
+            runs = self._of_chunks(self._chunks) if self._chunks else self._in_order()
+            for records in runs:
+                yield self._block(records, header)
 
     def every(self, n: int) -> Iterator[Block]:
-        """Every n-th chunk, as many at once as make a block."""
+        """Every n-th chunk, as many at once as make a block. They are held for the next pass."""
         assert self._chunks is not None
         header = self._begin().header
         at_once = n * max(1, BLOCK // self._chunks.rows)
         for first in range(0, self.parts, at_once):
             behind = min(self.parts, first + at_once)
+            numbers = range(first, behind, n)
             with refusing(self._path, "LAZ"):
-                points = self._decompressed(
-                    self._chunks, header, range(first, behind, n)
-                )
-            xyz, labels, invalid, left_out = self._block(points, header)
+                records = self._decompressed(self._chunks, numbers)
+                self._hold(self._chunks, numbers, records)
             rows = (
                 min(self.size, behind * self._chunks.rows) - first * self._chunks.rows
             )
-            yield xyz, labels, invalid, left_out + rows - len(points)
+            yield self._block([records], header, rows - len(records))
 
-    def _decompressed(
-        self, chunks: Chunks, header: laspy.LasHeader, wanted: Sequence[int]
-    ) -> laspy.ScaleAwarePointRecord:
+    def _in_order(self) -> Iterator[list[Records]]:
+        """All points, through a reader to which the chunks do not matter."""
+        reader = self._begin()
+        for rows in sizes(self.size):
+            points = reader.read_points(rows)
+            if len(points) != rows:
+                done = reader.points_read - rows + len(points)
+                raise Unreadable(
+                    f"points of {self._path}", done, f"{self.size} of the header"
+                )
+            yield [points.array.view(np.uint8).reshape(rows, -1)]
+
+    def _of_chunks(self, chunks: Chunks) -> Iterator[list[Records]]:
+        """All points, those of held chunks without another look at the file."""
+        first, at_once = 0, 1  # a look at the beginning should not take long
+        while first < self.parts:
+            numbers = range(first, min(self.parts, first + at_once))
+            fresh = [i for i in numbers if i not in self._held]
+            read = self._divided(chunks, fresh, self._decompressed(chunks, fresh))
+            yield [self._held.pop(i) if i in self._held else read[i] for i in numbers]
+            first, at_once = first + at_once, max(1, BLOCK // chunks.rows)
+
+    def _divided(
+        self, chunks: Chunks, numbers: Sequence[int], records: Records
+    ) -> dict[int, Records]:
+        """The rows of each chunk."""
+        behind = accumulate(chunks.of(i, self.size) for i in numbers)
+        return {
+            i: records[end - chunks.of(i, self.size) : end]
+            for i, end in zip(numbers, behind, strict=True)
+        }
+
+    def _decompressed(self, chunks: Chunks, wanted: Sequence[int]) -> Records:
         compressed, table = bytearray(), []
         for i in wanted:
             begin, end = chunks.offsets[i : i + 2]
             compressed += read_at(self._source, begin, end - begin, self._path)
             table.append((chunks.of(i, self.size), end - begin))
-        points = np.zeros(sum(rows for rows, _ in table), header.point_format.dtype())
+        records = np.empty((sum(rows for rows, _ in table), chunks.row_bytes), np.uint8)
         lazrs.decompress_points_with_chunk_table(
-            compressed, chunks.record, points.view(np.uint8), table, NEEDED.to_lazrs()
+            compressed, chunks.record, records.reshape(-1), table, NEEDED.to_lazrs()
         )
-        return laspy.ScaleAwarePointRecord(
-            points, header.point_format, header.scales, header.offsets
-        )
+        return records
+
+    def _hold(self, chunks: Chunks, numbers: Sequence[int], records: Records) -> None:
+        room = HELD - sum(held.nbytes for held in self._held.values())
+        if records.nbytes <= room:
+            self._held |= self._divided(chunks, numbers, records)
 
     def _block(
-        self, points: laspy.ScaleAwarePointRecord, header: laspy.LasHeader
+        self, records: Sequence[Records], header: laspy.LasHeader, left_out: int = 0
     ) -> Block:
-        kept = self._kept(points)
-        rows = points.array if kept.all() else points.array[kept]
-        columns = [rows[axis] for axis in "XYZ"]
-        xyz = _core.scaled_points(columns, header.scales, header.offsets)
-        labels = rows["point_source_id"].astype(np.uint32)
-        return xyz, labels, 0, len(kept) - len(rows)
-
-    def _kept(self, points: laspy.ScaleAwarePointRecord) -> NDArray[np.bool_]:
-        """Which rows are of a class that is wanted, and not withheld."""
-        rows = points.array
-        kept: NDArray[np.bool_]
-        if points.point_format.id < FIRST_NEW:
-            kept = self._wanted_old[rows["raw_classification"]]
-        else:
-            kept = self._wanted[rows["classification"]]
-            kept &= rows["classification_flags"] & WITHHELD == 0
-        return kept
+        return _core.LasBlock(
+            records,
+            header.point_format.id,
+            header.point_format.size,
+            header.scales,
+            header.offsets,
+            self._classes,
+            left_out,
+        )
 
 
 def open_blocks(path: str, classes: Sequence[int]) -> LazFile:

@@ -83,6 +83,7 @@ class Chunks:
     """Where the chunks of a file are that all have so many rows, but for the last."""
 
     record: bytes  # of LASzip
+    row_bytes: int
     rows: int
     offsets: list[int]  # of their bytes in the file, and of the end of the last
 
@@ -145,7 +146,12 @@ def even_chunks(table: ChunkTable, header: laspy.LasHeader) -> Chunks | None:
     if not 0 < rows <= BLOCK or len(table.listed) != -(-header.point_count // rows):
         return None
     held = (held for _, held in table.listed)
-    return Chunks(table.record, rows, list(accumulate(held, initial=table.begin)))
+    return Chunks(
+        table.record,
+        record.item_size(),
+        rows,
+        list(accumulate(held, initial=table.begin)),
+    )
 
 
 def _layers_of(record: bytes) -> int:

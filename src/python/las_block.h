@@ -1,0 +1,42 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "io/las_rows.h"
+#include "tank_datum/io/scan.h"
+
+namespace tank_datum::python {
+
+/// Points as LAS stores them, decoded when they are asked for.
+class LasBlock {
+ public:
+  /// Of shape (points, bytes of a point), one after the other.
+  using Records = pybind11::array_t<std::uint8_t, pybind11::array::c_style>;
+
+  /// @param left_out  rows beside these that are not wanted
+  /// @throws pybind11::value_error when records are shorter than their point format
+  LasBlock(std::vector<Records> records, const LasStorage& storage, const std::vector<int>& classes,
+           std::uint64_t left_out);
+
+  /// Fills the block. The interpreter's lock is not needed.
+  void decode(double metres_per_unit, ScanBlocks::Block& block) const;
+
+ private:
+  struct Part {
+    const char* bytes = nullptr;
+    std::size_t rows = 0;
+  };
+
+  std::vector<Records> records_;  // keeps the bytes of the parts
+  std::vector<Part> parts_;
+  std::size_t rows_ = 0;  // of all parts
+  RecordRows stored_;
+  std::uint64_t left_out_;
+};
+
+void addLasBlock(pybind11::module_& module);
+
+}  // namespace tank_datum::python
