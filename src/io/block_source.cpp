@@ -1,6 +1,8 @@
 #include "io/block_source.h"
 
 #include <algorithm>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
@@ -49,6 +51,20 @@ void tell(const Scan::Source::ChosenVisitor& told, const ScanCounts& read, const
   for (std::size_t k = 0; k < chosen.size(); ++k) told(k == 0 ? read : ScanCounts{}, chosen[k].points, chosen[k].label);
 }
 
+/// Blocks that are decoded together, to be told in their order.
+struct Round {
+  explicit Round(std::size_t most) : chosen(most), read(most) {}
+
+  void tellOnce(const Scan::Source::ChosenVisitor& told) {
+    const std::size_t untold = std::exchange(blocks, 0);
+    for (std::size_t i = 0; i < untold; ++i) tell(told, read[i], chosen[i]);
+  }
+
+  std::vector<std::vector<ChosenOfLabel>> chosen;
+  std::vector<ScanCounts> read;
+  std::size_t blocks = 0;  // that were not told yet
+};
+
 }  // namespace
 
 ScanCounts BlockSource::visit(const Eigen::Vector3d& origin, const BlockVisitor& visit) const {
@@ -72,18 +88,22 @@ void BlockSource::choose(const Eigen::Vector3d& origin, const Choice& choice, in
                          const ChosenVisitor& told) const {
   constexpr std::uint64_t kRound = 64;  // blocks; a million rows between two calls of told
   const std::uint64_t count = blockCount();
-  std::vector<std::vector<ChosenOfLabel>> chosen(kRound);
-  std::vector<ScanCounts> read(kRound);
+  Round now(kRound), before(kRound);
+  const auto caller = std::this_thread::get_id();
   for (std::uint64_t begin = 0; begin < count; begin += kRound) {
-    const auto blocks = static_cast<std::size_t>(std::min(kRound, count - begin));
-    forEachIndex(blocks, threads, [&](std::size_t i) {
+    now.blocks = static_cast<std::size_t>(std::min(kRound, count - begin));
+    forEachIndex(now.blocks, threads, [&](std::size_t i) {
       thread_local BlockBuffer buffer;
+      // others decode on while the thread that asked is told of the round before
+      if (std::this_thread::get_id() == caller) before.tellOnce(told);
       const std::uint64_t number = block + begin + i;
-      read[i] = decode(origin, {begin + i, {number % choice.n, choice.n}}, buffer);
-      chooseByLabel(choice.choose, number, buffer.points, buffer.labels, chosen[i]);
+      now.read[i] = decode(origin, {begin + i, {number % choice.n, choice.n}}, buffer);
+      chooseByLabel(choice.choose, number, buffer.points, buffer.labels, now.chosen[i]);
     });
-    for (std::size_t i = 0; i < blocks; ++i) tell(told, read[i], chosen[i]);
+    before.tellOnce(told);  // others may have taken all blocks
+    std::swap(now, before);
   }
+  before.tellOnce(told);
   block += count;
 }
 

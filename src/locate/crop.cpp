@@ -107,7 +107,7 @@ double reachOf(const Tank& tank, const CropOptions& options) {
 
 void dropStrays(Ring& ring, const Tank& tank, int threads) {
   const double finest = 1e-4 * tank.circle.radius;
-  const VoxelSample sample(ring.points, std::max<std::size_t>(8, ring.points.size()), finest, threads);
+  const VoxelSample sample(ring.points, 8, finest, threads);  // asked how points are alone, not for its voxels
   if (!holdsStrays(sample)) return;
   const std::vector<char> is_stray = findStrays(ring.points, closingEdge(sample));
   std::size_t kept = 0;

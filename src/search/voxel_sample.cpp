@@ -55,40 +55,43 @@ Places sortedPlaces(const Points& points, double voxel, int threads) {
   return places;
 }
 
+/// After how many doublings of the smallest voxels each place and the one before it on the curve are in one voxel, and
+/// behind the last place; kMostDoublings + 1: never.
+using Meetings = std::vector<std::uint8_t, DefaultInitAllocator<std::uint8_t>>;
+
+Meetings meetingsOf(const Places& places, int threads) {
+  constexpr std::uint8_t kNever = kMostDoublings + 1;
+  Meetings meetings(places.size() + 1);
+  forEachRun(places.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = std::max<std::size_t>(1, begin); i < end; ++i) {
+      const std::uint64_t apart = places[i].code ^ places[i - 1].code;
+      const int bits = apart == 0 ? 0 : 64 - __builtin_clzll(apart);
+      meetings[i] = std::min(static_cast<std::uint8_t>((bits + 2) / 3), kNever);
+    }
+  });
+  meetings.front() = meetings.back() = kNever;
+  return meetings;
+}
+
 /// How often the voxels must be doubled for at most so many to hold all places; they are counted on all levels at once.
-std::size_t doublingsFor(const Places& places, std::size_t max_voxels) {
-  // how many neighbours on the curve so many doublings bring together
-  std::array<std::size_t, kMostDoublings + 2> parted{};
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const std::uint64_t apart = places[i].code ^ places[i - 1].code;
-    if (apart == 0) continue;
-    const auto bits = static_cast<std::size_t>(64 - __builtin_clzll(apart));
-    ++parted[std::min((bits + 2) / 3, kMostDoublings + 1)];
-  }
+std::size_t doublingsFor(const Meetings& meetings, std::size_t max_voxels) {
+  std::array<std::size_t, kMostDoublings + 2> parted{};  // how many neighbours so many doublings bring together
+  for (std::size_t i = 1; i + 1 < meetings.size(); ++i) ++parted[meetings[i]];
   std::size_t voxels = 1, doublings = kMostDoublings + 1;
   while (doublings > 0 && voxels + parted[doublings] <= max_voxels) voxels += parted[doublings--];
   return std::min(doublings, kMostDoublings);
 }
 
 /// The share of the places that are alone in their voxel, level by level.
-std::vector<double> sharesAlone(const Places& places) {
-  std::vector<std::size_t> met(kMostDoublings + 2, 0);  // how many meet their nearer neighbour on the curve at a level
-  const auto level_of = [&](std::size_t i) -> std::size_t {  // where place i meets the one before it
-    if (i == 0 || i == places.size()) return kMostDoublings + 1;
-    const std::uint64_t apart = places[i].code ^ places[i - 1].code;
-    if (apart == 0) return 0;
-    return std::min((static_cast<std::size_t>(64 - __builtin_clzll(apart)) + 2) / 3, kMostDoublings + 1);
-  };
-  for (std::size_t i = 0, before = level_of(0); i < places.size(); ++i) {
-    const std::size_t after = level_of(i + 1);
-    ++met[std::min(before, after)];
-    before = after;
-  }
+std::vector<double> sharesAlone(const Meetings& meetings) {
+  const std::size_t places = meetings.size() - 1;
+  std::array<std::size_t, kMostDoublings + 2> met{};  // how many meet their nearer neighbour at a level
+  for (std::size_t i = 0; i < places; ++i) ++met[std::min(meetings[i], meetings[i + 1])];
   std::vector<double> shares;
-  std::size_t left = places.size();
+  std::size_t left = places;
   for (std::size_t level = 0; level <= kMostDoublings; ++level) {
     left -= met[level];
-    shares.push_back(static_cast<double>(left) / static_cast<double>(places.size()));
+    shares.push_back(static_cast<double>(left) / static_cast<double>(places));
   }
   return shares;
 }
@@ -102,16 +105,17 @@ VoxelSample::VoxelSample(const Points& points, std::size_t max_points, double vo
   while (!(reach / voxel_ < kHalfRange)) voxel_ *= 2.0;
   finest_ = voxel_;
   const Places places = sortedPlaces(points, voxel_, threads);
-  const std::size_t doublings = doublingsFor(places, max_points), bits = 3 * doublings;
+  const Meetings meetings = meetingsOf(places, threads);
+  const std::size_t doublings = doublingsFor(meetings, max_points), bits = 3 * doublings;
   for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
     std::size_t lowest = first;
-    for (; end < places.size() && places[end].code >> bits == places[first].code >> bits; ++end) {
+    for (end = first + 1; meetings[end] <= doublings; ++end) {
       if (places[end].rank < places[lowest].rank) lowest = end;
     }
     voxels_.push_back({places[first].code >> bits, places[lowest].rank, static_cast<std::uint32_t>(end - first),
                        points[places[lowest].index]});
   }
-  alone_ = sharesAlone(places);
+  alone_ = sharesAlone(meetings);
   doublings_left_ -= doublings;
   voxel_ = std::ldexp(voxel_, static_cast<int>(doublings));
 }

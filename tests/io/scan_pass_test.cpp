@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "io/pcd_writer.h"
 #include "support/pcd_files.h"
@@ -62,6 +64,27 @@ TEST(ScanForEachChosen, VisitsInFileOrderWhateverTheNumberOfThreads) {
   const Scan scan = Scan::open({writtenScan(folder, kRows, PcdWriter::Format::Binary)});
   for (const int threads : {1, 2, 5, 0}) expectEveryThird(scan, threads);
   EXPECT_EQ(passOf(scan, everyThird, 0).counts.invalid, kRows / 1000);
+}
+
+TEST(ScanForEachChosen, VisitsInTheThreadOfTheCallerAndEndsWithWhatThatThrows) {
+  const pcd_files::Folder folder;
+  const Scan scan = Scan::open({writtenScan(folder, 3 * kRows, PcdWriter::Format::Binary)});
+  std::set<std::thread::id> threads;
+  std::size_t visits = 0, last = 0;
+  scan.forEachChosen(everyThird, 4, [&](const Points&) {
+    threads.insert(std::this_thread::get_id());
+    last = ++visits;
+  });
+  EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
+  ASSERT_GT(last, 200U);
+  for (const std::size_t at : {std::size_t{1}, std::size_t{100}, last}) {
+    visits = 0;
+    const auto visit = [&](const Points&) {
+      if (++visits == at) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(scan.forEachChosen(everyThird, 4, visit), std::runtime_error);
+    EXPECT_EQ(visits, at);
+  }
 }
 
 TEST(ScanForEachChosen, OfSeveralFilesOfAsciiAndOfPointsInMemoryToo) {
