@@ -46,15 +46,15 @@ struct UsualSection {
   Section height, spread;
 };
 
-UsualSection usualOf(const std::vector<Section>& sections, double noise) {
-  constexpr std::size_t kFirst = 3;     // the bins before it hold the surface itself, or a lip
+/// @param first  bin, before which the surface itself lies
+UsualSection usualOf(const std::vector<Section>& sections, std::size_t first, double noise) {
   constexpr std::size_t kFewest = 10;   // sections of a bin
   constexpr double kShare = 0.25;       // and of those there are
   constexpr double kQuartile = 0.6745;  // of a normal distribution
   const auto known =
       static_cast<double>(std::count_if(sections.begin(), sections.end(), [](const Section& s) { return !s.empty(); }));
   UsualSection usual{Section(kBins, kUnknown), Section(kBins, kUnknown)};
-  for (std::size_t b = kFirst; b < kBins; ++b) {
+  for (std::size_t b = first; b < kBins; ++b) {
     std::vector<double> heights;
     for (const Section& s : sections) {
       if (!s.empty() && std::isfinite(s[b])) heights.push_back(s[b]);
@@ -64,6 +64,14 @@ UsualSection usualOf(const std::vector<Section>& sections, double noise) {
     usual.spread[b] = std::hypot(noise, (usual.height[b] - quantile(heights, 0.25)) / kQuartile);
   }
   return usual;
+}
+
+/// The first bin that the surface itself does not reach into, nor the blur of a lip's edge.
+std::size_t firstBeyond(const Foot& foot, const FootProfile& surface) {
+  constexpr std::size_t kFirst = 3;  // where the surface goes on
+  if (surface.surface != Surface::AnnularPlate) return kFirst;
+  const double lip = (surface.edge + surface.blur) / foot.reach * static_cast<double>(kBins);
+  return std::max(kFirst, static_cast<std::size_t>(std::ceil(lip)));
 }
 
 /// How far a section lies below the usual one, where that is more than chance explains; 0 elsewhere [m].
@@ -176,7 +184,7 @@ FootFit levelAt(const Foot& foot, double z, double sigma) {
   return level;
 }
 
-std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels) {
+std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels) {
   constexpr double kLeast = 0.008;  // of the reach
   constexpr double kNoise = 0.002;  // of the reach: what medians of bins scatter by at least
   constexpr double kShareUp = 0.5;  // of what it hides is what a bank rises by
@@ -185,7 +193,7 @@ std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels)
   forEachIndex(count, 0, [&](std::size_t i) {
     if (std::isfinite(levels[i])) sections[i] = sectionAround(foot, levels, i);
   });
-  const UsualSection usual = usualOf(sections, kNoise * foot.reach);
+  const UsualSection usual = usualOf(sections, firstBeyond(foot, surface), kNoise * foot.reach);
   std::vector<double> depths(count, 0.0);
   std::vector<char> lower(count, 0);
   for (std::size_t i = 0; i < count; ++i) {

@@ -37,8 +37,9 @@ FootFit levelAt(const Foot& foot, double z, double sigma);
 /// Stations that lie on soil against the shell: what is seen farther out lies lower below them than it does below the
 /// stations round the ring, and they rise above their neighbours. (A foundation that is lower in a sector lies lower
 /// below a plate that does not rise.)
-/// @param levels  elevations of the stations that stand, else NaN [m]
-std::vector<bool> findBanks(const Foot& foot, const std::vector<double>& levels);
+/// @param surface  whose end what is farther out lies beyond
+/// @param levels   elevations of the stations that stand, else NaN [m]
+std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels);
 
 /// Stations in runs beside whose ends the shell is seen to go on below them: what they lie on is not what the shell
 /// stands on. Of a run up to a sixth of the ring long one end says so, since a bank may fade at the other; of one up to

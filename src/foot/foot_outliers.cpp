@@ -128,7 +128,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     if (reasons[i] != Unmeasured::None) kept[i] = {};
   }
   const std::vector<double> levels = elevationsOf(kept);
-  const std::vector<bool> banks = findBanks(foot, levels);
+  const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels);
   const std::vector<bool> hanging = findHangingRuns(foot, levels);
   Steps steps = findSteps(kept, foot.arc(), [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
   std::vector<double> refused(reasons.size(), kUnknown);

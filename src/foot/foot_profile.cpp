@@ -7,78 +7,11 @@
 #include "core/statistics.h"
 #include "foot/ring_slope.h"
 #include "foot/section_bins.h"
-#include "foot/section_stretches.h"
+#include "foot/section_end.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
-
-struct Line {
-  double offset = 0, slope = 0;
-  double at(double d) const { return offset + slope * d; }
-};
-
-/// Median of the slopes between bins far apart (Theil and Sen), and of the offsets, each weighted by what it is known
-/// to: half of the bins but for the corner's may lie off without moving it.
-Line robustLine(const FootProfile& profile, std::size_t first, std::size_t last) {
-  std::vector<WeightedValue> slopes, offsets;
-  const std::size_t apart = std::max<std::size_t>(1, (last - first) / 3);
-  for (std::size_t i = first; i <= last; ++i) {
-    for (std::size_t j = i + apart; j <= last; ++j) {
-      const double length = static_cast<double>(j - i) * profile.bin;
-      const double slope = (profile.height[j] - profile.height[i]) / length;
-      if (std::isfinite(slope)) slopes.push_back({slope, length / std::hypot(profile.error[i], profile.error[j])});
-    }
-  }
-  const double slope = weightedMedian(std::move(slopes));
-  for (std::size_t i = first; i <= last; ++i) {
-    const double offset = profile.height[i] - slope * middle(profile, i);
-    if (std::isfinite(offset)) offsets.push_back({offset, 1.0 / profile.error[i]});
-  }
-  return {weightedMedian(std::move(offsets)), slope};
-}
-
-/// The last bin before the section steps up or down for good: one stray bin is no step.
-std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first) {
-  constexpr double kStep = 0.0025;  // the thinnest annular plates are 6 mm [m]
-  constexpr double kLength = 0.06;  // of the lines on either side [m]
-  std::vector<std::size_t> seen;
-  std::vector<SectionBin> bins;
-  for (std::size_t i = first; i < profile.height.size(); ++i) {
-    if (!std::isfinite(profile.height[i])) continue;
-    seen.push_back(i);
-    bins.push_back({middle(profile, i), profile.height[i], profile.error[i]});
-  }
-  if (seen.empty()) return first;
-  const StepScales scales{kStep, 2.0 * profile.blur, kLength};
-  const std::size_t before = binsBeforeStep(bins, scales);
-  return before == seen.size() ? seen.back() : seen[before] - 1;  // the surface may go on where none is seen
-}
-
-Surface surfaceEndingAt(const FootProfile& profile, std::size_t last, const Line& line, double noise) {
-  constexpr double kWidestLip = 0.11;  // annular plates stand out 50 to 75 mm, now and then 100 [m]
-  std::vector<double> beyond;
-  for (std::size_t i = last + 2; i < profile.height.size() && beyond.size() < 8; ++i) {
-    if (std::isfinite(profile.height[i])) beyond.push_back(profile.height[i] - line.at(middle(profile, i)));
-  }
-  if (beyond.empty() || std::abs(median(beyond)) < std::max(0.003, 2.0 * noise)) return Surface::Foundation;
-  return middle(profile, last) <= kWidestLip ? Surface::AnnularPlate : Surface::Ringwall;
-}
-
-/// An annular plate lies on the ringwall, so its slope is that of the ringwall's top beyond it, where neither the shell
-/// nor the plate's own edge blends into the points; level where no ringwall is seen, or its face alone.
-double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach) {
-  constexpr double kThickest = 0.03;  // annular plate [m]
-  constexpr double kFace = 0.5;       // what is steeper is the upright face of something [m/m]
-  const std::size_t first = plate_end + 1 + static_cast<std::size_t>(std::ceil(2.0 * profile.blur / profile.bin));
-  if (first >= profile.height.size()) return 0.0;
-  const std::size_t last = lastBeforeStep(profile, first);
-  if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
-  const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
-  if (!(drop > 0.0 && drop < kThickest)) return 0.0;
-  const double slope = robustLine(profile, first, last).slope;
-  return std::abs(slope) < kFace ? slope : 0.0;
-}
 
 struct Plateau {
   std::size_t first, last;
@@ -163,9 +96,8 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   profile.noise = std::max(median(spreads), 1e-7);
   profile.edge = static_cast<double>(last + 1) * profile.bin;
   last = lastOfSurface(profile, first, last);
-  const Line own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
-  profile.surface =
-      last + 1 < profile.height.size() ? surfaceEndingAt(profile, last, own, profile.noise) : Surface::Foundation;
+  const BinLine own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
+  profile.surface = surfaceOf(profile, first, last, own, scales);
   const bool plate = profile.surface == Surface::AnnularPlate;
   profile.slope_beyond = plate ? slopeBeyond(profile, last, reach) : 0.0;
   profile.slope = plate ? profile.slope_beyond : own.slope;

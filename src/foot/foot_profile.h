@@ -19,6 +19,7 @@ struct FootScales {
   double reach;        ///< how far out the section goes [m]
   double shell_noise;  ///< of points about the shell [m]
   double weld;         ///< the largest fillet weld to expect in the corner [m]
+  bool arc = false;    ///< of an arc, which goes by the whole ring's section where its own does not show a lip's edge
 
   /// Width over which an edge may be blurred [m].
   double blur() const { return 4.0 * shell_noise; }

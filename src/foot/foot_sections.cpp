@@ -42,7 +42,9 @@ FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members,
     for (std::size_t k = 0; k < foot.points[i].size(); k += every) points.back().push_back(foot.points[i][k]);
     levels.push_back(datum[i]);
   }
-  return stackProfile(points, levels, foot.scales);
+  FootScales scales = foot.scales;
+  scales.arc = true;
+  return stackProfile(points, levels, scales);
 }
 
 /// Whether a section of an arc shows the surface that the whole ring's does: not a heap that lies on it, nor what lies

@@ -23,7 +23,16 @@ struct Banked {
   double spread = 0.0;  ///< of the sections, as their lower quartile shows it [m]
   int every = 1;        ///< stations to one whose ringwall is seen, the arc's apart
   int missing = 0;      ///< stations that do not stand on either side of the arc
+  double lip = 0.0;     ///< where the surface ends; 3 mm more are seen of it; 0: nothing [m]
 };
+
+/// The section of a lip of so much, whose edge is blurred by as much as a fifth of a bin.
+FootProfile lipOf(double edge) {
+  FootProfile profile;
+  profile.surface = Surface::AnnularPlate;
+  profile.edge = edge, profile.blur = 0.004;
+  return profile;
+}
 
 std::vector<bool> banksOf(const Banked& given) {
   constexpr double kQuartile = 0.6745;
@@ -36,8 +45,9 @@ std::vector<bool> banksOf(const Banked& given) {
     const double off = kQuartile * given.spread * (s / 7 % 3 - 1);
     const double ringwall = level - 0.015 - (in ? given.depth : off);
     if (in || s % given.every == 0) made.addStation(s, 120, given.from, given.to, [&](double) { return ringwall; });
+    if (given.lip > 0.0) made.addStation(s, 120, 0.0205, given.lip + 0.003, [&](double) { return level; });
   }
-  return findBanks(made.foot(), levels);
+  return findBanks(made.foot(), lipOf(given.lip), levels);
 }
 
 bool isBank(const Banked& given) { return banksOf(given)[(kFirst + kLast) / 2]; }
@@ -55,7 +65,7 @@ TEST(FindBanks, AnArcOverTheFirstAzimuthIsOneArc) {
     levels.push_back(in ? 0.02 : 0.0);
     made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return in ? -0.005 : -0.015; });
   }
-  const std::vector<bool> banks = findBanks(made.foot(), levels);
+  const std::vector<bool> banks = findBanks(made.foot(), lipOf(0.0), levels);
   EXPECT_EQ(std::count(banks.begin(), banks.end(), true), 20);
   EXPECT_TRUE(banks[0] && banks[9] && banks[350]);
 }
@@ -94,6 +104,14 @@ TEST(FindBanks, TwoBinsFromTwelveHundredthsOfTheReachOnAreLookedAt) {
   EXPECT_TRUE(isBank({0.020, 0.010, 0.0605, 0.0995}));
   EXPECT_FALSE(isBank({0.020, 0.010, 0.0605, 0.0795}));
   EXPECT_FALSE(isBank({0.020, 0.010, 0.0205, 0.0595}));
+}
+
+TEST(FindBanks, ALipAndItsBlurSayNothingOfWhatLiesBeyond) {
+  Banked given{0.020, 0.018, 0.0805, 0.2995, 0.005};  // well below the ringwall, whose scatter is known
+  EXPECT_TRUE(isBank(given));
+  given.lip = 0.0785;  // in the bin of 60 to 80 mm, the blur in the next one
+  given.from = 0.1005;
+  EXPECT_TRUE(isBank(given));
 }
 
 TEST(FindBanks, NeighboursAreLookedForWithinTenDegrees) {

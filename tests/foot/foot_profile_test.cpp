@@ -115,6 +115,19 @@ TEST(StackProfile, ThePlateMayEndBelowAHigherThing) {
   EXPECT_LE(profile.band_to, 0.065);
 }
 
+TEST(StackProfile, ALipWhoseEdgeIsBlurredHasTheSlopeOfWhatItLiesOn) {
+  for (const double slope : {0.0, -0.03}) {
+    const auto blurred = [=](double d) { return slope * d - 0.0065 * std::clamp((d - 0.030) / 0.035, 0.0, 1.0); };
+    const FootProfile profile = Foot(blurred, 400, 0.0015).profile();
+    EXPECT_EQ(profile.surface, Surface::AnnularPlate);
+    EXPECT_NEAR(profile.slope, slope, 0.003);
+    EXPECT_NEAR(profile.offset, 0.0, 0.0005);
+    FootScales arc = kScales;
+    arc.arc = true;  // goes by the whole ring's
+    EXPECT_EQ(Foot(blurred, 400, 0.0015).profile(arc).surface, Surface::Foundation);
+  }
+}
+
 TEST(StackProfile, AWideSurfaceThatEndsInADropIsARingwall) {
   const FootProfile profile = Foot([](double d) { return d < 0.2 ? 0.0 : -0.25; }).profile();
   ASSERT_TRUE(profile.valid());

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "foot/foot_profile.h"
+#include "foot/section_end.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -39,6 +41,25 @@ TEST(StackProfile, WhatComesDownByAQuarterCentimetreIsNoPartOfWhatLiesBeyond) {
 TEST(StackProfile, WhatComesDownWithinAFifthOfTheReachIsABlendWithTheShell) {
   EXPECT_NEAR(endOfRamp(0.006, 0.03, 0.05), 0.3, 0.001);
   EXPECT_NEAR(endOfRamp(0.006, 0.06, 0.07), 0.07, 0.003);
+}
+
+/// Which surface the first 20 of 40 bins of 3 mm are, level ones, with the others so much lower.
+Surface surfaceAbove(double drop, const BinLine& own) {
+  FootProfile profile;
+  profile.bin = 0.003, profile.noise = 0.0005;
+  for (int bin = 0; bin < 40; ++bin) profile.height.push_back(bin < 20 ? 0.0 : -drop);
+  FootScales scales{0.3, 0.001, 0.013};
+  scales.arc = true;
+  return surfaceOf(profile, 5, 19, own, scales);
+}
+
+TEST(SurfaceOf, WhatLiesThreeMillimetresOffTheLineIsAnotherSurface) {
+  EXPECT_EQ(surfaceAbove(0.0029, {0.0, 0.0}), Surface::Foundation);
+  EXPECT_EQ(surfaceAbove(0.0031, {0.0, 0.0}), Surface::AnnularPlate);
+}
+
+TEST(SurfaceOf, WhatLiesBeyondIsOnNoLineThatTooFewBinsTell) {
+  EXPECT_EQ(surfaceAbove(0.0, {0.0, kUnknown}), Surface::AnnularPlate);
 }
 
 }  // namespace

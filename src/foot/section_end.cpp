@@ -1,0 +1,93 @@
+#include "foot/section_end.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/statistics.h"
+#include "foot/section_stretches.h"
+
+namespace tank_datum {
+namespace {
+
+/// A line of known slope through the inner half of some bins.
+BinLine innerLine(const FootProfile& profile, std::size_t first, std::size_t last, double slope) {
+  std::vector<double> offsets;
+  for (std::size_t i = first; i <= (first + last) / 2; ++i) {
+    const double offset = profile.height[i] - slope * middle(profile, i);
+    if (std::isfinite(offset)) offsets.push_back(offset);
+  }
+  return {median(offsets), slope};
+}
+
+/// Whether what lies beyond a surface's last bin is not on its line; it is on none that too few bins tell.
+bool stepsOff(const FootProfile& profile, std::size_t last, const BinLine& line) {
+  std::vector<double> beyond;
+  for (std::size_t i = last + 2; i < profile.height.size() && beyond.size() < 8; ++i) {
+    if (std::isfinite(profile.height[i])) beyond.push_back(profile.height[i] - line.at(middle(profile, i)));
+  }
+  return !beyond.empty() && !(std::abs(median(beyond)) < std::max(0.003, 2.0 * profile.noise));
+}
+
+}  // namespace
+
+BinLine robustLine(const FootProfile& profile, std::size_t first, std::size_t last) {
+  std::vector<WeightedValue> slopes, offsets;
+  const std::size_t apart = std::max<std::size_t>(1, (last - first) / 3);
+  for (std::size_t i = first; i <= last; ++i) {
+    for (std::size_t j = i + apart; j <= last; ++j) {
+      const double length = static_cast<double>(j - i) * profile.bin;
+      const double slope = (profile.height[j] - profile.height[i]) / length;
+      if (std::isfinite(slope)) slopes.push_back({slope, length / std::hypot(profile.error[i], profile.error[j])});
+    }
+  }
+  const double slope = weightedMedian(std::move(slopes));
+  for (std::size_t i = first; i <= last; ++i) {
+    const double offset = profile.height[i] - slope * middle(profile, i);
+    if (std::isfinite(offset)) offsets.push_back({offset, 1.0 / profile.error[i]});
+  }
+  return {weightedMedian(std::move(offsets)), slope};
+}
+
+std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first) {
+  constexpr double kStep = 0.0025;  // the thinnest annular plates are 6 mm [m]
+  constexpr double kLength = 0.06;  // of the lines on either side [m]
+  std::vector<std::size_t> seen;
+  std::vector<SectionBin> bins;
+  for (std::size_t i = first; i < profile.height.size(); ++i) {
+    if (!std::isfinite(profile.height[i])) continue;
+    seen.push_back(i);
+    bins.push_back({middle(profile, i), profile.height[i], profile.error[i]});
+  }
+  if (seen.empty()) return first;
+  const StepScales scales{kStep, 2.0 * profile.blur, kLength};
+  const std::size_t before = binsBeforeStep(bins, scales);
+  return before == seen.size() ? seen.back() : seen[before] - 1;  // the surface may go on where none is seen
+}
+
+Surface surfaceOf(const FootProfile& profile, std::size_t first, std::size_t last, const BinLine& own,
+                  const FootScales& scales) {
+  constexpr double kWidestLip = 0.11;  // annular plates stand out 50 to 75 mm, now and then 100 [m]
+  if (last + 1 >= profile.height.size()) return Surface::Foundation;
+  const bool steps = stepsOff(profile, last, own);
+  if (middle(profile, last) > kWidestLip) return steps ? Surface::Ringwall : Surface::Foundation;
+  if (steps || scales.arc) return steps ? Surface::AnnularPlate : Surface::Foundation;
+  // an edge that is blurred looks like a surface that leads to what lies beyond: the inner half does not lead there
+  const BinLine inner = innerLine(profile, first, last, slopeBeyond(profile, last, scales.reach));
+  return stepsOff(profile, last, inner) ? Surface::AnnularPlate : Surface::Foundation;
+}
+
+double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach) {
+  constexpr double kThickest = 0.03;  // annular plate [m]
+  constexpr double kFace = 0.5;       // what is steeper is the upright face of something [m/m]
+  const std::size_t first = plate_end + 1 + static_cast<std::size_t>(std::ceil(2.0 * profile.blur / profile.bin));
+  if (first >= profile.height.size()) return 0.0;
+  const std::size_t last = lastBeforeStep(profile, first);
+  if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
+  const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
+  if (!(drop > 0.0 && drop < kThickest)) return 0.0;
+  const double slope = robustLine(profile, first, last).slope;
+  return std::abs(slope) < kFace ? slope : 0.0;
+}
+
+}  // namespace tank_datum
