@@ -84,13 +84,15 @@ namespace {
 /// What the measured stations on both sides of a station in a gap say of it.
 struct Beside {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();  ///< of heights, by the stations' standard errors
   Eigen::Vector3d heights = Eigen::Vector3d::Zero(), radii = Eigen::Vector3d::Zero();
   double nearest[2] = {0.0, 0.0};  ///< arcs to the nearest measured station on either side [m]
   double sigma_radius = 0.0;       ///< mean of their radii's standard errors [m]
   double sigma_z = 0.0;            ///< mean of their standard errors, which share more than noise [m]
 };
 
-Beside lookBeside(const std::vector<StationDatum>& stations, std::size_t at) {
+/// @param sigma_bend  of the datum's second derivative along the shell [1/m]: how far a parabola is good
+Beside lookBeside(const std::vector<StationDatum>& stations, std::size_t at, double sigma_bend) {
   constexpr std::size_t kReach = 12;  // stations beside a gap that its parabola leans on
   const std::size_t count = stations.size();
   Beside beside;
@@ -106,8 +108,10 @@ Beside lookBeside(const std::vector<StationDatum>& stations, std::size_t at) {
         beside.sigma_radius += 0.5 * other.sigma_radius;
       }
       const Eigen::Vector3d row(1.0, t, t * t);
-      const double weight = 1.0 / (other.sigma_z * other.sigma_z);
+      const double bent = 0.5 * sigma_bend * t * t;
+      const double weight = 1.0 / (other.sigma_z * other.sigma_z + bent * bent);
       beside.normal += weight * row * row.transpose();
+      beside.scatter += std::pow(weight * other.sigma_z, 2) * row * row.transpose();
       beside.heights += weight * other.z * row;
       beside.radii += weight * other.radius * row;
     }
@@ -123,10 +127,11 @@ std::vector<StationDatum> bridgeGaps(const std::vector<StationDatum>& stations, 
   for (std::size_t i = 0; i < stations.size(); ++i) {
     StationDatum& s = bridged[i];
     if (s.flag != StationFlag::Interpolated) continue;
-    const Beside beside = lookBeside(stations, i);
+    const Beside beside = lookBeside(stations, i, sigma_bend);
     const Eigen::Matrix3d inverse = beside.normal.inverse();
     s.z = inverse.row(0).dot(beside.heights);
-    s.sigma_z = std::hypot(std::max(beside.sigma_z, std::sqrt(inverse(0, 0))),
+    const double scatter = inverse.row(0) * beside.scatter * inverse.row(0).transpose();
+    s.sigma_z = std::hypot(std::max(beside.sigma_z, std::sqrt(scatter)),
                            0.5 * sigma_bend * beside.nearest[0] * beside.nearest[1]);
     s.radius = inverse.row(0).dot(beside.radii);
     s.sigma_radius = beside.sigma_radius;

@@ -39,8 +39,8 @@ inline bool mayBeHeaved(const StationDatum& station) {
 std::vector<StationFlag> flagsOf(const std::vector<bool>& supported, const StationOptions& options);
 
 /// Gives the interpolated stations of a refined datum their z, radius and standard errors: a parabola through the
-/// measured stations around the gap, weighted by their standard errors. The error grows into the gap by what a curve
-/// of the bend sigma_bend may do there.
+/// measured stations around the gap, weighted by their standard errors and by what a curve of the bend sigma_bend may
+/// depart by as far away as they stand. The error grows into the gap by that.
 /// @param center      about which the stations stand [m]
 /// @param sigma_bend  standard deviation of the datum's second derivative along the shell [1/m]
 std::vector<StationDatum> bridgeGaps(const std::vector<StationDatum>& stations, const Eigen::Vector2d& center,

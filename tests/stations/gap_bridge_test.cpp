@@ -152,6 +152,24 @@ TEST(BridgeGaps, ALoneStationBetweenTwoGapsCarriesBoth) {
   }
 }
 
+TEST(BridgeGaps, WhatIsMeasuredFarAwayDoesNotMoveThem) {
+  // stations stand in every third degree of a dip, and far off a few on soil
+  const auto dip = [](double t) { return 2.0 + 0.002 * std::cos(t / 2.0); };
+  std::vector<StationDatum> stations = Bridged(100, 2, dip).stations;
+  for (std::size_t i = 0; i < 360; ++i) {
+    const bool is_soil = i >= 20 && i < 28, is_measured = is_soil || (i >= 90 && i < 120 && i % 3 == 0);
+    stations[i].flag = is_measured ? StationFlag::Measured : StationFlag::Missing;
+    if (is_soil) stations[i].z += 0.06;
+  }
+  stations[94].flag = StationFlag::Interpolated;
+  stations[94].z = NAN;
+  const double z = dip((94.0 - 100.5) * kStep);
+  const StationDatum bridge = bridgeGaps(stations, kCenter, 0.001)[94];
+  EXPECT_NEAR(bridge.z, z, 3e-4);
+  EXPECT_LT(bridge.sigma_z, 3e-4);
+  EXPECT_GT(std::abs(bridgeGaps(stations, kCenter, 0.0)[94].z - z), 1e-3);  // a parabola that is good for any distance
+}
+
 TEST(BridgeGaps, LeanOnTwelveStationsOnEitherSide) {
   const auto movedBy = [](int away) {  // of one station, raised by a centimetre
     const auto height = [=](double t) { return std::abs(t - away * kStep) < 0.5 * kStep ? 2.01 : 2.0; };
