@@ -181,6 +181,23 @@ std::vector<double> withoutDips(std::vector<double> levels, const FootPass& pass
   return levels;
 }
 
+/// The same where too few stretches stand alone to say what the ring does: stations that rise towards soil are told by
+/// windows, which have points in common.
+FootLevels withoutRises(const Foot& foot, const FootPass& pass, FootLevels levels) {
+  std::vector<double> known, sigmas;
+  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
+    const FootFit& fit = pass.fits[i];
+    const double stations = std::max(1.0, fit.half_width / foot.half_step);
+    known.push_back(pass.outliers.reasons[i] == Unmeasured::None ? fit.z : kUnknown);
+    sigmas.push_back(fit.sigma * std::sqrt(stations));
+  }
+  const std::vector<bool> rises = findRises(foot, pass.outliers, withoutDips(known, pass), sigmas);
+  for (std::size_t i = 0; i < rises.size(); ++i) {
+    if (rises[i]) levels.fits[i] = {};
+  }
+  return levels;
+}
+
 }  // namespace
 
 FootLevels levelStations(const Foot& foot, const FootPass& pass) {
@@ -188,7 +205,7 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
   OwnFits own = fitStretches(foot, pass, counts);
   own.leaveOut(findRises(foot, pass.outliers, withoutDips(own.levels, pass), own.sigmas));
   FootLevels levels{pass.fits, followRing(withoutDips(own.levels, pass), own.sigmas, kDip * foot.reach)};
-  if (!levels.process.valid()) return levels;
+  if (!levels.process.valid()) return withoutRises(foot, pass, std::move(levels));
   const std::vector<Bend> bends = findBends(foot, own.levels, own.sigmas, levels.process);
   const std::vector<double> shared = sharedSigmas(pass);
   levels.process = withShared(std::move(levels.process), shared);

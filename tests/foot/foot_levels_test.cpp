@@ -169,6 +169,27 @@ FootFit fitOfDip(int wide, bool shell) {
   return r.pass.fits[100];
 }
 
+TEST(LevelStations, WhereNoneStandAloneThoseBetweenArcsOfSoilAreToldByTheirWindows) {
+  const auto stands = [](double height, double half_width) {  // of a station between two arcs
+    MadeFoot made;
+    Ready r = ready(made);
+    r.pass.outliers.reasons.assign(360, Unmeasured::None);
+    for (const std::size_t i : {100U, 101U, 102U, 106U, 107U}) r.pass.outliers.reasons[i] = Unmeasured::OtherSurface;
+    for (FootFit& fit : r.pass.fits) fit.half_width = half_width;
+    for (std::size_t i = 103; i < 106; ++i) r.pass.fits[i].z = height;
+    EXPECT_FALSE(level(r).valid());
+    EXPECT_TRUE(r.pass.fits[0].valid());
+    return r.pass.fits[104].valid();
+  };
+  MadeFoot made;
+  const double half = made.foot().half_step;
+  EXPECT_FALSE(stands(0.06, half));
+  EXPECT_TRUE(stands(0.0, half));
+  EXPECT_TRUE(stands(-0.06, half));
+  EXPECT_FALSE(stands(0.0016, half));
+  EXPECT_TRUE(stands(0.0016, 64.0 * half));  // which have most of their points in common
+}
+
 TEST(LevelStations, NeighboursThatLieLowerTogetherKeepTheLevelOfTheirOwnWindows) {
   EXPECT_NEAR(fitOfDip(3, false).z, -0.008, 1e-9);
   EXPECT_NEAR(fitOfDip(5, false).z, -0.008, 1e-9);
