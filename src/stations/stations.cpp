@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/ring_runs.h"
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
@@ -130,8 +131,8 @@ std::vector<StationDatum> bridgeGaps(const std::vector<StationDatum>& stations, 
                            0.5 * sigma_bend * beside.nearest[0] * beside.nearest[1]);
     s.radius = inverse.row(0).dot(beside.radii);
     s.sigma_radius = beside.sigma_radius;
-    s.x = center.x() + s.radius * std::cos(s.direction);
-    s.y = center.y() + s.radius * std::sin(s.direction);
+    s.x = center.x() + s.radius * portable::cos(s.direction);
+    s.y = center.y() + s.radius * portable::sin(s.direction);
   }
   return bridged;
 }
@@ -157,8 +158,8 @@ std::vector<StationDatum> samplePaperCurve(const std::vector<Station>& stations,
     if (s.flag == StationFlag::Missing) continue;
     const Eigen::Vector3d point = curve.at(s.direction);
     s.radius = (point.head<2>() - edge.circle.center).norm();
-    s.x = edge.circle.center.x() + s.radius * std::cos(s.direction);
-    s.y = edge.circle.center.y() + s.radius * std::sin(s.direction);
+    s.x = edge.circle.center.x() + s.radius * portable::cos(s.direction);
+    s.y = edge.circle.center.y() + s.radius * portable::sin(s.direction);
     s.z = point.z();
   }
   return sampled;
