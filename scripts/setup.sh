@@ -44,7 +44,8 @@ build="$root/build"
 configure() {
   compile_once
   apt_install g++ cmake ninja-build pkg-config libpcl-dev libcli11-dev nlohmann-json3-dev liblzf-dev libssl-dev \
-    libfast-float-dev libxxhash-dev libtomlplusplus-dev libgtest-dev locales python3 libvtk9-dev libx11-dev node-d3
+    libfast-float-dev libxxhash-dev libsleef-dev libtomlplusplus-dev libgtest-dev locales python3 libvtk9-dev libx11-dev \
+    node-d3
   [ ! -f "$build/build.ninja" ] || return 0
   say "configuring ${build#"$root/"}/"
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release ${TANK_DATUM_CMAKE_OPTIONS:-} >&2

@@ -5,6 +5,7 @@
 
 #include "core/clauses.h"
 #include "core/plain_text.h"
+#include "core/portable_math.h"
 #include "refusals.h"
 #include "setups/setup_report.h"
 #include "shape/deformation.h"
@@ -49,8 +50,8 @@ void blankMissing(Datum& datum) {
     blank.direction = s.direction;
     blank.reason = s.reason;
     blank.z_refused = s.z_refused;
-    blank.x = datum.circle.center.x() + datum.circle.radius * std::cos(s.direction);
-    blank.y = datum.circle.center.y() + datum.circle.radius * std::sin(s.direction);
+    blank.x = datum.circle.center.x() + datum.circle.radius * portable::cos(s.direction);
+    blank.y = datum.circle.center.y() + datum.circle.radius * portable::sin(s.direction);
     s = blank;
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/plain_text.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "datum_stages.h"
 #include "datum_status.h"
@@ -64,8 +65,8 @@ double numberIn(const CsvRow& row, std::size_t column, const char* name, const s
 void place(Station& s, double azimuth, double radius, const StationOptions& options) {
   s.azimuth = azimuth;
   s.direction = directionOf(azimuth, options);
-  s.x = radius * std::cos(s.direction);
-  s.y = radius * std::sin(s.direction);
+  s.x = radius * portable::cos(s.direction);
+  s.y = radius * portable::sin(s.direction);
 }
 
 Station stationFrom(const CsvRow& row, const Columns& columns, const std::string& file, double metres_per_unit) {

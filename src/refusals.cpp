@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/plain_text.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "io/up_axis.h"
 #include "locate/locate.h"
@@ -71,13 +72,13 @@ std::string leanText(const Datum& datum, const StationOptions& options) {
   constexpr double kWorthSaying = 0.00175;  // a tenth of a degree [m/m]
   const ShellLean& lean = datum.lean;
   if (!lean.known() || lean.slope.norm() < std::max(kWorthSaying, 4.0 * lean.sigma)) return {};
-  const double degrees = toDegrees(azimuthOf(std::atan2(lean.slope.y(), lean.slope.x()), options));
+  const double degrees = toDegrees(azimuthOf(portable::atan2(lean.slope.y(), lean.slope.x()), options));
   const bool together = datum.tilt.valid() &&
                         (lean.slope + datum.tilt.gradient).norm() < std::max(0.2 * lean.slope.norm(), 4.0 * lean.sigma);
   char text[160];
   snprintfPlain(text, sizeof text, "%s by %.2f deg towards %.0f deg%s",
                 together ? "shell and foundation lean together" : "the shell leans",
-                toDegrees(std::atan(lean.slope.norm())), degrees,
+                toDegrees(portable::atan(lean.slope.norm())), degrees,
                 together ? " (of the tank or of the scan: cannot be told)" : "");
   return text;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
+
 namespace tank_datum::synth {
 namespace {
 
@@ -18,7 +20,8 @@ FloorShape::FloorShape(const TankShape& tank, std::uint64_t seed)
 /// Elevation and its derivative along a ray.
 Sample FloorShape::elevationAlong(const TankPoint& p, const Eigen::Vector3d& v) const {
   const TankOptions& o = tank_.options();
-  const double ux = tank_.tiltSlope() * std::cos(o.tilt_direction), uy = tank_.tiltSlope() * std::sin(o.tilt_direction);
+  const double ux = tank_.tiltSlope() * portable::cos(o.tilt_direction),
+               uy = tank_.tiltSlope() * portable::sin(o.tilt_direction);
   const double wall = tank_.footRadius(p.section, true), wall_rate = p.section.foot_rate * p.azimuth_rate;
   const double plane = ux * p.position.x() + uy * p.position.y(), plane_rate = ux * v.x() + uy * v.y();
   const double share = p.rho / wall, share_rate = (p.rho_rate - share * wall_rate) / wall;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
+
 namespace tank_datum::synth {
 
 double foundationWidth(const Foundation& f) {
@@ -15,7 +17,8 @@ namespace {
 
 /// Elevation of the ground's plane at x = y = 0: `drop` below the first tank's base at its uphill edge.
 double levelAtOrigin(const GroundOptions& ground, const TankOptions& first, double width) {
-  const double uphill = first.x * std::cos(ground.slope_direction) + first.y * std::sin(ground.slope_direction);
+  const double uphill =
+      first.x * portable::cos(ground.slope_direction) + first.y * portable::sin(ground.slope_direction);
   return first.base_elevation - ground.drop - ground.slope * (uphill + first.radius + width);
 }
 
@@ -24,7 +27,7 @@ double levelAtOrigin(const GroundOptions& ground, const TankOptions& first, doub
 double depthOfGround(const GroundOptions& ground, const TankOptions& first_tank, double first_width,
                      const TankOptions& tank) {
   if (!ground.present) return 0.5;
-  const double uphill = tank.x * std::cos(ground.slope_direction) + tank.y * std::sin(ground.slope_direction);
+  const double uphill = tank.x * portable::cos(ground.slope_direction) + tank.y * portable::sin(ground.slope_direction);
   const double at_centre = levelAtOrigin(ground, first_tank, first_width) + ground.slope * uphill;
   const double edge = tank.radius + foundationWidth(tank.foundation) + 5.0;
   return std::max(0.5, tank.base_elevation - at_centre + ground.slope * edge + 6.0 * ground.roughness + 0.5);
@@ -33,8 +36,8 @@ double depthOfGround(const GroundOptions& ground, const TankOptions& first_tank,
 Ground::Ground(const GroundOptions& options, const TankOptions& first_tank, double first_width, std::uint64_t seed)
     : options_(options),
       level_(levelAtOrigin(options, first_tank, first_width)),
-      slope_x_(options.slope * std::cos(options.slope_direction)),
-      slope_y_(options.slope * std::sin(options.slope_direction)),
+      slope_x_(options.slope * portable::cos(options.slope_direction)),
+      slope_y_(options.slope * portable::sin(options.slope_direction)),
       noise_(mixed({seed, 301}), options.roughness, options.roughness_length) {}
 
 bool Ground::masked(const Tank& tank, const Eigen::Vector3d& world) const {

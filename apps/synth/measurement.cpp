@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
+
 namespace tank_datum::synth {
 namespace {
 
@@ -37,7 +39,7 @@ double beamRange(const Scene& scene, const Ray& ray, int inside, const Hit& cent
   double nearest = centre.t, farthest = centre.t, sum = 0.0, count = 0.0;
   for (int i = 0; i < kParts; ++i) {
     const double out = std::sqrt((i + 0.5) / kParts);
-    const Hit hit = part(out * std::cos(i * kGolden), out * std::sin(i * kGolden));
+    const Hit hit = part(out * portable::cos(i * kGolden), out * portable::sin(i * kGolden));
     if (!hit.found()) continue;
     nearest = std::min(nearest, hit.t), farthest = std::max(farthest, hit.t);
     sum += hit.t, count += 1.0;

@@ -1,20 +1,18 @@
 #include "objects.h"
 
-#include <cmath>
-
+#include "core/portable_math.h"
 #include "random.h"
+#include "rotation.h"
 
 namespace tank_datum::synth {
 namespace {
 
 constexpr double kSunk = 0.3;  ///< what stands on the ground reaches this far into it [m]
 
-Eigen::Matrix3d turned(double yaw) { return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix(); }
+Eigen::Matrix3d turned(double yaw) { return rotation(yaw, Eigen::Vector3d::UnitZ()); }
 
 /// Axes with the third, a cylinder's, along the yaw.
-Eigen::Matrix3d lying(double yaw) {
-  return turned(yaw) * Eigen::AngleAxisd(kPi / 2.0, Eigen::Vector3d::UnitY()).toRotationMatrix();
-}
+Eigen::Matrix3d lying(double yaw) { return turned(yaw) * rotation(kPi / 2.0, Eigen::Vector3d::UnitY()); }
 
 /// Puts the parts of one object together.
 class Maker {
@@ -23,8 +21,8 @@ class Maker {
       : o_(options), index_(index), tank_(tank), ground_(ground), seed_(seed) {
     const TankOptions& t = tank.shape.options();
     const double reach = t.radius + o_.gap;
-    x_ = o_.place == "world" ? o_.x : t.x + reach * std::cos(o_.azimuth);
-    y_ = o_.place == "world" ? o_.y : t.y + reach * std::sin(o_.azimuth);
+    x_ = o_.place == "world" ? o_.x : t.x + reach * portable::cos(o_.azimuth);
+    y_ = o_.place == "world" ? o_.y : t.y + reach * portable::sin(o_.azimuth);
     yaw_ = o_.yaw + (o_.place == "world" ? 0.0 : o_.azimuth);
     base_ = ground.elevation(x_, y_) + o_.z;
   }
@@ -65,8 +63,8 @@ class Maker {
 
   void nozzle(Things& things) {
     const TankShape& shape = tank_.shape;
-    const Section s = shape.section(std::cos(o_.azimuth), std::sin(o_.azimuth));
-    const Eigen::Vector3d out(std::cos(o_.azimuth), std::sin(o_.azimuth), 0.0);
+    const Section s = shape.section(portable::cos(o_.azimuth), portable::sin(o_.azimuth));
+    const Eigen::Vector3d out(portable::cos(o_.azimuth), portable::sin(o_.azimuth), 0.0);
     const Eigen::Vector3d foot = shape.toWorld(out * s.foot + Eigen::Vector3d(0.0, 0.0, s.datum + o_.z));
     const double from = -0.2, flange = 0.02;  // begins behind the shell
     const Eigen::Matrix3d axes = lying(o_.azimuth);
@@ -82,7 +80,7 @@ class Maker {
     const double radius = t.radius + o_.gap + o_.width / 2.0, start = ground_.elevation(x_, y_);
     for (int i = 1; start + i * kRise < t.base_elevation + t.height; ++i) {
       const double azimuth = o_.azimuth + i * kRun / radius;
-      const Eigen::Vector3d centre(t.x + radius * std::cos(azimuth), t.y + radius * std::sin(azimuth),
+      const Eigen::Vector3d centre(t.x + radius * portable::cos(azimuth), t.y + radius * portable::sin(azimuth),
                                    start + i * kRise);
       add(things, Solid::Kind::Box, centre, turned(azimuth), {o_.width / 2.0, kRun / 2.0 + 0.01, kThickness / 2.0});
     }
@@ -95,7 +93,7 @@ class Maker {
     const Eigen::Vector3d top(x_, y_, base_ + o_.height);
     for (int i = 0; i < o_.count; ++i) {
       const Eigen::Vector3d way = Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
-      const double from_top = o_.width / 2.0 * std::cbrt(random.uniform()), size = random.uniform(0.03, 0.12);
+      const double from_top = o_.width / 2.0 * portable::cbrt(random.uniform()), size = random.uniform(0.03, 0.12);
       add(things, Solid::Kind::Sphere, top + way * from_top, Eigen::Matrix3d::Identity(), {size, size, size});
     }
   }

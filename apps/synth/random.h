@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum::synth {
@@ -40,11 +41,11 @@ class Random {
       has_spare_ = false;
       return spare_;
     }
-    const double length = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    const double length = std::sqrt(-2.0 * portable::log(1.0 - uniform()));
     const double angle = kTwoPi * uniform();
-    spare_ = length * std::sin(angle);
+    spare_ = length * portable::sin(angle);
     has_spare_ = true;
-    return length * std::cos(angle);
+    return length * portable::cos(angle);
   }
 
  private:

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "measurement.h"
 #include "random.h"
+#include "rotation.h"
 #include "tank_curves.h"
 
 namespace tank_datum::synth {
@@ -29,8 +31,8 @@ std::vector<StationOptions> places(const Scene& scene) {
                                         : static_cast<double>(i) / (o.count - 1);
     const double azimuth = o.first_azimuth + o.arc * share;
     StationOptions place;
-    place.x = tank.x + reach * std::cos(azimuth);
-    place.y = tank.y + reach * std::sin(azimuth);
+    place.x = tank.x + reach * portable::cos(azimuth);
+    place.y = tank.y + reach * portable::sin(azimuth);
     all.push_back(place);
   }
   return all;
@@ -67,7 +69,7 @@ bool inField(const Scene& scene, const ScanStation& station, double azimuth) {
   const double ring = tank.shape.options().radius + tank.shape.deviation() + tank.foundation.maskWidth() + 0.5;
   const double distance = std::hypot(dx, dy);
   if (o.field == "full" || distance <= ring) return true;
-  return std::abs(azimuthDifference(azimuth, std::atan2(dy, dx))) <= std::asin(ring / distance);
+  return std::abs(azimuthDifference(azimuth, portable::atan2(dy, dx))) <= portable::asin(ring / distance);
 }
 
 }  // namespace
@@ -100,14 +102,16 @@ Eigen::Vector3d ScanStation::registered(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d turn(r.tilt_y, -r.tilt_x, 0.0);
   const double angle = turn.norm();
   Eigen::Vector3d arm = point - position;
-  if (angle > 0.0) arm = Eigen::AngleAxisd(angle, turn / angle) * arm;
+  if (angle > 0.0) arm = rotation(angle, turn / angle) * arm;
   return position + arm + Eigen::Vector3d(r.dx, r.dy, r.dz);
 }
 
 Eigen::Vector3d rayDirection(const ScannerOptions& options, const ScanStation& station, int column, int row) {
   const double azimuth = station.first_azimuth + column * options.step;
-  const double elevation = station.first_elevation + row * rowStep(options), level = std::cos(elevation);
-  return {level * std::cos(azimuth), level * std::sin(azimuth), std::sin(elevation)};
+  const double elevation = station.first_elevation + row * rowStep(options);
+  const auto [level_sine, level_cosine] = portable::sinCos(azimuth);
+  const auto [rise, level] = portable::sinCos(elevation);
+  return {level * level_cosine, level * level_sine, rise};
 }
 
 namespace {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/portable_math.h"
 #include "core/refusal.h"
+#include "rotation.h"
 
 namespace tank_datum::synth {
 namespace {
@@ -39,8 +41,9 @@ Eigen::Vector3d Scene::inFrame(const Eigen::Vector3d& place) const {
   const double tilt = options_.frame_tilt, raised = options_.frame_tilt_direction;
   if (tilt == 0.0) return place;
   const TankOptions& first = options_.tanks.front();
-  const Eigen::Vector3d pivot(first.x, first.y, first.base_elevation), axis(std::sin(raised), -std::cos(raised), 0.0);
-  return pivot + Eigen::AngleAxisd(tilt, axis) * (place - pivot);
+  const Eigen::Vector3d pivot(first.x, first.y, first.base_elevation),
+      axis(portable::sin(raised), -portable::cos(raised), 0.0);
+  return pivot + rotation(tilt, axis) * (place - pivot);
 }
 
 int Scene::tankAround(const Eigen::Vector3d& place) const {

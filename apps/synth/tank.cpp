@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
+
 namespace tank_datum::synth {
 
 bool Tank::contains(const Eigen::Vector3d& world) const {
@@ -46,10 +48,10 @@ Eigen::Vector3d Tank::shellPoint(double azimuth, double height, bool inside) con
   double own = azimuth;  // in the sheared frame; tilt moves it by some 1e-5 rad, a lean by its offset over the radius
   Eigen::Vector3d world;
   for (int i = 0; i < 20; ++i) {
-    const Section s = shape.section(std::cos(own), std::sin(own));
+    const Section s = shape.section(portable::cos(own), portable::sin(own));
     const double radius = inside ? shape.innerRadius(s, height) : shape.outerRadius(s, height);
-    world = shape.toWorld({radius * std::cos(own), radius * std::sin(own), s.datum + height});
-    own += std::remainder(azimuth - std::atan2(world.y() - o.y, world.x() - o.x), 2.0 * kPi);
+    world = shape.toWorld({radius * portable::cos(own), radius * portable::sin(own), s.datum + height});
+    own += std::remainder(azimuth - portable::atan2(world.y() - o.y, world.x() - o.x), 2.0 * kPi);
   }
   return world;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "random.h"
 #include "value_noise.h"
 
@@ -16,16 +17,16 @@ double tiltSlope(const TankOptions& tank) {
 
 Curve datumCurve(const TankOptions& tank, double azimuth) {
   const double tilt = tiltSlope(tank) * tank.radius, from_high = azimuth - tank.tilt_direction;
-  Curve curve{tank.base_elevation + tilt * std::cos(from_high), -tilt * std::sin(from_high)};
+  Curve curve{tank.base_elevation + tilt * portable::cos(from_high), -tilt * portable::sin(from_high)};
   for (const Harmonic& one : tank.harmonics) {
     const double angle = one.n * azimuth - one.phase;
-    curve.add(one.amplitude * std::cos(angle), -one.n * one.amplitude * std::sin(angle));
+    curve.add(one.amplitude * portable::cos(angle), -one.n * one.amplitude * portable::sin(angle));
   }
   for (const Dip& dip : tank.dips) {
     const double scale = kPi / dip.width, angle = scale * azimuthDifference(azimuth, dip.azimuth);
     if (std::abs(angle) >= kPi / 2.0) continue;
-    const double c = std::cos(angle);
-    curve.add(-dip.depth * c * c * c * c, 4.0 * dip.depth * c * c * c * std::sin(angle) * scale);
+    const double c = portable::cos(angle);
+    curve.add(-dip.depth * c * c * c * c, 4.0 * dip.depth * c * c * c * portable::sin(angle) * scale);
   }
   return curve;
 }
@@ -34,7 +35,7 @@ Curve plateSlopeCurve(const TankOptions& tank, double azimuth) {
   Curve curve{tank.foundation.plate_slope, 0.0};
   for (const Harmonic& one : tank.foundation.plate_slope_waves) {
     const double angle = one.n * azimuth - one.phase;
-    curve.add(one.amplitude * std::cos(angle), -one.n * one.amplitude * std::sin(angle));
+    curve.add(one.amplitude * portable::cos(angle), -one.n * one.amplitude * portable::sin(angle));
   }
   return curve;
 }
@@ -53,7 +54,7 @@ Curve harmonicCurve(const std::vector<ShellHarmonic>& harmonics, double azimuth,
   Curve curve;
   for (const ShellHarmonic& one : harmonics) {
     const double size = one.amplitude * (growth ? one.growth : 1.0), angle = one.n * azimuth - one.phase;
-    curve.add(size * std::cos(angle), -one.n * size * std::sin(angle));
+    curve.add(size * portable::cos(angle), -one.n * size * portable::sin(angle));
   }
   return curve;
 }
@@ -72,7 +73,7 @@ std::vector<ShellHarmonic> seededLobes(const Lobes& lobes, double radius, Random
   std::vector<ShellHarmonic> harmonics;
   for (int i = 0; i < lobes.count; ++i) {
     const double share = lobes.count == 1 ? 0.5 : static_cast<double>(i) / (lobes.count - 1);
-    const double length = lobes.min_length * std::pow(lobes.max_length / lobes.min_length, share);
+    const double length = lobes.min_length * portable::pow(lobes.max_length / lobes.min_length, share);
     const double waves = std::round(2.0 * kPi * radius / length);
     harmonics.push_back({static_cast<int>(std::max(2.0, waves)), 1.0, random.uniform(0.0, 2.0 * kPi), 0.0});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "tank_curves.h"
 #include "value_noise.h"
 
@@ -45,8 +46,8 @@ TankShape::TankShape(const TankOptions& options, std::uint64_t seed)
       lean_x_(options.lean_x),
       lean_y_(options.lean_y) {
   if (options.lean_with_tilt) {  // the axis is square to the base to first order: it falls away from the high side
-    lean_x_ -= tilt_slope_ * std::cos(options.tilt_direction);
-    lean_y_ -= tilt_slope_ * std::sin(options.tilt_direction);
+    lean_x_ -= tilt_slope_ * portable::cos(options.tilt_direction);
+    lean_y_ -= tilt_slope_ * portable::sin(options.tilt_direction);
   }
   tabulate(seed);
 }
@@ -60,7 +61,7 @@ void TankShape::tabulate(std::uint64_t seed) {
     const double place = 4.0 * static_cast<double>(i) / kNodeCount;
     const double y = place <= 2.0 ? place - 1.0 : 3.0 - place, x = std::copysign(1.0 - std::abs(y), 2.0 - place);
     const double before = azimuth, size = diamondSize(x, y) / std::hypot(x, y);
-    azimuth = before + std::remainder(std::atan2(y, x) - before, 2.0 * kPi);
+    azimuth = before + std::remainder(portable::atan2(y, x) - before, 2.0 * kPi);
     const Curve curves[kCurves] = {datumCurve(options_, azimuth),       harmonicCurve(shell, azimuth, false),
                                    harmonicCurve(shell, azimuth, true), harmonicCurve(lip, azimuth, false),
                                    plateSlopeCurve(options_, azimuth),  sectorCurve(options_, azimuth)};

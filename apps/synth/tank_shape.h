@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/portable_math.h"
 #include "hit.h"
 #include "options.h"
 
@@ -32,7 +33,9 @@ struct TankRay {
 
   double closest() const { return a > 0.0 ? -b / a : 0.0; }
   double rho(double t) const { return std::sqrt(std::max(0.0, (a * t + 2.0 * b) * t + c)); }
-  double azimuth(double t) const { return std::atan2(origin.y() + t * direction.y(), origin.x() + t * direction.x()); }
+  double azimuth(double t) const {
+    return portable::atan2(origin.y() + t * direction.y(), origin.x() + t * direction.x());
+  }
   /// Where rho <= radius; false when nowhere.
   bool within(double radius, double& begin, double& end) const;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "scene_file.h"
 #include "tank_curves.h"
 #include "truth_shell.h"
@@ -24,7 +25,7 @@ bool sees(const Scene& scene, const ScanStation& from, int tank, const Eigen::Ve
   const ScannerOptions& o = scene.options().scanner;
   if (from.inside >= 0 && from.inside != tank) return false;
   const Eigen::Vector3d way = place - from.position;
-  const double distance = way.norm(), elevation = std::asin(way.z() / distance);
+  const double distance = way.norm(), elevation = portable::asin(way.z() / distance);
   if (distance > o.max_range || elevation < o.min_elevation || elevation > o.max_elevation) return false;
   return !scene.cast({from.position, way / distance}, from.inside, distance).found();
 }
@@ -41,7 +42,7 @@ double azimuthOnTank(const Scene& scene, const Tank& tank, double azimuth, bool 
   double own = azimuth;
   for (int i = 0; i < kSteps; ++i) {
     const Eigen::Vector3d arm = scene.inFrame(tank.datumPoint(own, inside)) - centre;
-    own -= std::remainder(std::atan2(arm.y(), arm.x()) - azimuth, 2.0 * kPi);
+    own -= std::remainder(portable::atan2(arm.y(), arm.x()) - azimuth, 2.0 * kPi);
   }
   return own;
 }

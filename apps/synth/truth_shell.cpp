@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "fit/circle.h"
 
 namespace tank_datum::synth {
@@ -65,7 +66,7 @@ nlohmann::ordered_json shellTruthJson(const TruthTank& tank) {
                          {"min_deviation", r.min_deviation},
                          {"azimuth_deg", degrees(r.azimuth)}});
   }
-  const double direction = degrees(std::atan2(tank.lean.y(), tank.lean.x()));
+  const double direction = degrees(portable::atan2(tank.lean.y(), tank.lean.x()));
   return {{"roundness", roundness},
           {"plumbness_max", std::abs(tank.plumb.offset)},
           {"plumbness_height", tank.plumb.height},

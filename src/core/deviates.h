@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -21,9 +22,9 @@ class Deviates {
     }
     constexpr double kUnit = 1.0 / 18446744073709551616.0;
     const double u = (static_cast<double>(generator_()) + 0.5) * kUnit, v = static_cast<double>(generator_()) * kUnit;
-    const double r = std::sqrt(-2.0 * std::log(std::min(u, 1.0)));
-    kept_ = r * std::sin(kTwoPi * v), kept_ready_ = true;
-    return r * std::cos(kTwoPi * v);
+    const double r = std::sqrt(-2.0 * portable::log(std::min(u, 1.0)));
+    kept_ = r * portable::sin(kTwoPi * v), kept_ready_ = true;
+    return r * portable::cos(kTwoPi * v);
   }
 
  private:
@@ -39,7 +40,7 @@ inline double studentWidth(Deviates& normal, double freedom) {
   constexpr int kMost = 200;
   const int squares = std::min(kMost, static_cast<int>(std::lround(freedom)));
   double sum = 0.0;
-  for (int k = 0; k < squares; ++k) sum += std::pow(normal(), 2.0);
+  for (int k = 0; k < squares; ++k) sum += square(normal());
   return squares > 0 ? std::sqrt(squares / sum) : 1.0;
 }
 

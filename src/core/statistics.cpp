@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/normal95.h"
+#include "core/portable_math.h"
 
 namespace tank_datum {
 
@@ -49,9 +50,9 @@ double biweightSigma(const std::vector<double>& values) {
   if (!(reach > 0.0)) return reach;
   double above = 0.0, below = 0.0;
   for (const double value : values) {
-    const double off = value - middle, u2 = std::pow(off / reach, 2.0);
+    const double off = value - middle, u2 = square(off / reach);
     if (u2 >= 1.0) continue;
-    above += off * off * std::pow(1.0 - u2, 4.0);
+    above += off * off * square(square(1.0 - u2));
     below += (1.0 - u2) * (1.0 - 5.0 * u2);
   }
   return std::sqrt(static_cast<double>(values.size()) * above) / std::abs(below);
@@ -94,7 +95,7 @@ double student95(double freedom) {
 
 double chiSquareQuantile(double freedom, double deviate) {
   const double part = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - part + deviate * std::sqrt(part), 3.0);
+  return freedom * portable::pow(1.0 - part + deviate * std::sqrt(part), 3.0);
 }
 
 }  // namespace tank_datum

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/refusal.h"
 #include "tank_datum/edge/find_edge_points.h"
 
@@ -10,7 +11,7 @@ namespace tank_datum {
 std::vector<std::int32_t> growCandidates(const Normals& normals, const GrowingOptions& options, int threads) {
   refuseFirst(firstError(options));
   const auto k = static_cast<std::size_t>(normals.k);
-  const float limit = static_cast<float>(std::cos(options.angle));
+  const float limit = static_cast<float>(portable::cos(options.angle));
   std::vector<std::atomic<char>> marked(normals.size());
   forEachRun(normals.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t seed = begin; seed < end; ++seed) {

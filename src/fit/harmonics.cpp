@@ -1,8 +1,8 @@
 #include "fit/harmonics.h"
 
 #include <Eigen/Dense>
-#include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 
 namespace tank_datum {
@@ -11,8 +11,9 @@ Eigen::RowVectorXd harmonicRow(double azimuth, int order) {
   Eigen::RowVectorXd row(2 * order + 1);
   row[0] = 1.0;
   for (int n = 1; n <= order; ++n) {
-    row[2 * n - 1] = std::cos(n * azimuth);
-    row[2 * n] = std::sin(n * azimuth);
+    const auto [sine, cosine] = portable::sinCos(n * azimuth);
+    row[2 * n - 1] = cosine;
+    row[2 * n] = sine;
   }
   return row;
 }
@@ -25,7 +26,7 @@ Eigen::MatrixXd harmonicRows(const Eigen::VectorXd& azimuths, int order) {
 
 double PeriodicFit::operator()(double azimuth) const {
   if (coefficients.size() == 0) return 0.0;
-  const double cosine = std::cos(azimuth), sine = std::sin(azimuth);
+  const auto [sine, cosine] = portable::sinCos(azimuth);
   double value = coefficients[0], c = 1.0, s = 0.0;  // of n times the azimuth
   for (Eigen::Index n = 1; n < coefficients.size(); n += 2) {
     const double before = c;
@@ -50,7 +51,7 @@ PeriodicFit fitHarmonics(const std::vector<double>& azimuths, const std::vector<
   for (int iteration = 0; iteration < (how.robust ? 30 : 1); ++iteration) {
     Eigen::MatrixXd normal = design.transpose() * used.asDiagonal() * design;
     for (int n = 1; n <= how.order; ++n) {
-      const double quiet = how.ridge * used.sum() * std::pow(static_cast<double>(n) / how.order, 4);
+      const double quiet = how.ridge * used.sum() * square(square(static_cast<double>(n) / how.order));
       normal(2 * n - 1, 2 * n - 1) += quiet;
       normal(2 * n, 2 * n) += quiet;
     }

@@ -11,7 +11,7 @@ Eigen::Vector3d byAllEigenvectors(const SymmetricMatrix& m) {
   Eigen::Matrix3d full;
   full << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(full);
+  solver.compute(full);  // computeDirect takes angles of the C library
   return solver.eigenvectors().col(0);
 }
 

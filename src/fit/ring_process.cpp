@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
@@ -40,7 +41,7 @@ struct Transition {
   Matrix2d phi, noise, stationary;
 
   Transition(const Parameters& p, double step) {
-    const double rate = std::sqrt(3.0) / p.length, decay = std::exp(-rate * step);
+    const double rate = std::sqrt(3.0) / p.length, decay = portable::exp(-rate * step);
     phi << decay * (1.0 + rate * step), decay * step, -decay * rate * rate * step, decay * (1.0 - rate * step);
     stationary << p.amplitude * p.amplitude, 0.0, 0.0, rate * rate * p.amplitude * p.amplitude;
     noise = stationary - phi * stationary * phi.transpose();
@@ -81,7 +82,7 @@ double filter(const Data& data, const Parameters& p, std::vector<State>* states)
       mean += gain * off;
       cov -= gain * cov.row(0);
       if (k >= pad && k < pad + count) {
-        unlikely += std::log(variance) + (kFreedom + 1.0) * std::log1p(off * off / variance / kFreedom);
+        unlikely += portable::log(variance) + (kFreedom + 1.0) * portable::log1p(off * off / variance / kFreedom);
       }
     }
     if (states != nullptr) states->push_back({mean, predicted_mean, cov, predicted_cov});

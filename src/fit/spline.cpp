@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -71,7 +72,8 @@ Fit chooseFit(const std::vector<Eigen::Vector3d>& points, const std::vector<doub
   for (const Eigen::Index controls : {4, 6, 8, 12, 16, 24, 36, 48, 72, 90, 120, 180}) {
     if (static_cast<std::size_t>(2 * controls) > points.size() && controls > 4) break;
     Fit fit = fitControls(points, azimuths, controls);
-    const double score = n * std::log(fit.squares / n + 1e-18) + 3.0 * static_cast<double>(controls) * std::log(n);
+    const double score =
+        n * portable::log(fit.squares / n + 1e-18) + 3.0 * static_cast<double>(controls) * portable::log(n);
     if (score < best_score) {
       best_score = score;
       best = std::move(fit);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -29,7 +30,7 @@ struct Spread {
 double logLikelihoodOfOne(const std::vector<double>& values) {
   Spread all;
   for (const double v : values) all.add(1.0, v - values.front());
-  return -all.weight * std::log(all.deviation()) - 0.5 * all.weight;
+  return -all.weight * portable::log(all.deviation()) - 0.5 * all.weight;
 }
 
 /// Sums of the values weighted by how likely they belong to the lower level.
@@ -43,15 +44,16 @@ Split divide(const TwoLevels& model, const std::vector<double>& values) {
   for (const double v : values) {
     const double a = (v - model.low) / model.sigma, b = (v - model.high) / model.sigma;
     // relative to the larger of the two densities, so that neither is lost far out
-    const double least = std::min(a * a, b * b);
-    const double low = model.share * std::exp(-0.5 * (a * a - least));
-    const double high = (1.0 - model.share) * std::exp(-0.5 * (b * b - least));
+    const double least = std::min(a * a, b * b), lesser = portable::exp(-0.5 * std::abs(a * a - b * b));
+    const double low = model.share * (a * a > least ? lesser : 1.0);
+    const double high = (1.0 - model.share) * (b * b > least ? lesser : 1.0);
     const double weight = low / (low + high);
     split.weight += weight;
     split.low += weight * v;
     split.high += (1.0 - weight) * v;
-    split.log_likelihood += std::log(low + high) - 0.5 * least - std::log(model.sigma);
+    split.log_likelihood += portable::log(low + high) - 0.5 * least;
   }
+  split.log_likelihood -= static_cast<double>(values.size()) * portable::log(model.sigma);
   return split;
 }
 
@@ -69,7 +71,7 @@ TwoLevels improved(const Split& split, double squares, double count) {
 }  // namespace
 
 bool TwoLevels::isHigh(double value) const {
-  const double middle = 0.5 * (low + high), shift = sigma * sigma / apart() * std::log(share / (1.0 - share));
+  const double middle = 0.5 * (low + high), shift = sigma * sigma / apart() * portable::log(share / (1.0 - share));
   return value > middle + shift;
 }
 
@@ -110,10 +112,10 @@ double gainOfStrays(const std::vector<double>& values) {
     Spread of_level;
     log_likelihood = 0.0;
     for (const double v : values) {
-      const double off = (v - level) / sigma, normal = share * std::exp(-0.5 * off * off) / sigma;
+      const double off = (v - level) / sigma, normal = share * portable::exp(-0.5 * off * off) / sigma;
       const double either = normal + (1.0 - share) * stray;
       of_level.add(normal / either, v - level);
-      log_likelihood += std::log(either);
+      log_likelihood += portable::log(either);
     }
     level += of_level.mean();
     sigma = std::max(of_level.deviation(), kLeastShare * (*largest - *least));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 
 namespace tank_datum {
@@ -29,7 +30,7 @@ double costOf(const FootCandidate& c, const Usual& usual, double reach) {
   double cost = std::max(0.0, c.from - usual.from) / (kGap * reach);
   const double steep = std::max(0.0, std::abs(c.slope) - 2.0 * c.sigma_slope) / kUsualSlope;
   cost += 0.5 * steep * steep;
-  cost += std::max(0.0, std::log2(c.noise / usual.noise) - 1.0);
+  cost += std::max(0.0, portable::log2(c.noise / usual.noise) - 1.0);
   if (c.over_foot > kShellBelow * reach + 3.0 * std::max(c.error, c.noise)) cost += 2.0 * kNone;
   if (c.over_foot < -kHidden * reach) cost += 1.0;
   return cost;
@@ -120,7 +121,7 @@ std::vector<Run> runsOf(const Ring& ring, const Choice& choice) {
       run.cost += ring.costs[seen[k]][*choice[seen[k]]];
     }
     const auto length = static_cast<double>(run.members.size());
-    run.cost = run.cost / length - 0.25 * std::log2(length);
+    run.cost = run.cost / length - 0.25 * portable::log2(length);
     runs.push_back(std::move(run));
   }
   return runs;

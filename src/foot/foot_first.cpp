@@ -38,8 +38,9 @@ std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, d
   const double near = scales.nearest(), direction = foot.directions[station], height = tank.foot(direction);
   for (;; half = std::min(1.6 * half, kWidest)) {
     auto points = foot.ring.around(direction, half, height, foot.reach);
+    if (half < kWidest && !isFilled(points, scales, near)) continue;
     for (FootPoint& p : points) p.z -= tank.foot(direction + p.t / foot.radius) - height;
-    if (half >= kWidest || isFilled(points, scales, near)) return findCandidates(points, scales);
+    return findCandidates(points, scales);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "fit/surface_rows.h"
 #include "foot/foot_profile.h"
 
@@ -75,7 +76,7 @@ double selectionError(const SurfaceRows& rows, double from, double to) {
   }
   if (!(squares > 0.0)) return 0.0;
   const double spread = std::sqrt(squares / sum), to_end = std::min(mean_d - from, to - mean_d) / spread;
-  return std::abs(products / squares) * spread * std::exp(-0.5 * to_end * to_end);
+  return std::abs(products / squares) * spread * portable::exp(-0.5 * to_end * to_end);
 }
 
 /// The points on the surface that a fit looks at, up to where the surface or what is seen of it ends.

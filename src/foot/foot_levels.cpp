@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "foot/foot_bends.h"
@@ -137,7 +138,7 @@ OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<s
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     FootFit& fit = own.fits[k] = fitted[k].fit;
     if (!fit.valid()) continue;
-    const double leverage = static_cast<double>(fit.points) * std::pow(fit.sigma / fit.noise, 2.0);
+    const double leverage = static_cast<double>(fit.points) * square(fit.sigma / fit.noise);
     fit.sigma = std::sqrt(fit.sigma * fit.sigma + rough * leverage);
     own.levels[stretches[k].middle()] = fit.z;
     own.sigmas[stretches[k].middle()] = fit.sigma;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -71,7 +72,8 @@ struct Cells {
 /// What two points of a stretch share on the average, of a process of the length.
 double sharedAlong(double stretch, double length) {
   const double x = stretch / length;
-  return std::sqrt(kTwoPi) / x * std::erf(x / std::sqrt(2.0)) - 2.0 / (x * x) * (1.0 - std::exp(-0.5 * x * x));
+  return std::sqrt(kTwoPi) / x * portable::erf(x / std::sqrt(2.0)) -
+         2.0 / (x * x) * (1.0 - portable::exp(-0.5 * x * x));
 }
 
 /// The length at which points of a cell share so much of their variance; of cells that are alike all over, their own.

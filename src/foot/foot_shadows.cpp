@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "foot/slanting_beams.h"
@@ -55,12 +56,13 @@ SeenHeights seenHeights(double steepness, const Roughness& roughness) {
   constexpr double kAlike = 1.16;     // neighbouring heights are alike, as Smith's are not: as if slopes were larger
   if (!(roughness.slopes() > 0.0)) return {0.0, roughness.heights};
   const double v = std::max(kGrazing, steepness / (kAlike * roughness.slopes()) / std::sqrt(2.0));
-  const double hidden = 0.5 * (std::exp(-v * v) / (std::sqrt(kPi) * v) - std::erfc(v));
+  const double hidden = 0.5 * (portable::exp(-v * v) / (std::sqrt(kPi) * v) - portable::erfc(v));
   // a height is seen as often as it is the greatest of so many
   double sum = 0, mean = 0, squares = 0;
   for (int i = 0; i <= kSteps; ++i) {
     const double x = kFar * (2.0 * i / kSteps - 1.0);
-    const double weight = std::exp(-0.5 * x * x) * std::pow(0.5 * std::erfc(-x / std::sqrt(2.0)), hidden);
+    const double weight =
+        portable::exp(-0.5 * x * x) * portable::pow(0.5 * portable::erfc(-x / std::sqrt(2.0)), hidden);
     sum += weight, mean += weight * x, squares += weight * x * x;
   }
   mean /= sum;

@@ -5,6 +5,7 @@
 
 #include "core/bucket_sort.h"
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -12,7 +13,7 @@ namespace {
 
 /// atan2 of a tiny negative y rounds up to a full turn
 double azimuthOf(const Eigen::Vector2d& arm) {
-  const double azimuth = std::atan2(arm.y(), arm.x());
+  const double azimuth = portable::atan2(arm.y(), arm.x());
   return azimuth >= 0.0 ? azimuth : std::min(azimuth + kTwoPi, std::nextafter(kTwoPi, 0.0));
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
@@ -148,7 +149,7 @@ std::vector<StationDatum> stationsOf(const Foot& foot, const std::vector<FootFit
     s.n_shell = shell[i].points;
     s.n_foundation = fit.points;
     if (!fit.valid()) continue;
-    const Eigen::Vector2d outwards(std::cos(s.direction), std::sin(s.direction));
+    const Eigen::Vector2d outwards(portable::cos(s.direction), portable::sin(s.direction));
     s.flag = StationFlag::Measured;
     s.z = fit.z;
     s.sigma_z = fit.sigma;

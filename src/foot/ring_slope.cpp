@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 
 namespace tank_datum {
@@ -12,7 +13,7 @@ constexpr double kTankSlope = 0.03;  // of the lips of one tank, on the average 
 
 double withPrior(double sigma) { return 1.0 / std::hypot(1.0 / sigma, 1.0 / kTankSlope); }
 
-double density(double off, double sigma) { return std::exp(-0.5 * off * off / (sigma * sigma)) / sigma; }
+double density(double off, double sigma) { return portable::exp(-0.5 * off * off / (sigma * sigma)) / sigma; }
 
 /// The ring's own slope for what its windows show: of two kinds of tanks, those whose lips are parallel to what they
 /// lie on and those whose lips lean as they like, as many of each, as likely as what is seen is of either. Of a slope

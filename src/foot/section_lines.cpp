@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 
 namespace tank_datum {
@@ -56,7 +57,7 @@ SectionLine lineThrough(const std::vector<SectionBin>& bins, BinRange range, dou
   }
   line.slope = products / squares;
   double misfit = line.slope * line.slope / (steepest * steepest);
-  for (std::size_t i = first; i < last; ++i) misfit += std::pow((bins[i].z - line.at(bins[i].d)) / bins[i].error, 2.0);
+  for (std::size_t i = first; i < last; ++i) misfit += square((bins[i].z - line.at(bins[i].d)) / bins[i].error);
   const double larger = std::max(1.0, misfit / std::max(1.0, static_cast<double>(last - first) - 1.0));
   line.variance = larger / sum;
   line.variance_slope = larger / squares;

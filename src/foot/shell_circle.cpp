@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -32,7 +33,7 @@ Observations observationsOf(const std::vector<ShellLine>& lines, const std::vect
   Observations all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].seen()) continue;
-    const double c = std::cos(azimuths[i]), s = std::sin(azimuths[i]);
+    const double c = portable::cos(azimuths[i]), s = portable::sin(azimuths[i]);
     for (const double h : {heights.from, heights.to}) {
       all.rows.push_back((Row() << 1.0, c, s, h * c, h * s).finished());
       all.radii.push_back(lines[i].at(0.0, h) - radius);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/portable_math.h"
+
 namespace tank_datum {
 namespace {
 
@@ -68,7 +70,7 @@ std::optional<double> LimitFormula::at(const std::map<char, double>& given) cons
   for (const auto& [letter, power] : powers) {
     const auto found = given.find(letter);
     if (found == given.end()) return {};
-    value *= std::pow(found->second, power);
+    value *= portable::pow(found->second, power);
   }
   return value;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circle.h"
@@ -33,12 +34,12 @@ class TripleSampler {
   TripleSampler(const Walls& walls, double voxel) : walls_(walls), smallest_(12.0 * voxel), random_(1) {
     Eigen::AlignedBox<double, 2> box;
     for (const WallCell* wall : walls) box.extend(wall->position);
-    decades_ = std::log(std::max(2.0, box.diagonal().norm() / smallest_));
+    decades_ = portable::log(std::max(2.0, box.diagonal().norm() / smallest_));
   }
 
   Circle draw(Walls& triple) {
     const WallCell* first = any();
-    const double scale = smallest_ * std::exp(decades_ * uniform());
+    const double scale = smallest_ * portable::exp(decades_ * uniform());
     const WallCell* second = at(first, scale);
     const WallCell* third = at(first, scale);
     if (!second || !third || second == third) return {};
@@ -122,8 +123,8 @@ bool turnsWithAzimuth(const Walls& walls, const Circle& circle, double voxel) {
     if (!rule.holds(*wall, circle)) continue;
     const Eigen::Vector2d radial = (wall->position - circle.center).normalized();
     const double cross = radial.x() * wall->normal.y() - radial.y() * wall->normal.x();
-    const double off = std::atan(cross / radial.dot(wall->normal));
-    double azimuth = std::atan2(radial.y(), radial.x());
+    const double off = portable::atan(cross / radial.dot(wall->normal));
+    double azimuth = portable::atan2(radial.y(), radial.x());
     if (azimuth < 0) azimuth += kTwoPi;
     Sums& s = sums[static_cast<int>(azimuth / kTwoPi * kWindows) % kWindows];
     s.n += 1, s.x += azimuth, s.y += off, s.xx += azimuth * azimuth, s.xy += azimuth * off;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "locate/circle_search.h"
 #include "locate/nested_tanks.h"
@@ -91,7 +92,7 @@ Tank describeKnown(const std::vector<Sample>& samples, const Circle& circle) {
 }  // namespace
 
 double Tank::azimuthOf(const Eigen::Vector2d& p) const {
-  const double azimuth = std::atan2(p.y() - circle.center.y(), p.x() - circle.center.x());
+  const double azimuth = portable::atan2(p.y() - circle.center.y(), p.x() - circle.center.x());
   return azimuth < 0 ? azimuth + kTwoPi : azimuth;
 }
 

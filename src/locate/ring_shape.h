@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "tank_datum/fit/curves.h"
 #include "tank_datum/locate/tank.h"
 
@@ -20,8 +21,8 @@ struct RingShape {
         slope_x(tank.foot.coefficients[1] / tank.circle.radius),
         slope_y(tank.foot.coefficients[2] / tank.circle.radius),
         height(tank.foot.coefficients[0]),
-        inner(std::pow(std::max(0.0, circle.radius - reach), 2)),
-        outer(std::pow(circle.radius + reach, 2)) {}
+        inner(square(std::max(0.0, circle.radius - reach))),
+        outer(square(circle.radius + reach)) {}
 
   bool holds(const Eigen::Vector3d& p) const {
     const Eigen::Vector2d arm = p.head<2>() - circle.center;

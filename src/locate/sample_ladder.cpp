@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/portable_math.h"
 #include "io/point_extent.h"
 #include "locate/stray_points.h"
 #include "search/voxel_sample.h"
@@ -26,7 +27,7 @@ double finestVoxel(const Points& points) {
   constexpr double kHalfRange = double(1 << 19);  // voxels
   double reach = 1e-9;
   for (const auto& p : points) reach = std::max(reach, p.cwiseAbs().maxCoeff());
-  return kRung * std::exp2(std::ceil(std::log2(reach / kHalfRange / kRung)));
+  return kRung * portable::exp2(std::ceil(portable::log2(reach / kHalfRange / kRung)));
 }
 
 namespace {

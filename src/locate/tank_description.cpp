@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circle.h"
@@ -20,8 +21,8 @@ Circle refineCircle(const Points& points, double voxel, const Circle& circle, co
   std::vector<Eigen::Vector2d> plan;
   for (const auto& p : points) {
     const Eigen::Vector2d arm = p.head<2>() - circle.center;
-    const double above = p.z() - foot(std::atan2(arm.y(), arm.x()));
-    if (above > 2.0 * voxel && std::abs(arm.norm() - circle.radius) <= band) plan.push_back(p.head<2>());
+    if (std::abs(arm.norm() - circle.radius) > band) continue;
+    if (p.z() - foot(portable::atan2(arm.y(), arm.x())) > 2.0 * voxel) plan.push_back(p.head<2>());
   }
   constexpr std::size_t kPlenty = 50'000;
   const std::size_t stride = plan.size() / kPlenty + 1;

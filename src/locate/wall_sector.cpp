@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -58,7 +59,7 @@ std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& 
     const Eigen::Vector2d arm = p.head<2>() - circle.center;
     const double off = arm.norm() - circle.radius;
     if (std::abs(off) > band + reach) continue;
-    const double turn = std::atan2(arm.y(), arm.x()) / kTwoPi;
+    const double turn = portable::atan2(arm.y(), arm.x()) / kTwoPi;
     auto& sector = sectors[static_cast<std::size_t>((turn - std::floor(turn)) * count) % sectors.size()];
     if (std::abs(off) <= band) sector.shell.push_back({p.z(), off});
     if (std::abs(off) > band + clear) (off > 0 ? sector.outside : sector.inside).push_back(p.z());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "tank_datum/core/error.h"
@@ -128,7 +129,7 @@ CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal remo
   Eigen::VectorXd weights(count), dz(count), sigmas(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const MatchedStation& m = stations[static_cast<std::size_t>(i)];
-    rows_.row(i) = Eigen::RowVector3d(1.0, std::cos(m.direction), std::sin(m.direction)).head(terms);
+    rows_.row(i) = Eigen::RowVector3d(1.0, portable::cos(m.direction), portable::sin(m.direction)).head(terms);
     dz[i] = m.dz, sigmas[i] = m.sigma;
   }
   const Eigen::VectorXd plain = sigmas.array().square().inverse();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/plain_text.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "movement/trend.h"
 #include "tank_datum/core/error.h"
@@ -44,13 +45,13 @@ Line lineThrough(const std::vector<Observation>& seen) {
   }
   line.rate /= spread;
   for (const Observation& o : seen) {
-    misfit += weight(o) * std::pow(o.value - line.level - line.rate * (o.time - line.at), 2.0);
+    misfit += weight(o) * square(o.value - line.level - line.rate * (o.time - line.at));
   }
   const double freedom = static_cast<double>(seen.size()) - 2.0;
   const bool scattered = freedom > 0.0 && misfit > chiSquareQuantile(freedom, kOneSided95);
   const double factor = scattered ? misfit / freedom : 1.0;
   line.level_variance = factor / weights, line.rate_variance = factor / spread;
-  line.quantile2 = std::pow(student95(scattered ? freedom : 0.0), 2.0);
+  line.quantile2 = square(student95(scattered ? freedom : 0.0));
   return line;
 }
 

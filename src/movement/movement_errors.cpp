@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
@@ -23,8 +24,8 @@ double correlationAt(const std::vector<double>& values, const std::vector<Matche
     if (turn(stations[j].direction - stations[i].direction) > (static_cast<double>(lag) + 0.5) * step) continue;
     sums.push_back(values[i] + values[j]), differences.push_back(values[i] - values[j]);
   }
-  const double s = std::pow(robustSigma(sums, median(sums)), 2.0);
-  const double d = std::pow(robustSigma(differences, median(differences)), 2.0);
+  const double s = square(robustSigma(sums, median(sums)));
+  const double d = square(robustSigma(differences, median(differences)));
   return (s - d) / (s + d);
 }
 
@@ -127,7 +128,7 @@ CommonMotion commonMotion(const std::vector<MatchedStation>& stations, double he
   for (Eigen::Index i = 0; i < count; ++i) own[i] = stations[static_cast<std::size_t>(i)].own();
   for (Eigen::Index i = 0; i < count; ++i) {
     const MatchedStation& m = stations[static_cast<std::size_t>(i)];
-    rows.row(i) << 1.0, std::cos(m.direction), std::sin(m.direction);
+    rows.row(i) << 1.0, portable::cos(m.direction), portable::sin(m.direction);
     dz[i] = m.dz, weights[i] = 1.0 / (m.sigma * m.sigma);
     for (Eigen::Index j = 0; j < count; ++j) {
       const MatchedStation& other = stations[static_cast<std::size_t>(j)];
@@ -149,7 +150,7 @@ CommonMotion commonMotion(const std::vector<MatchedStation>& stations, double he
 
 double tiltPValue(const CommonMotion& motion, double freedom) {
   const double squares = motion.rim.dot(motion.covariance.inverse() * motion.rim);
-  return freedom > 0.0 ? std::pow(1.0 + squares / freedom, -0.5 * freedom) : std::exp(-0.5 * squares);
+  return freedom > 0.0 ? portable::pow(1.0 + squares / freedom, -0.5 * freedom) : portable::exp(-0.5 * squares);
 }
 
 }  // namespace tank_datum

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/deviates.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/window_means.h"
@@ -97,7 +98,8 @@ class Unmoved {
     }
     part_.removeFrom(stations_);
     const double height = common_.height * normal_(), east = common_.rim * normal_(), north = common_.rim * normal_();
-    for (MatchedStation& m : stations_) m.dz += height + east * std::cos(m.direction) + north * std::sin(m.direction);
+    for (MatchedStation& m : stations_)
+      m.dz += height + east * portable::cos(m.direction) + north * portable::sin(m.direction);
     return stations_;
   }
 

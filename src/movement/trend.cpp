@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "core/normal95.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "movement/epoch_matching.h"
 #include "tank_datum/core/error.h"
@@ -57,7 +58,7 @@ void fitRate(StationHistory& history, const std::vector<double>& times) {
   mean /= static_cast<double>(seen.size() + 1);
   double spread = (times.front() - mean) * (times.front() - mean);
   for (const std::size_t i : seen) spread += (times[i + 1] - mean) * (times[i + 1] - mean);
-  double rate = 0.0, variance = std::pow((times.front() - mean) / spread * baseline, 2.0);
+  double rate = 0.0, variance = square((times.front() - mean) / spread * baseline);
   for (const std::size_t i : seen) {
     const StationMovement& s = history.surveys[i];
     const double share = (times[i + 1] - mean) / spread;
@@ -73,9 +74,9 @@ void judgeRates(std::vector<StationHistory>& histories) {
   const auto known =
       std::count_if(histories.begin(), histories.end(), [](const StationHistory& h) { return h.sigma_rate > 0.0; });
   if (known == 0) return;
-  const double one = 1.0 - std::pow(1.0 - kFalseAlarms, 1.0 / static_cast<double>(known));
+  const double one = 1.0 - portable::pow(1.0 - kFalseAlarms, 1.0 / static_cast<double>(known));
   for (StationHistory& h : histories) {
-    const double chance = std::erfc(std::abs(h.rate) / h.sigma_rate / std::sqrt(2.0));  // two-sided
+    const double chance = portable::erfc(std::abs(h.rate) / h.sigma_rate / std::sqrt(2.0));  // two-sided
     h.significant = h.sigma_rate > 0.0 && chance < one;
   }
 }

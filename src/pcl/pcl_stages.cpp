@@ -1,10 +1,10 @@
 #include "tank_datum/pcl/pcl_stages.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/refusal.h"
 #include "foot/refine.h"
 #include "locate/crop.h"
@@ -44,7 +44,7 @@ float curvatureAlong(const Eigen::Vector3d& normal, const Points& points, const 
   double along = 0.0, all = 0.0;
   for (std::size_t j = 0; j < k; ++j) {
     const Eigen::Vector3d arm = points[static_cast<std::size_t>(chosen[j])] - mean;
-    along += std::pow(arm.dot(normal), 2);
+    along += square(arm.dot(normal));
     all += arm.squaredNorm();
   }
   return all > 0.0 ? static_cast<float>(along / all) : 0.0F;

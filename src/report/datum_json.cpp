@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "io/json_file.h"
 #include "options/option_json.h"
@@ -101,7 +102,7 @@ Json datumSection(const Datum& datum) {
 Json tiltJson(const Tilt& tilt) {
   if (!tilt.valid()) return nullptr;
   return {{"slope", tilt.slope()},
-          {"angle_arcsec", toArcSeconds(std::atan(tilt.slope()))},
+          {"angle_arcsec", toArcSeconds(portable::atan(tilt.slope()))},
           {"direction_deg", toDegrees(tilt.direction)},
           {"sigma_slope", number(tilt.sigma_slope)},
           {"standard_error", number(tilt.standard_error)},

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "movement/limit_rates.h"
 #include "movement/movement.h"
@@ -58,7 +59,7 @@ Json movementSection(const Movement& movement) {
           {"tilt_change",
            {{"slope", number(movement.tilt_change)},
             {"sigma", number(movement.sigma_tilt_change)},
-            {"angle_arcsec", number(toArcSeconds(std::atan(movement.tilt_change)))},
+            {"angle_arcsec", number(toArcSeconds(portable::atan(movement.tilt_change)))},
             {"direction_deg", number(toDegrees(movement.tilt_direction))},
             {"azimuth_deg", number(toDegrees(movement.rise_azimuth))},
             {"p_value", number(movement.tilt_p_value)},

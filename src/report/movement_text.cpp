@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/plain_text.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "report/words.h"
 
@@ -43,7 +44,7 @@ std::string movementText(const Movement& movement, const Display& display, const
                   {"significance", significance(shown, taken, language)}};
   };
   const auto arcseconds = [&](double slope) {
-    return say(language, "unit.arcseconds", {{"value", fixedText(toArcSeconds(std::atan(slope)), 1)}});
+    return say(language, "unit.arcseconds", {{"value", fixedText(toArcSeconds(portable::atan(slope)), 1)}});
   };
   Values rest = lengths(movement.max_rest, movement.sigma_rest, movement.rest_significant, false);
   rest.emplace_back("azimuth", degreesText(movement.rest_azimuth));

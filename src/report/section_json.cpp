@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/portable_math.h"
+
 namespace tank_datum {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double kStep =
 Json figure(double value) {
   if (!std::isfinite(value)) return nullptr;
   if (value == 0.0) return 0.0;
-  const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
+  const double scale = portable::pow(10.0, 5.0 - std::floor(portable::log10(std::abs(value))));
   return std::round(value * scale) / scale;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/plain_text.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "limits/checks.h"
@@ -130,7 +131,7 @@ std::string sidesText(const Tilt& tilt) {
 /// The plane and what departs from it.
 std::string tiltLine(const Datum& datum, const Display& display) {
   if (!datum.tilt.valid()) return {};
-  const auto seconds = [](double slope) { return fixedText(toArcSeconds(std::atan(slope)), 1); };
+  const auto seconds = [](double slope) { return fixedText(toArcSeconds(portable::atan(slope)), 1); };
   const double sigma = datum.tilt.sigma_slope;
   const std::string error = std::isfinite(sigma) ? " +- " + seconds(2.0 * sigma) + " (2 sigma)" : "";
   return line("tilt", "%s arc-seconds%s%s%s", seconds(datum.tilt.slope()).c_str(), error.c_str(),

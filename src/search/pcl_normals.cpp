@@ -62,6 +62,7 @@ Normals estimateNormalsWithPcl(const Points& points, int k, int threads) {
       tree.nearestKSearch((*cloud)[i], static_cast<pcl::uindex_t>(k), found, squared_distances);
       std::copy(found.begin(), found.end(), result.neighbours.begin() + static_cast<std::ptrdiff_t>(i * width));
       Eigen::Vector3f& n = result.normals[i];
+      // Its eigenvalues take sines of float32 from 0 to pi / 3, of which glibc 2.36 gives all alike on every processor.
       estimation.computePointNormal(*cloud, found, n.x(), n.y(), n.z(), curvature);
     }
   });

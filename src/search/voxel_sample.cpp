@@ -9,6 +9,7 @@
 #include "core/morton_code.h"
 #include "core/parallel.h"
 #include "core/point_hash.h"
+#include "core/portable_math.h"
 
 namespace tank_datum {
 namespace {
@@ -146,7 +147,7 @@ double VoxelSample::shareHolding(std::uint32_t count) const {
 
 double VoxelSample::shareAlone(double edge) const {
   if (alone_.empty()) return 0.0;
-  const double doublings = std::clamp(std::round(std::log2(edge / finest_)), 0.0, double(kMostDoublings));
+  const double doublings = std::clamp(std::round(portable::log2(edge / finest_)), 0.0, double(kMostDoublings));
   return alone_[static_cast<std::size_t>(doublings)];
 }
 

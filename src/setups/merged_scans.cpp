@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "setups/setup_ring.h"
@@ -26,7 +27,7 @@ Ring visitsOf(const Ring& ring, const Tank& tank) {
   std::vector<bool> seen(SetupRing::kArcs, false);
   for (std::size_t i = 0; i < visits.points.size(); ++i) {
     const Eigen::Vector2d arm = visits.points[i].head<2>() - tank.circle.center;
-    const double turn = std::atan2(arm.y(), arm.x()) / kTwoPi;
+    const double turn = portable::atan2(arm.y(), arm.x()) / kTwoPi;
     const auto arc =
         std::min(SetupRing::kArcs - 1, static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs));
     if (seen[arc] && i - last[arc] > apart) ++number[arc];
@@ -124,16 +125,17 @@ Eigen::MatrixXd mergedFactors(const std::vector<Station>& stations, double sigma
   constexpr int kWaves = 6;
   constexpr double kLength = 0.5;  // along which errors are alike [rad]
   double total = 0.0;
-  for (int n = 0; n <= kWaves; ++n) total += std::exp(-0.5 * n * n * kLength * kLength) * (n == 0 ? 0.5 : 1.0);
+  for (int n = 0; n <= kWaves; ++n) total += portable::exp(-0.5 * n * n * kLength * kLength) * (n == 0 ? 0.5 : 1.0);
   Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(2 * kWaves + 1, static_cast<Eigen::Index>(stations.size()));
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (!std::isfinite(stations[i].z)) continue;
     const auto column = static_cast<Eigen::Index>(i);
     for (int n = 0; n <= kWaves; ++n) {
-      const double size = sigma * std::sqrt(std::exp(-0.5 * n * n * kLength * kLength) * (n == 0 ? 0.5 : 1.0) / total);
+      const double size =
+          sigma * std::sqrt(portable::exp(-0.5 * n * n * kLength * kLength) * (n == 0 ? 0.5 : 1.0) / total);
       const double angle = n * stations[i].direction;
-      factors(n == 0 ? 0 : 2 * n - 1, column) = size * std::cos(angle);
-      if (n > 0) factors(2 * n, column) = size * std::sin(angle);
+      factors(n == 0 ? 0 : 2 * n - 1, column) = size * portable::cos(angle);
+      if (n > 0) factors(2 * n, column) = size * portable::sin(angle);
     }
   }
   return factors;

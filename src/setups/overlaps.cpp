@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "tank_datum/core/unknown.h"
 
@@ -126,7 +127,7 @@ void measureDiscrepancy(const Overlaps& overlaps, SetupAdjustment& result) {
     const auto many = static_cast<double>(arc.seen.setups.size()), scale = many / (many - 1.0);
     for (std::size_t i = 0; i < arc.seen.setups.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
-      all.push_back({arc.seen.setups[i], std::pow(scale * arc.seen.offsets[row], 2), std::pow(scale * after[row], 2)});
+      all.push_back({arc.seen.setups[i], square(scale * arc.seen.offsets[row]), square(scale * after[row])});
     }
   }
   std::tie(result.all_before, result.all_after) = rmsOf(all);

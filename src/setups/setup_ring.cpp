@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 double turnOf(const Eigen::Vector2d& arm) {
-  const double azimuth = std::atan2(arm.y(), arm.x());
+  const double azimuth = portable::atan2(arm.y(), arm.x());
   return azimuth >= 0.0 ? azimuth : azimuth + kTwoPi;
 }
 

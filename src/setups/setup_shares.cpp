@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "setups/merged_scans.h"
 #include "setups/setup_system.h"
@@ -133,8 +134,8 @@ Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares&
       const double share = shares.foundation(i, column), sideways = slope * (shares.shell(i, column) - share);
       const Eigen::Vector3d& origin = agreement.setups[s].origin;
       derivatives.block<1, SetupMotion::kParameters>(i, column * SetupMotion::kParameters) << share,
-          share * (station.x - origin.x()), share * (station.y - origin.y()), sideways * std::cos(station.direction),
-          sideways * std::sin(station.direction);
+          share * (station.x - origin.x()), share * (station.y - origin.y()),
+          sideways * portable::cos(station.direction), sideways * portable::sin(station.direction);
     }
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(agreement.covariance);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
+
 namespace tank_datum {
 
 SetupSolution solveSetups(const SetupSystem& system, const Eigen::VectorXd& sigmas) {
@@ -49,7 +51,7 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
     double change = 0.0;
     for (std::size_t k = 0; k < kParameterKinds; ++k) {
       if (held[k]) continue;
-      const double below = determined[k] + std::log(sigmas[k] / start[k]) / (kSpread * kSpread);
+      const double below = determined[k] + portable::log(sigmas[k] / start[k]) / (kSpread * kSpread);
       const double ratio = below > 0.0 ? squares[k] / (below * sigmas[k] * sigmas[k]) : kLargestStep;
       const double step = std::sqrt(std::clamp(ratio, 1.0 / kLargestStep, kLargestStep));
       change = std::max(change, std::abs(step - 1.0));
@@ -66,7 +68,8 @@ double temperedSigma(double sigma, double known, double usual) {
   const double ratio = sigma / (kFarBetter * usual);
   const double worth = sigma < usual ? kUsualWorth * ratio * ratio / (1.0 + ratio * ratio) : 0.0;
   const double drawn =
-      worth > 0.0 ? std::exp((known * std::log(sigma) + worth * std::log(usual)) / (known + worth)) : sigma;
+      worth > 0.0 ? portable::exp((known * portable::log(sigma) + worth * portable::log(usual)) / (known + worth))
+                  : sigma;
   return drawn * std::sqrt(1.0 + 2.0 / (known + worth));
 }
 

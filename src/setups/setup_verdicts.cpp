@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "setups/setup_ring.h"
 
@@ -30,7 +31,7 @@ void markDuplicates(std::vector<Setup>& setups, const RepeatedPoints& repeated) 
 void dropBad(Ring& ring, const std::vector<Setup>& setups, const Eigen::Vector2d& center) {
   constexpr std::size_t kEnough = 100;  // points of an arc
   const auto arcOf = [&](const Eigen::Vector3d& p) {
-    const double turn = std::atan2(p.y() - center.y(), p.x() - center.x()) / kTwoPi;
+    const double turn = portable::atan2(p.y() - center.y(), p.x() - center.x()) / kTwoPi;
     return static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs) % SetupRing::kArcs;
   };
   const auto is_bad = [&](std::size_t i) { return setups[ring.setupOf(i)].verdict == SetupVerdict::Bad; };

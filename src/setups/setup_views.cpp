@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "stations/highest_wave.h"
@@ -89,7 +90,7 @@ SetupMotion::Vector motionOfFoot(const Eigen::Vector3d& arm) {
 
 /// And to a radius, in the direction outwards.
 SetupMotion::Vector motionOfShell(const Eigen::Vector3d& arm, double azimuth) {
-  const double c = std::cos(azimuth), s = std::sin(azimuth);
+  const double c = portable::cos(azimuth), s = portable::sin(azimuth);
   return (SetupMotion::Vector() << 0.0, -c * arm.z(), -s * arm.z(), c, s).finished();
 }
 
@@ -105,7 +106,7 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
   forEachIndex(SetupRing::kArcs, threads, [&](std::size_t arc) {
     const ArcPoints points = pointsOf(ring, tank, reach, arc);
     const double azimuth = (static_cast<double>(arc) + 0.5) * kArc;
-    const Eigen::Vector2d out(std::cos(azimuth), std::sin(azimuth));
+    const Eigen::Vector2d out(portable::cos(azimuth), portable::sin(azimuth));
     for (const bool shell : {false, true}) {
       const auto seen = compareArc(shell ? points.shell : points.foot, shell ? shell_prior : foot_prior);
       if (!seen) continue;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
@@ -33,7 +34,7 @@ std::size_t StationCells::cellOf(double direction) const {
 
 FootPlace StationCells::placeOf(const Eigen::Vector3d& point, const Eigen::Vector2d& center, Side side) const {
   const Eigen::Vector2d arm = point.head<2>() - center;
-  const double azimuth = std::atan2(arm.y(), arm.x());
+  const double azimuth = portable::atan2(arm.y(), arm.x());
   const std::size_t cell = cellOf(azimuth);
   const double outwards = arm.norm() - levels_[cell].radius;
   return {cell, azimuth, side == Side::Outside ? outwards : -outwards, point.z() - levels_[cell].z};

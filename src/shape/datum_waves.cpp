@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "core/portable_math.h"
 #include "fit/harmonics.h"
 
 namespace tank_datum {
@@ -50,7 +51,8 @@ double noisePower(const WaveData& data, const std::vector<double>& residuals, in
   for (int n = order + 1; n <= last; ++n) {
     std::complex<double> wave = 0.0;
     for (std::size_t i = 0; i < data.count(); ++i) {
-      wave += std::sqrt(data.weights[i]) * residuals[i] * std::polar(1.0, n * data.azimuths[i]);
+      const auto [sine, cosine] = portable::sinCos(n * data.azimuths[i]);
+      wave += std::sqrt(data.weights[i]) * residuals[i] * std::complex(cosine, sine);
     }
     sum += std::norm(wave) / static_cast<double>(data.count());
   }

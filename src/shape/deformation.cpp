@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "shape/datum_waves.h"
 #include "shape/partial_ring_tilt.h"
@@ -18,7 +19,7 @@ bool known(const Station& station) { return station.flag != StationFlag::Missing
 
 }  // namespace
 
-double Antipodal::angle() const { return std::atan(max_h / diameter); }
+double Antipodal::angle() const { return portable::atan(max_h / diameter); }
 
 Level levelOf(const std::vector<Station>& stations) {
   Level level;
@@ -78,14 +79,14 @@ void describePlane(const std::vector<Station>& stations, const std::vector<Stati
     const Station& s = stations[i];
     if (!known(s) || s.flag != StationFlag::Measured) continue;
     residual += *weight * standings[i].u * standings[i].u;
-    total += *weight++ * std::pow(s.z - sum / total_weight, 2);
+    total += *weight++ * square(s.z - sum / total_weight);
   }
   const auto n = static_cast<double>(weights.size());
   tilt.standard_error = std::sqrt(residual / (n - 3.0) * n / total_weight);
   constexpr double kNanometre = 1e-9;  // a datum level to within rounding has no variance to explain
   tilt.r2 = total > total_weight * kNanometre * kNanometre ? std::max(0.0, 1.0 - residual / total) : kUnknown;
   // P(F > f) for 2 and m degrees of freedom is (1 + 2 f / m)^(-m/2), and f = (r2/2) / ((1-r2)/m), hence:
-  tilt.p_value = std::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
+  tilt.p_value = portable::pow(1.0 - tilt.r2, (n - 3.0) / 2.0);
 }
 
 /// Whether the measured stations are enough, and not in one line.
@@ -125,15 +126,15 @@ Tilt fitTilt(const std::vector<Station>& stations, const Eigen::Vector2d& center
   tilt.mean = fit.plane[0];
   tilt.gradient = fit.plane.tail<2>();
   describePlane(stations, standingsTo(tilt, stations, center), tilt);
-  const double up = std::atan2(fit.plane[2], fit.plane[1]);
+  const double up = portable::atan2(fit.plane[2], fit.plane[1]);
   tilt.direction = azimuthOf(up, options);
   const Eigen::Matrix2d spread = fit.covariance.bottomRightCorner<2, 2>();
-  const Eigen::Vector2d along(std::cos(up), std::sin(up));
+  const Eigen::Vector2d along(portable::cos(up), portable::sin(up));
   tilt.sigma_slope = std::sqrt(along.dot(spread * along));
   tilt.freedom = fit.freedom;
   tilt.covariance = spread;
   if (hasTiltingGap(stations))  // chi-square of 2
-    tilt.p_value = std::exp(-0.5 * tilt.gradient.dot(spread.inverse() * tilt.gradient));
+    tilt.p_value = portable::exp(-0.5 * tilt.gradient.dot(spread.inverse() * tilt.gradient));
   return tilt;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -47,7 +48,7 @@ Gain gainOf(const CandidateShape& candidate, const RingResiduals& left) {
 
 double LocalShape::at(double azimuth) const {
   const double d = apart(azimuth, centre);
-  return d < half_width ? 0.5 * (1.0 + std::cos(kPi * d / half_width)) : 0.0;
+  return d < half_width ? 0.5 * (1.0 + portable::cos(kPi * d / half_width)) : 0.0;
 }
 
 Eigen::VectorXd LocalShape::waves(int order) const {
@@ -55,9 +56,10 @@ Eigen::VectorXd LocalShape::waves(int order) const {
   coefficients[0] = half_width / kTwoPi;
   for (int n = 1; n <= order; ++n) {
     const double turns = n * half_width / kPi, rest = 1.0 - turns * turns;
-    const double wave = std::abs(rest) < 1e-9 ? 0.5 * half_width / kPi : std::sin(n * half_width) / (n * kPi * rest);
-    coefficients[2 * n - 1] = wave * std::cos(n * centre);
-    coefficients[2 * n] = wave * std::sin(n * centre);
+    const double wave =
+        std::abs(rest) < 1e-9 ? 0.5 * half_width / kPi : portable::sin(n * half_width) / (n * kPi * rest);
+    coefficients[2 * n - 1] = wave * portable::cos(n * centre);
+    coefficients[2 * n] = wave * portable::sin(n * centre);
   }
   return coefficients;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
 #include "limits/survey_spacing.h"
@@ -159,8 +160,8 @@ std::vector<Harmonic> harmonicsOf(const std::vector<Station>& stations, double r
   harmonics.push_back({0, fit.coefficients[0], kUnknown, std::sqrt(fit.covariance(0, 0))});
   for (int n = 1; n <= order; ++n) {
     const Eigen::Vector2d wave = fit.coefficients.segment<2>(2 * n - 1);
-    const double amplitude = wave.norm(), phase = std::atan2(wave.y(), wave.x());
-    const Eigen::Vector2d along(std::cos(phase), std::sin(phase));
+    const double amplitude = wave.norm(), phase = portable::atan2(wave.y(), wave.x());
+    const Eigen::Vector2d along(portable::cos(phase), portable::sin(phase));
     const double variance = along.dot(fit.covariance.block<2, 2>(2 * n - 1, 2 * n - 1) * along);
     harmonics.push_back({n, amplitude, (phase < 0.0 ? phase + kTwoPi : phase) / n, std::sqrt(std::max(0.0, variance))});
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
 #include "shape/datum_waves.h"
@@ -49,7 +50,7 @@ PlaneFit fitPlane(const std::vector<Station>& stations, const Eigen::Vector2d& c
   }
   const double radius = std::sqrt(rows.rightCols<2>().squaredNorm() / static_cast<double>(count));
   RingData data = ringData(stations, radius, covariance);
-  for (i = 0; i < count; ++i) data.azimuths[i] = std::atan2(rows(i, 2), rows(i, 1));
+  for (i = 0; i < count; ++i) data.azimuths[i] = portable::atan2(rows(i, 2), rows(i, 1));
   const RingModel model(data);
   const Eigen::Vector3d scales(1.0, 1.0 / radius, 1.0 / radius);
   PlaneFit fit;

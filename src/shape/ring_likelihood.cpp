@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -13,7 +13,7 @@ namespace {
 using Numbers = std::array<double, 4>;  ///< ln amplitude, power, ln neighbours, ln length
 
 RingPriors priorsOf(const Numbers& x, bool neighbours) {
-  return {std::exp(x[0]), x[1], neighbours ? std::exp(x[2]) : 0.0, std::exp(x[3])};
+  return {portable::exp(x[0]), x[1], neighbours ? portable::exp(x[2]) : 0.0, portable::exp(x[3])};
 }
 
 /// -2 ln of the restricted likelihood, less what does not depend on the priors.
@@ -25,14 +25,14 @@ double misfit(const RingSums& sums, const RingPriors& priors) {
   for (Eigen::Index j = 3; j < waves; ++j) {
     const double v = std::max(variances[j], kLeastVariance);
     precision(j, j) += 1.0 / v;
-    log_variances += std::log(v);
+    log_variances += portable::log(v);
   }
   for (Eigen::Index j = waves; j < precision.rows(); ++j) precision(j, j) += 1.0;
   const Eigen::LLT<Eigen::MatrixXd> llt(precision);
   if (llt.info() != Eigen::Success) return 1e300;
   const Eigen::VectorXd half = llt.matrixL().solve(sums.rhs / sums.scale2);
   double log_determinant = 0.0;
-  for (Eigen::Index j = 0; j < precision.rows(); ++j) log_determinant += 2.0 * std::log(llt.matrixL()(j, j));
+  for (Eigen::Index j = 0; j < precision.rows(); ++j) log_determinant += 2.0 * portable::log(llt.matrixL()(j, j));
   return log_variances + log_determinant - half.squaredNorm();
 }
 
@@ -41,8 +41,8 @@ double misfit(const RingSums& sums, const RingPriors& priors) {
 double hyperpriorMisfit(const Numbers& x, double wave) {
   constexpr double kAmplitudes = 0.7, kUsualPower = 2.0, kPowers = 0.75;
   constexpr double kUsualLength = 8.0 * kPi / 180.0, kLengths = 0.8;
-  return std::pow((x[0] - std::log(wave)) / kAmplitudes, 2.0) + std::pow((x[1] - kUsualPower) / kPowers, 2.0) +
-         std::pow((x[3] - std::log(kUsualLength)) / kLengths, 2.0);
+  return square((x[0] - portable::log(wave)) / kAmplitudes) + square((x[1] - kUsualPower) / kPowers) +
+         square((x[3] - portable::log(kUsualLength)) / kLengths);
 }
 
 /// A pattern search, one number after the other.
@@ -75,7 +75,7 @@ Numbers lowest(Numbers x, const Numbers& least, const Numbers& most, std::size_t
 Eigen::VectorXd waveVariances(const RingPriors& priors, int order) {
   Eigen::VectorXd variances = Eigen::VectorXd::Zero(2 * order + 1);
   for (int n = 2; n <= order; ++n) {
-    const double deviation = priors.amplitude * std::pow(2.0 / n, priors.power);
+    const double deviation = priors.amplitude * portable::pow(2.0 / n, priors.power);
     variances[2 * n - 1] = variances[2 * n] = deviation * deviation;
   }
   return variances;
@@ -83,7 +83,7 @@ Eigen::VectorXd waveVariances(const RingPriors& priors, int order) {
 
 Eigen::VectorXd errorVariances(const RingPriors& priors, int order) {
   constexpr int kAll = 400;  // waves that the error's variance is spread over
-  const auto density = [&](int n) { return std::pow(3.0 / (priors.length * priors.length) + n * n, -2.0); };
+  const auto density = [&](int n) { return 1.0 / square(3.0 / (priors.length * priors.length) + n * n); };
   double sum = density(0);
   for (int n = 1; n <= kAll; ++n) sum += 2.0 * density(n);
   const double unit = priors.neighbours * priors.neighbours / sum;
@@ -96,16 +96,17 @@ Eigen::VectorXd errorVariances(const RingPriors& priors, int order) {
 std::pair<RingPriors, double> likeliestPriors(const RingSums& sums, const RingHyperprior& hyperprior) {
   const bool neighbours = hyperprior.neighbours.has_value();
   const double sigma = hyperprior.sigma, shared = std::max(0.02 * sigma, hyperprior.neighbours.value_or(0.0));
-  const Numbers least = {std::log(1e-3 * sigma), 0.5, std::log(shared), std::log(2.0 * kPi / 180.0)};
-  const Numbers most = {std::log(1e5 * sigma), 4.0, std::log(50.0 * sigma), std::log(30.0 * kPi / 180.0)};
+  const Numbers least = {portable::log(1e-3 * sigma), 0.5, portable::log(shared), portable::log(2.0 * kPi / 180.0)};
+  const Numbers most = {portable::log(1e5 * sigma), 4.0, portable::log(50.0 * sigma),
+                        portable::log(30.0 * kPi / 180.0)};
   const auto value = [&](const Numbers& x) {
     return misfit(sums, priorsOf(x, neighbours)) + hyperpriorMisfit(x, hyperprior.wave);
   };
   Numbers start{};
   double before = 1e301;
   for (const double length : {4.0, 15.0}) {
-    const Numbers x = {std::log(3.0 * sigma), 2.0, std::log(std::max(shared, 0.3 * sigma)),
-                       std::log(length * kPi / 180.0)};
+    const Numbers x = {portable::log(3.0 * sigma), 2.0, portable::log(std::max(shared, 0.3 * sigma)),
+                       portable::log(length * kPi / 180.0)};
     const double here = value(x);
     if (here < before) before = here, start = x;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
@@ -100,7 +101,7 @@ std::vector<LocalShape> RingModel::standingShapes() {
   constexpr int kMost = 8, kInVain = 3;
   constexpr double kOdds = 10.0;
   const std::vector<CandidateShape> candidates = candidateShapes(data_.azimuths, data_.directions);
-  const double each = 2.0 * std::log(kOdds * static_cast<double>(candidates.size()));
+  const double each = 2.0 * portable::log(kOdds * static_cast<double>(candidates.size()));
   setUp({});
   const double scale2 = robustScale2();
   std::vector<LocalShape> best;
@@ -195,7 +196,7 @@ double RingModel::estimatePriors(double scale2) {
     std::tie(priors, misfit) = likeliestPriors(sums, hyperprior);
   }
   noise_.neighbours = priors.neighbours, noise_.length = priors.neighbours > 0.0 ? priors.length : 0.0;
-  noise_.repeatability = std::sqrt(scale2 + std::pow(priors.neighbours / usual, 2.0));
+  noise_.repeatability = std::sqrt(scale2 + square(priors.neighbours / usual));
   if (data_.sigmas_known && scale2 < 1.0) noise_.freedom = 0.0;
   noise_.scale = std::sqrt(data_.sigmas_known ? std::max(1.0, scale2) : scale2);
   constexpr double kAllowance = 1.5;  // in variance, for waves that no power of their number describes
@@ -203,7 +204,7 @@ double RingModel::estimatePriors(double scale2) {
   errors_ = errorVariances(priors, order_);
   if (!shape) errors_.setZero();
   factorPrecision();
-  return misfit + static_cast<double>(data_.count()) * std::log(scale2) + squares_ / scale2;
+  return misfit + static_cast<double>(data_.count()) * portable::log(scale2) + squares_ / scale2;
 }
 
 void RingModel::factorPrecision() {

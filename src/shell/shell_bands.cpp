@@ -5,6 +5,7 @@
 
 #include "core/approx_azimuth.h"
 #include "core/point_hash.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "locate/crop.h"
 
@@ -40,8 +41,8 @@ ShellBands::ShellBands(const Tank& tank, const ShellOptions& options, std::uint6
       heights_(heightsOf(options)),
       bands_(heights_.size()) {
   const double widest = reach_ + kSteepest * heights_.back();
-  inner_ = std::pow(std::max(0.0, radius_ - widest), 2);
-  outer_ = std::pow(radius_ + widest, 2);
+  inner_ = square(std::max(0.0, radius_ - widest));
+  outer_ = square(radius_ + widest);
   const double lowest = heights_.front() - half_;
   const double span = heights_.back() + half_ - lowest;
   per_metre_ = std::min(kPerMetre, kMostPlaces / span);

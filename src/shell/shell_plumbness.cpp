@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
 #include "fit/harmonics.h"
@@ -112,7 +113,7 @@ Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& optio
   const double alike = std::max(1.0, kAlike / kTwoPi * options.count);
   const double variance = std::max(fit.covariance(1, 1), fit.covariance(2, 2)) * std::min(alike, stations);
   lean.sigma = fit.sigma * std::sqrt(variance);
-  const double turn = std::atan2(lean.gradient.y(), lean.gradient.x()) - options.zero_azimuth;
+  const double turn = portable::atan2(lean.gradient.y(), lean.gradient.x()) - options.zero_azimuth;
   const double azimuth = (options.clockwise ? -turn : turn) / kTwoPi;
   lean.direction = kTwoPi * (azimuth - std::floor(azimuth));
   lean.height = *std::max_element(heights.begin(), heights.end());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
 #include "fit/circle.h"
@@ -28,7 +29,8 @@ std::size_t widestGap(const std::vector<ShellCell>& row) {
 
 /// Where the shell stands at a radius [m].
 Eigen::Vector2d placeOf(const Circle& datum_circle, const Station& station, double radius) {
-  return datum_circle.center + radius * Eigen::Vector2d(std::cos(station.direction), std::sin(station.direction));
+  return datum_circle.center +
+         radius * Eigen::Vector2d(portable::cos(station.direction), portable::sin(station.direction));
 }
 
 /// The circle of least squares through the shell all round. What is not seen is taken from the harmonics of the rest:

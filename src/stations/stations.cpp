@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/ring_runs.h"
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
@@ -111,7 +112,7 @@ Beside lookBeside(const std::vector<StationDatum>& stations, std::size_t at, dou
       const double bent = 0.5 * sigma_bend * t * t;
       const double weight = 1.0 / (other.sigma_z * other.sigma_z + bent * bent);
       beside.normal += weight * row * row.transpose();
-      beside.scatter += std::pow(weight * other.sigma_z, 2) * row * row.transpose();
+      beside.scatter += square(weight * other.sigma_z) * row * row.transpose();
       beside.heights += weight * other.z * row;
       beside.radii += weight * other.radius * row;
     }
@@ -135,8 +136,8 @@ std::vector<StationDatum> bridgeGaps(const std::vector<StationDatum>& stations, 
                            0.5 * sigma_bend * beside.nearest[0] * beside.nearest[1]);
     s.radius = inverse.row(0).dot(beside.radii);
     s.sigma_radius = beside.sigma_radius;
-    s.x = center.x() + s.radius * std::cos(s.direction);
-    s.y = center.y() + s.radius * std::sin(s.direction);
+    s.x = center.x() + s.radius * portable::cos(s.direction);
+    s.y = center.y() + s.radius * portable::sin(s.direction);
   }
   return bridged;
 }
@@ -162,8 +163,8 @@ std::vector<StationDatum> samplePaperCurve(const std::vector<Station>& stations,
     if (s.flag == StationFlag::Missing) continue;
     const Eigen::Vector3d point = curve.at(s.direction);
     s.radius = (point.head<2>() - edge.circle.center).norm();
-    s.x = edge.circle.center.x() + s.radius * std::cos(s.direction);
-    s.y = edge.circle.center.y() + s.radius * std::sin(s.direction);
+    s.x = edge.circle.center.x() + s.radius * portable::cos(s.direction);
+    s.y = edge.circle.center.y() + s.radius * portable::sin(s.direction);
     s.z = point.z();
   }
   return sampled;

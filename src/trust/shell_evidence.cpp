@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circle.h"
@@ -27,10 +28,10 @@ Sectors wallPoints(const Ring& ring, const Tank& tank, std::size_t count) {
   const double band = std::min(kBeside * tank.circle.radius, ring.reach);
   Sectors sectors(count);
   for (const Eigen::Vector3d& p : ring.points) {
-    const double azimuth = tank.azimuthOf(p.head<2>()), height = p.z() - tank.foot(azimuth);
-    if (height < kClear * ring.reach || height > ring.reach) continue;
     const double radius = (p.head<2>() - tank.circle.center).norm();
     if (std::abs(radius - tank.circle.radius) > band) continue;
+    const double azimuth = tank.azimuthOf(p.head<2>()), height = p.z() - tank.foot(azimuth);
+    if (height < kClear * ring.reach || height > ring.reach) continue;
     sectors[static_cast<std::size_t>(azimuth / kTwoPi * static_cast<double>(count)) % count].push_back(
         {height, radius});
   }
@@ -130,7 +131,7 @@ void fitLean(const std::vector<Middle>& middles, ShellEvidence& evidence) {
     std::vector<double> off;
     for (const Middle& m : middles) {
       if (std::isfinite(m.lean))
-        off.push_back(m.lean - fit.dot(Eigen::Vector3d(1, std::cos(m.azimuth), std::sin(m.azimuth))));
+        off.push_back(m.lean - fit.dot(Eigen::Vector3d(1, portable::cos(m.azimuth), portable::sin(m.azimuth))));
     }
     if (off.size() < 8) return;
     sigma = std::max(robustSigma(off, 0.0), 1e-9);
@@ -138,7 +139,7 @@ void fitLean(const std::vector<Middle>& middles, ShellEvidence& evidence) {
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (const Middle& m : middles) {
       if (!std::isfinite(m.lean)) continue;
-      const Eigen::Vector3d row(1, std::cos(m.azimuth), std::sin(m.azimuth));
+      const Eigen::Vector3d row(1, portable::cos(m.azimuth), portable::sin(m.azimuth));
       const double weight = tukeyWeight((m.lean - fit.dot(row)) / sigma);
       normal += weight * row * row.transpose();
       right += weight * m.lean * row;
@@ -155,7 +156,7 @@ void fitLean(const std::vector<Middle>& middles, ShellEvidence& evidence) {
 double sigmaOfRadius(const std::vector<Middle>& middles, const Circle& circle, double sigma) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   for (const Middle& m : middles) {
-    const Eigen::Vector3d row(std::cos(m.azimuth), std::sin(m.azimuth), 1.0);
+    const Eigen::Vector3d row(portable::cos(m.azimuth), portable::sin(m.azimuth), 1.0);
     normal += row * row.transpose();
   }
   const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
@@ -172,7 +173,7 @@ ShellEvidence lookAtShell(const Ring& ring, const Tank& tank) {
   if (middles.size() < kFewestSectors) return evidence;
   std::vector<Eigen::Vector2d> plan;
   for (const Middle& m : middles) {
-    plan.push_back(tank.circle.center + m.radius * Eigen::Vector2d(std::cos(m.azimuth), std::sin(m.azimuth)));
+    plan.push_back(tank.circle.center + m.radius * Eigen::Vector2d(portable::cos(m.azimuth), portable::sin(m.azimuth)));
   }
   evidence.circle = fitCircleRobust(plan, tank.circle);
   if (!evidence.circle.valid()) return evidence;

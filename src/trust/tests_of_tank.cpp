@@ -5,6 +5,7 @@
 #include <cstdarg>
 
 #include "core/plain_text.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -85,7 +86,8 @@ std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell)
                          100.0 * shell.sigma_radius / radius));
   if (std::isfinite(shell.cone)) {
     tests.push_back(judged(kCone, std::max(0.0, std::abs(shell.cone) - 3.0 * shell.sigma_cone),
-                           "its wall is a cone that opens by %.0f deg", std::abs(toDegrees(std::atan(shell.cone)))));
+                           "its wall is a cone that opens by %.0f deg",
+                           std::abs(toDegrees(portable::atan(shell.cone)))));
   }
   return tests;
 }
