@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,9 @@ FIRST_BLOCK = 1 << 16  # rows; a look at the beginning of a file should not take
 BLOCK = 1 << 20  # rows
 
 Place = tuple[float, float, float]
-Block = tuple[NDArray[np.float64], NDArray[np.uint32], int, int] | _core.LasBlock
+Block: TypeAlias = (
+    "tuple[NDArray[np.float64], NDArray[np.uint32], int, int] | _core.LasBlock"
+)
 
 
 class Unreadable(Exception):
