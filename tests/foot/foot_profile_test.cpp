@@ -238,17 +238,5 @@ TEST(StackProfile, OfTooLittleIsNotValid) {
   EXPECT_FALSE(Foot([](double d) { return d < 0.02 ? 0.0 : -1.0; }).profile().valid());  // nothing to stand on
 }
 
-TEST(FootProfile, SaysThatNothingIsKnownYet) {
-  EXPECT_FALSE(FootProfile().valid());
-  EXPECT_EQ(FootProfile().surface, Surface::Unknown);
-}
-
-TEST(Surface, NamesAreThoseOfTheFiles) {
-  EXPECT_STREQ(nameOf(Surface::Unknown), "unknown");
-  EXPECT_STREQ(nameOf(Surface::Foundation), "foundation");
-  EXPECT_STREQ(nameOf(Surface::AnnularPlate), "annular_plate");
-  EXPECT_STREQ(nameOf(Surface::Ringwall), "ringwall");
-}
-
 }  // namespace
 }  // namespace tank_datum

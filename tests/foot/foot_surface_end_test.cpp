@@ -62,5 +62,17 @@ TEST(SurfaceOf, WhatLiesBeyondIsOnNoLineThatTooFewBinsTell) {
   EXPECT_EQ(surfaceAbove(0.0, {0.0, kUnknown}), Surface::AnnularPlate);
 }
 
+TEST(FootProfile, SaysThatNothingIsKnownYet) {
+  EXPECT_FALSE(FootProfile().valid());
+  EXPECT_EQ(FootProfile().surface, Surface::Unknown);
+}
+
+TEST(Surface, NamesAreThoseOfTheFiles) {
+  EXPECT_STREQ(nameOf(Surface::Unknown), "unknown");
+  EXPECT_STREQ(nameOf(Surface::Foundation), "foundation");
+  EXPECT_STREQ(nameOf(Surface::AnnularPlate), "annular_plate");
+  EXPECT_STREQ(nameOf(Surface::Ringwall), "ringwall");
+}
+
 }  // namespace
 }  // namespace tank_datum
