@@ -23,7 +23,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tank_datum-config.cmake
 
 file(RELATIVE_PATH TANK_DATUM_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 if(NOT BUILD_SHARED_LIBS)
-  set(TANK_DATUM_PC_STATIC_LIBS " -llzf -lxxhash -lsleef -lcrypto ${OpenMP_CXX_FLAGS}")
+  set(TANK_DATUM_PC_STATIC_LIBS " -llzf -lxxhash -lsleef -llz4 -lcrypto ${OpenMP_CXX_FLAGS}")
 endif()
 configure_file(cmake/tank_datum.pc.in tank_datum.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tank_datum.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <new>
 #include <pcl/features/impl/normal_3d.hpp>
+#include <pcl/kdtree/impl/kdtree_flann.hpp>
 
 #include "core/parallel.h"
 #include "search/spatial_order.h"
@@ -15,6 +16,10 @@ namespace tank_datum {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/// By FLANN's distance of three coordinates, the same to the last bit as that of any number, of which PCL's library holds
+/// the tree: compiled with OpenMP, where FLANN opens a region for every query. This one is compiled here.
+using Tree = pcl::KdTreeFLANN<pcl::PointXYZ, flann::L2_3D<float>>;
 
 Cloud::Ptr roundedCloud(const Points& points) {
   const auto cloud = std::make_shared<Cloud>();
@@ -40,7 +45,7 @@ Normals estimateNormalsWithPcl(const Points& points, int k, int threads) {
   result.k = k;
   result.neighbours.resize(points.size() * width);
   result.normals.resize(points.size());
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+  Tree tree;
   Cloud::Ptr cloud;
   std::vector<std::uint32_t> order;  // neighbouring queries go through the same nodes
   forEachIndex(2, threads, [&](std::size_t task) {
