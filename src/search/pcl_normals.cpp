@@ -17,8 +17,8 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/// By FLANN's distance of three coordinates, the same to the last bit as that of any number, of which PCL's library holds
-/// the tree: compiled with OpenMP, where FLANN opens a region for every query. This one is compiled here.
+/// By FLANN's distance of three coordinates, the same to the last bit as that of any number, of which PCL's library
+/// holds the tree: compiled with OpenMP, where FLANN opens a region for every query. This one is compiled here.
 using Tree = pcl::KdTreeFLANN<pcl::PointXYZ, flann::L2_3D<float>>;
 
 Cloud::Ptr roundedCloud(const Points& points) {
