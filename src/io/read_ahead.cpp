@@ -16,8 +16,8 @@ ReadAhead::~ReadAhead() {
 }
 
 bool ReadAhead::take(ScanBlocks::Block& block) {
-  if (!fetch(block)) return false;
-  if (block.finish) block.finish(block);
+  if (!has_more_rows_ && !fetch(block)) return false;
+  has_more_rows_ = block.finish && block.finish(block);
   return true;
 }
 

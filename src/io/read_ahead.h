@@ -19,8 +19,9 @@ class ReadAhead {
   ReadAhead& operator=(const ReadAhead&) = delete;
   ~ReadAhead();  ///< waits for the block that is being read
 
-  /// Replaces the block by the next one, finished; false behind the last. Nothing is read ahead of the second call:
-  /// many look at no more than the first block.
+  /// Replaces the block by the next one, finished, or by its next rows where it is finished some at a time; false
+  /// behind the last. Nothing is read ahead of the second call: many look at no more than the first block.
+  /// @param block  what the call before gave, if there was one
   /// @throws what the source throws
   bool take(ScanBlocks::Block& block);
 
@@ -39,6 +40,7 @@ class ReadAhead {
   bool more_ = true;
   bool given_up_ = false;
   std::exception_ptr failure_;
+  bool has_more_rows_ = false;  // the block that was taken
 };
 
 }  // namespace tank_datum

@@ -110,11 +110,8 @@ class BlockStream : public Scan::Source {
   std::uint64_t countPoints() const {
     std::uint64_t points = 0;
     ScanBlocks::Block block;
-    const ScanBlocks::Next next = blocks_.start();
-    while (next(block)) {
-      if (block.finish) block.finish(block);
-      points += block.points.size() + block.invalid + block.left_out;
-    }
+    ReadAhead ahead(blocks_.start());
+    while (ahead.take(block)) points += block.points.size() + block.invalid + block.left_out;
     return points;
   }
 

@@ -88,9 +88,9 @@ bool fetch(PyObject* iterator, const Reader& reader, ScanBlocks::Block& block) {
   block.finish = nullptr;
   if (py::isinstance<LasBlock>(item)) {
     const auto* las = item.cast<const LasBlock*>();
-    block.finish = [las, kept = shared(item, reader.gate), unit = reader.metres_per_unit](ScanBlocks::Block& whole) {
-      las->decode(unit, whole);
-    };
+    const auto place = std::make_shared<LasBlock::Place>();
+    block.finish = [las, kept = shared(item, reader.gate), unit = reader.metres_per_unit,
+                    place](ScanBlocks::Block& some) { return las->decode(unit, *place, some); };
   } else {
     fill(item, reader.metres_per_unit, block);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 namespace py = pybind11;
@@ -13,12 +14,28 @@ namespace {
 
 /// What iterating over a block yields, as every block of tank_datum/_foreign.py: points, setups, invalid, left_out.
 py::tuple decoded(const LasBlock& las) {
-  ScanBlocks::Block block;
-  las.decode(1.0, block);
-  const auto rows = static_cast<py::ssize_t>(block.points.size());
-  const double* first = rows > 0 ? block.points.front().data() : nullptr;
+  LasBlock::Place place;
+  ScanBlocks::Block some, all;
+  for (bool more = true; more;) {
+    more = las.decode(1.0, place, some);
+    all.points.insert(all.points.end(), some.points.begin(), some.points.end());
+    all.setups.insert(all.setups.end(), some.setups.begin(), some.setups.end());
+    all.invalid += some.invalid;
+    all.left_out += some.left_out;
+  }
+  const auto rows = static_cast<py::ssize_t>(all.points.size());
+  const double* first = rows > 0 ? all.points.front().data() : nullptr;
   return py::make_tuple(py::array_t<double>({rows, py::ssize_t{3}}, first),
-                        py::array_t<std::uint32_t>(rows, block.setups.data()), block.invalid, block.left_out);
+                        py::array_t<std::uint32_t>(rows, all.setups.data()), all.invalid, all.left_out);
+}
+
+/// Memory for records. NumPy asks for huge pages for its own, which takes longer here than it saves: they are cleared
+/// as a whole, and used once.
+LasBlock::Records roomFor(py::ssize_t rows, py::ssize_t row_bytes) {
+  std::unique_ptr<std::uint8_t[]> bytes(new std::uint8_t[static_cast<std::size_t>(rows * row_bytes)]);
+  const py::capsule owner(bytes.get(), [](void* owned) { delete[] static_cast<std::uint8_t*>(owned); });
+  const std::uint8_t* first = bytes.release();
+  return LasBlock::Records({rows, row_bytes}, first, owner);
 }
 
 }  // namespace
@@ -35,29 +52,27 @@ LasBlock::LasBlock(std::vector<Records> records, const LasStorage& storage, cons
       throw py::value_error("records of another length than their point format has");
     }
     parts_.push_back({reinterpret_cast<const char*>(some.data()), static_cast<std::size_t>(some.shape(0))});
-    rows_ += parts_.back().rows;
   }
   stored_ = lasRows(storage, classes);
 }
 
-void LasBlock::decode(double metres_per_unit, ScanBlocks::Block& block) const {
-  block.points.clear();
-  block.setups.clear();
-  block.points.reserve(rows_);
-  block.setups.reserve(rows_);
-  ScanCounts counts;
-  BlockBuffer buffer;
-  for (const Part& part : parts_) {
-    for (std::size_t begin = 0, end = 0; begin < part.rows; begin = end) {
-      end = std::min(part.rows, begin + kBlockRows);
-      buffer.bytes.assign(part.bytes + begin * stored_.row_bytes, part.bytes + end * stored_.row_bytes);
-      counts += decodeRecords(stored_, end - begin, {metres_per_unit}, {}, buffer);
-      block.points.insert(block.points.end(), buffer.points.begin(), buffer.points.end());
-      block.setups.insert(block.setups.end(), buffer.labels.begin(), buffer.labels.end());
-    }
+bool LasBlock::decode(double metres_per_unit, Place& place, ScanBlocks::Block& block) const {
+  std::size_t rows = 0;
+  if (place.part < parts_.size()) {
+    const Part& part = parts_[place.part];
+    const char* first = part.bytes + place.row * stored_.row_bytes;
+    rows = std::min(part.rows - place.row, kBlockRows);
+    place.buffer.bytes.assign(first, first + rows * stored_.row_bytes);
+    place.row += rows;
+    if (place.row == part.rows) ++place.part, place.row = 0;
   }
+  const ScanCounts counts = decodeRecords(stored_, rows, {metres_per_unit}, {}, place.buffer);
+  std::swap(block.points, place.buffer.points);
+  std::swap(block.setups, place.buffer.labels);
   block.invalid = counts.invalid;
-  block.left_out = counts.left_out + left_out_;
+  block.left_out = counts.left_out + (place.has_begun ? 0 : left_out_);
+  place.has_begun = true;
+  return place.part < parts_.size();
 }
 
 void addLasBlock(py::module_& module) {
@@ -70,6 +85,7 @@ void addLasBlock(py::module_& module) {
   py::class_<LasBlock>(module, "LasBlock").def(py::init(make)).def("__iter__", [](const LasBlock& las) {
     return decoded(las).attr("__iter__")();
   });
+  module.def("las_records", &roomFor);
 }
 
 }  // namespace tank_datum::python

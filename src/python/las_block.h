@@ -10,7 +10,7 @@
 
 namespace tank_datum::python {
 
-/// Points as LAS stores them, decoded when they are asked for.
+/// Points as LAS stores them, decoded when they are asked for, some at a time.
 class LasBlock {
  public:
   /// Of shape (points, bytes of a point), one after the other.
@@ -21,8 +21,16 @@ class LasBlock {
   LasBlock(std::vector<Records> records, const LasStorage& storage, const std::vector<int>& classes,
            std::uint64_t left_out);
 
-  /// Fills the block. The interpreter's lock is not needed.
-  void decode(double metres_per_unit, ScanBlocks::Block& block) const;
+  /// How far they are decoded.
+  struct Place {
+    std::size_t part = 0, row = 0;
+    bool has_begun = false;
+    BlockBuffer buffer = {};
+  };
+
+  /// Replaces the block's points by the next, few enough for a core's cache, and tells whether there are more behind
+  /// them. The interpreter's lock is not needed.
+  bool decode(double metres_per_unit, Place& place, ScanBlocks::Block& block) const;
 
  private:
   struct Part {
@@ -32,7 +40,6 @@ class LasBlock {
 
   std::vector<Records> records_;  // keeps the bytes of the parts
   std::vector<Part> parts_;
-  std::size_t rows_ = 0;  // of all parts
   RecordRows stored_;
   std::uint64_t left_out_;
 };

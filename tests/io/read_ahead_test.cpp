@@ -67,6 +67,7 @@ TEST(ReadAhead, WhoTakesABlockFinishesIt) {
     block.finish = [&finishers](ScanBlocks::Block& whole) {
       finishers.insert(std::this_thread::get_id());
       whole.points.assign(whole.setup + 1, Eigen::Vector3d::Zero());
+      return false;
     };
     if (read % 2 == 1) block.finish = nullptr, block.points.clear();
     return ++read <= 4;
@@ -78,6 +79,25 @@ TEST(ReadAhead, WhoTakesABlockFinishesIt) {
   }
   EXPECT_FALSE(ahead.take(block));
   EXPECT_EQ(finishers, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST(ReadAhead, ABlockMayBeFinishedSomeRowsAtATime) {
+  std::uint32_t read = 0;
+  ReadAhead ahead([&](ScanBlocks::Block& block) {
+    block.setup = read;
+    block.finish = [left = read](ScanBlocks::Block& some) mutable {
+      some.points.assign(left, Eigen::Vector3d::Zero());
+      return left-- > 1;
+    };
+    return ++read <= 3;
+  });
+  ScanBlocks::Block block;
+  for (const auto& [setup, rows] : {std::pair{0U, 0U}, {1U, 1U}, {2U, 2U}, {2U, 1U}}) {
+    ASSERT_TRUE(ahead.take(block));
+    EXPECT_EQ(block.setup, setup);
+    EXPECT_EQ(block.points.size(), rows);
+  }
+  EXPECT_FALSE(ahead.take(block));
 }
 
 TEST(ReadAhead, ThrowsWhatTheSourceThrowsWhenThatBlockIsAskedFor) {

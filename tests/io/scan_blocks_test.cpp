@@ -40,7 +40,9 @@ struct Made {
   }
 };
 
-TEST(ScanBlocks, PointsMayComeWithTheLookAtThem) {
+class ScanBlocksLater : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ScanBlocksLater, PointsMayComeWithTheLookAtThem) {
   Made made{{10, 0, 40'000, 5'000}};
   ScanBlocks blocks = made.blocks(), later = blocks;
   later.start = [start = blocks.start]() -> ScanBlocks::Next {
@@ -48,7 +50,13 @@ TEST(ScanBlocks, PointsMayComeWithTheLookAtThem) {
       ScanBlocks::Block whole;
       if (!next(whole)) return false;
       block.points.clear();
-      block.finish = [whole](ScanBlocks::Block& asked) { asked.points = whole.points, asked.setup = whole.setup; };
+      block.finish = [whole, done = std::size_t{0}](ScanBlocks::Block& asked) mutable {
+        const std::size_t first = done;
+        done = std::min(whole.points.size(), first + GetParam());
+        asked.points.assign(whole.points.data() + first, whole.points.data() + done);
+        asked.setup = whole.setup;
+        return done < whole.points.size();
+      };
       return true;
     };
   };
@@ -57,6 +65,9 @@ TEST(ScanBlocks, PointsMayComeWithTheLookAtThem) {
   EXPECT_EQ(passOf(then).points, passOf(at_once).points);
   EXPECT_EQ(passOf(then, 1, 3).points, passOf(at_once, 1, 3).points);
 }
+
+INSTANTIATE_TEST_SUITE_P(Rows, ScanBlocksLater, testing::Values(1'000'000, 16'384, 7'000),
+                         [](const auto& at_once) { return "Of" + std::to_string(at_once.param); });
 
 TEST(ScanBlocks, AnySizesAreReadInOrderAndAgain) {
   Made made{{10, 0, 40'000, 5'000}};

@@ -56,9 +56,11 @@ struct ScanBlocks {
     std::vector<std::uint32_t> setups;  ///< of each of them; empty: all are of `setup`
     std::uint64_t invalid = 0;          ///< rows beside them that hold no point
     std::uint64_t left_out = 0;         ///< rows beside them that are not wanted
-    /// May be set to what fills the members above later, while the next block is read. It is asked once, in the thread
-    /// that looks at the points, and has to keep what it needs; what replaces the block replaces it too.
-    std::function<void(Block& block)> finish;
+    /// May be set to what fills the members above later, while the next block is read: with all of the block, or with
+    /// some rows at a time, such as fit into a cache; true: it has more, and is asked again when these were looked at.
+    /// It is called in the thread that looks at the points, and has to keep what it needs; what replaces the block
+    /// replaces it too.
+    std::function<bool(Block& block)> finish;
   };
   /// Replaces the block by the next one, of any size; false, and what it holds does not matter, behind the last.
   using Next = std::function<bool(Block& block)>;

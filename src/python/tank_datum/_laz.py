@@ -147,7 +147,7 @@ class LazFile:
             begin, end = chunks.offsets[i : i + 2]
             compressed += read_at(self._source, begin, end - begin, self._path)
             table.append((chunks.of(i, self.size), end - begin))
-        records = np.empty((sum(rows for rows, _ in table), chunks.row_bytes), np.uint8)
+        records = _core.las_records(sum(rows for rows, _ in table), chunks.row_bytes)
         lazrs.decompress_points_with_chunk_table(
             compressed, chunks.record, records.reshape(-1), table, NEEDED.to_lazrs()
         )
