@@ -79,6 +79,7 @@ class Unmoved {
       const double start = std::round(m.direction / cell - 0.5 * static_cast<double>(width));
       const auto first = static_cast<std::size_t>(start < 0.0 ? start + static_cast<double>(cells_) : start);
       own_.push_back(m.own());
+      towards_.emplace_back(portable::cos(m.direction), portable::sin(m.direction));
       shares_.push_back({first % cells_, width, 1.0 / std::sqrt(static_cast<double>(width))});
     }
   }
@@ -98,8 +99,9 @@ class Unmoved {
     }
     part_.removeFrom(stations_);
     const double height = common_.height * normal_(), east = common_.rim * normal_(), north = common_.rim * normal_();
-    for (MatchedStation& m : stations_)
-      m.dz += height + east * portable::cos(m.direction) + north * portable::sin(m.direction);
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      stations_[i].dz += height + east * towards_[i].x() + north * towards_[i].y();
+    }
     return stations_;
   }
 
@@ -114,6 +116,7 @@ class Unmoved {
   std::size_t cells_ = 0;
   std::vector<Share> shares_;
   std::vector<double> own_;  ///< standard errors of the stations' own [m]
+  std::vector<Eigen::Vector2d> towards_;  ///< the stations from the axis, of length 1
   Deviates normal_{20180419};
 };
 
