@@ -57,12 +57,10 @@ double meanDistance(const SurfaceRows& rows) {
   return sum / weights;
 }
 
-/// How far the elevation is off because points were chosen by a d that is as noisy as their z: along a grazing beam
-/// both err together, and a row of the scan close to an end of the band is cut on that side alone. As of a normal
-/// distribution, by no more than most of what it lost.
+/// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
+/// both err together, and a row of the scan close to an end of the band is cut on that side alone.
 /// @param rows  a is d, the residuals are z without the fit
-/// @return what to add to the elevation [m]
-double cutOff(const SurfaceRows& rows, double from, double to) {
+double selectionError(const SurfaceRows& rows, double from, double to) {
   const std::vector<double>&d = rows.a(), &z = rows.residuals(), &weights = rows.weights();
   double sum = 0, mean_d = 0, mean_z = 0, squares = 0, products = 0;
   for (std::size_t i = 0; i < d.size(); ++i) {
@@ -77,9 +75,8 @@ double cutOff(const SurfaceRows& rows, double from, double to) {
     products += weights[i] * (d[i] - mean_d) * (z[i] - mean_z);
   }
   if (!(squares > 0.0)) return 0.0;
-  const double spread = std::sqrt(squares / sum);
-  const auto lost = [spread](double to_end) { return portable::exp(-0.5 * square(to_end / spread)); };
-  return products / squares * spread * (lost(to - mean_d) - lost(mean_d - from));
+  const double spread = std::sqrt(squares / sum), to_end = std::min(mean_d - from, to - mean_d) / spread;
+  return std::abs(products / squares) * spread * portable::exp(-0.5 * to_end * to_end);
 }
 
 /// The points on the surface that a fit looks at, up to where the surface or what is seen of it ends.
@@ -130,12 +127,11 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
     noise = std::sqrt((kPooled * profile.noise * profile.noise + used * own * own) / (kPooled + used));
     rows.weigh(noise);
   }
-  const double cut = cutOff(rows, profile.band_from, to);
-  fit.z = solution[0] + cut;
+  fit.z = solution[0];
   fit.slope = solution[1];
   fit.along = solution[2];
   fit.bend = solution[3];
-  fit.sigma = std::hypot(noise * std::sqrt(inverse(0, 0)), cut);
+  fit.sigma = std::hypot(noise * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
   fit.sigma_slope = noise * std::sqrt(inverse(1, 1));
   fit.noise = noise;
   fit.middle = meanDistance(rows);
