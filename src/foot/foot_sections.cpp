@@ -66,9 +66,10 @@ bool isAlike(const FootProfile& arc, const FootProfile& whole, double reach) {
   constexpr double kSlope = 0.08;  // of lips, which lean more than wide surfaces do [m/m]
   constexpr double kNoise = 2.5;
   constexpr double kLevel = 0.004;  // of the reach
-  if (whole.surface == Surface::AnnularPlate && arc.band_to > kWider * whole.edge) return false;
-  return arc.valid() && showsBand(arc) && arc.noise < kNoise * whole.noise &&
-         std::abs(arc.slope - whole.slope) < kSlope && std::abs(arc.offset - whole.offset) < kLevel * reach;
+  if (whole.surface == Surface::AnnularPlate && (showsBand(arc) ? arc.band_to : arc.edge) > kWider * whole.edge)
+    return false;
+  return arc.valid() && arc.noise < kNoise * whole.noise && std::abs(arc.slope - whole.slope) < kSlope &&
+         std::abs(arc.offset - whole.offset) < kLevel * reach;
 }
 
 }  // namespace
