@@ -10,19 +10,15 @@
 #include "foot/foot_rises.h"
 #include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
+#include "foot/station_stretches.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kDip = 0.01;       // of the reach: what a datum may do locally, on a ring that is quiet elsewhere
+constexpr double kDip = 0.01;  // of the reach: what a datum may do locally, on a ring that is quiet elsewhere
+constexpr double kWidestStretch = 5.0 * kPi / 180.0;
 constexpr double kMostHelp = 20.0;  // stations that one may lean on, for the count of its points
-
-/// A stretch of neighbouring stations that are fitted together.
-struct Stretch {
-  std::size_t first, count;
-  std::size_t middle() const { return first + count / 2; }
-};
 
 /// Points on the surface in the two halves of a station's own stretch.
 struct HalfCounts {
@@ -68,35 +64,18 @@ std::size_t pointsWithin(const std::vector<std::size_t>& counts, std::size_t sta
   return points;
 }
 
-/// Stretches of one station where it has points enough, else of a few neighbours; none that begins or ends without
-/// points.
-std::vector<Stretch> stretchesOf(const Foot& foot, const std::vector<std::size_t>& counts) {
-  constexpr std::size_t kEnough = 8;
-  constexpr double kWidest = 5.0 * kPi / 180.0;
-  const std::size_t longest = foot.stationsIn(kWidest);
-  std::vector<Stretch> stretches;
-  for (std::size_t i = 0; i < counts.size();) {
-    if (counts[i] == 0) {
-      ++i;
-      continue;
-    }
-    std::size_t points = 0, length = 0;
-    for (std::size_t k = 0; k < longest && i + k < counts.size() && points < kEnough; ++k) {
-      points += counts[i + k];
-      if (counts[i + k] > 0) length = k + 1;
-    }
-    stretches.push_back({i, length});
-    i += length;
-  }
-  return stretches;
+/// Which stations have a fit.
+std::vector<bool> fittedOf(const FootPass& pass) {
+  std::vector<bool> fitted;
+  for (const FootFit& fit : pass.fits) fitted.push_back(fit.valid());
+  return fitted;
 }
 
-/// The surface at a stretch's middle station, from the stretch's own points.
-FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const Stretch& stretch) {
-  const std::size_t at = stretch.middle();
+/// The surface at the station that a stretch is fitted at, from the stretch's own points.
+FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const StationStretch& stretch) {
+  const std::size_t at = stretch.at;
   const FootProfile& profile = pass.sections.at(at);
-  // of an even number of stations the middle one stands half a step beside the middle
-  const double beside = stretch.count % 2 == 0 ? foot.half_step : 0.0;
+  const double beside = stretch.besideMiddle() * 2.0 * foot.half_step;
   const double half = static_cast<double>(stretch.count) * foot.half_step, z = pass.fits[at].z;
   std::vector<FootPoint> points = foot.ring.around(foot.directions[at] - beside, half, z, foot.reach);
   for (FootPoint& p : points) p.t -= beside * foot.radius;
@@ -110,9 +89,9 @@ FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const Stretch& s
 struct OwnFits {
   std::vector<FootFit> fits;
   std::vector<const FootFit*> of_station;
-  std::vector<double> levels, sigmas;  ///< of middle stations, else NaN [m]
+  std::vector<double> levels, sigmas;  ///< of the stations that stretches are fitted at, else NaN [m]
 
-  /// Takes the fits of stations away, and of those whose stretch has one of them for its middle.
+  /// Takes the fits of stations away, and of those whose stretch is fitted at one of them.
   void leaveOut(const std::vector<bool>& stations) {
     constexpr const FootFit* kNone = nullptr;
     for (std::size_t i = 0; i < stations.size(); ++i) {
@@ -127,12 +106,12 @@ struct OwnFits {
 
 OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<std::size_t>& counts) {
   const std::size_t count = pass.fits.size();
-  const std::vector<Stretch> stretches = stretchesOf(foot, counts);
+  const std::vector<StationStretch> stretches = stretchesOf(counts, fittedOf(pass), foot.stationsIn(kWidestStretch));
   OwnFits own{std::vector<FootFit>(stretches.size()), std::vector<const FootFit*>(count, nullptr),
               std::vector<double>(count, kUnknown), std::vector<double>(count, kUnknown)};
   std::vector<FittedPoints> fitted(stretches.size());
   forEachIndex(stretches.size(), 0, [&](std::size_t k) {
-    if (pass.fits[stretches[k].middle()].valid()) fitted[k] = fitStretch(foot, pass, stretches[k]);
+    if (pass.fits[stretches[k].at].valid()) fitted[k] = fitStretch(foot, pass, stretches[k]);
   });
   const double rough = sharedRoughness(fitted, pass.sections.whole);
   for (std::size_t k = 0; k < stretches.size(); ++k) {
@@ -140,8 +119,8 @@ OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<s
     if (!fit.valid()) continue;
     const double leverage = static_cast<double>(fit.points) * square(fit.sigma / fit.noise);
     fit.sigma = std::sqrt(fit.sigma * fit.sigma + rough * leverage);
-    own.levels[stretches[k].middle()] = fit.z;
-    own.sigmas[stretches[k].middle()] = fit.sigma;
+    own.levels[stretches[k].at] = fit.z;
+    own.sigmas[stretches[k].at] = fit.sigma;
     for (std::size_t i = 0; i < stretches[k].count; ++i) own.of_station[stretches[k].first + i] = &fit;
   }
   return own;

@@ -47,6 +47,18 @@ FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members,
   return stackProfile(points, levels, scales);
 }
 
+/// Whether a section shows its band in three of four bins. A row of the scan that runs along the lip over an arc shows
+/// a part of it that is as wide as the row's noise, and leans along its rays.
+bool showsBand(const FootProfile& section) {
+  std::size_t bins = 0, seen = 0;
+  for (std::size_t i = 0; i < section.height.size() && middle(section, i) < section.band_to; ++i) {
+    if (middle(section, i) < section.band_from) continue;
+    ++bins;
+    seen += std::isfinite(section.height[i]) ? 1U : 0U;
+  }
+  return 4 * seen >= 3 * bins;
+}
+
 /// Whether a section of an arc shows the surface that the whole ring's does: not a heap that lies on it, nor what lies
 /// behind it where the arc has too few points on it.
 bool isAlike(const FootProfile& arc, const FootProfile& whole, double reach) {
@@ -54,7 +66,8 @@ bool isAlike(const FootProfile& arc, const FootProfile& whole, double reach) {
   constexpr double kSlope = 0.08;  // of lips, which lean more than wide surfaces do [m/m]
   constexpr double kNoise = 2.5;
   constexpr double kLevel = 0.004;  // of the reach
-  if (whole.surface == Surface::AnnularPlate && arc.band_to > kWider * whole.edge) return false;
+  if (whole.surface == Surface::AnnularPlate && (showsBand(arc) ? arc.band_to : arc.edge) > kWider * whole.edge)
+    return false;
   return arc.valid() && arc.noise < kNoise * whole.noise && std::abs(arc.slope - whole.slope) < kSlope &&
          std::abs(arc.offset - whole.offset) < kLevel * reach;
 }

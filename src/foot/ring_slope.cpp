@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
@@ -33,32 +34,47 @@ MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
   return {seen, expected.parallel + share * mean, withPrior(std::sqrt(variance))};
 }
 
+/// Slopes that are known, and the variances of their errors.
+struct KnownSlopes {
+  std::vector<double> values, variances;
+
+  /// Those with a standard error no larger than that.
+  KnownSlopes(const std::vector<SeriesValue>& series, double largest) {
+    for (const SeriesValue& v : series) {
+      if (!std::isfinite(v.value) || v.sigma > largest) continue;
+      values.push_back(v.value);
+      variances.push_back(v.sigma * v.sigma);
+    }
+  }
+
+  /// Variance beyond that of their errors; so much as they may differ unseen at least.
+  double amongThem() const {
+    constexpr double kDoubted = 0.5;  // of the standard error of their variance
+    const double scatter = robustSigma(values, median(values)), square = scatter * scatter;
+    return std::max(kDoubted * square * std::sqrt(2.0 / static_cast<double>(values.size())),
+                    square - median(variances));
+  }
+};
+
 }  // namespace
 
-MeanSlope drawTogether(const std::vector<SeriesValue>& series, const ExpectedSlope& expected,
-                       std::vector<SeriesValue>& smooth) {
+MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+                       const ExpectedSlope& expected, std::vector<SeriesValue>& smooth) {
   constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
   constexpr std::size_t kFewest = 6;
-  constexpr double kDoubted = 0.5;  // of the standard error of their variance: so much they may differ unseen
-  std::vector<double> values, variances, sigmas;
+  std::vector<double> sigmas;
   for (const SeriesValue& v : series) {
     if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
   }
-  const double trusted = 2.0 * quantile(sigmas, kBest);
-  for (const SeriesValue& v : series) {
-    if (!std::isfinite(v.value) || v.sigma > trusted) continue;
-    values.push_back(v.value);
-    variances.push_back(v.sigma * v.sigma);
-  }
+  const KnownSlopes best(series, 2.0 * quantile(sigmas, kBest));
   MeanSlope ring{expected.parallel, expected.parallel, withPrior(kLipSlope)};
   double own = kLipSlope * kLipSlope;
-  if (values.size() >= kFewest) {
-    const double seen = median(values), scatter = robustSigma(values, seen);
-    const auto count = static_cast<double>(values.size());
-    const double square = scatter * scatter, doubt = kDoubted * square * std::sqrt(2.0 / count);
-    own = std::clamp(std::max(doubt, square - median(variances)), 1e-12, own);
-    const double mean = 1.2533 * std::sqrt((own + median(variances)) / count);
-    ring = ringSlope(seen, mean, expected);
+  if (best.values.size() >= kFewest) {
+    const KnownSlopes all(seen, std::numeric_limits<double>::infinity());
+    own = std::clamp(std::min(best.amongThem(), all.amongThem()), 1e-12, own);
+    const auto count = static_cast<double>(best.values.size());
+    const double mean = 1.2533 * std::sqrt((own + median(best.variances)) / count);
+    ring = ringSlope(median(best.values), mean, expected);
   }
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;

@@ -24,7 +24,9 @@ struct MeanSlope {
 
 /// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
 /// more than their errors explain (empirical Bayes).
-MeanSlope drawTogether(const std::vector<SeriesValue>& series, const ExpectedSlope& expected,
-                       std::vector<SeriesValue>& smooth);
+/// @param seen    slopes of the windows with the errors of what is seen
+/// @param series  the same with what beams may feign in their errors too: that makes windows differ more, never less
+MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+                       const ExpectedSlope& expected, std::vector<SeriesValue>& smooth);
 
 }  // namespace tank_datum

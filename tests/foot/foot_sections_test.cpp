@@ -92,6 +92,28 @@ TEST(StackSections, AnArcOnWhichALipGoesOnHalfAsFarAgainShowsWhatLiesBeyondIt) {
   EXPECT_LT(band_to(0.290), 0.070);
 }
 
+/// How high the section of an arc says that the lip lies, which is half a millimetre, where rows show it between two
+/// distances and beside the shell only, and what lies beyond it from another one on.
+double levelOfRows(double from, double to, double beyond) {
+  MadeFoot made;
+  const auto raised = [](double d) { return plate(d) + 0.0005; };
+  for (int s = 0; s < 360; ++s) {
+    const bool rows = s >= 100 && s <= 160;
+    made.addStation(s, rows ? 0 : 400, 0.005, 0.3, plate);
+    made.addStation(s, rows ? 20 : 0, 0.014, 0.019, raised);
+    made.addStation(s, rows ? 60 : 0, from, to, [](double) { return 0.0005; });
+    made.addStation(s, rows ? 60 : 0, beyond, 0.3, raised);
+    made.addStation(s, 600, -0.001, 0.001, [](double) { return 0.1; });  // the shell
+  }
+  return stackSections(made.foot(), std::vector<double>(360, 0.0)).at(130).offset;
+}
+
+TEST(StackSections, AnArcThatShowsLessThanThreeQuartersOfItsBandIsToShowWhereItEnds) {
+  EXPECT_NEAR(levelOfRows(0.027, 0.080, 0.12), 0.0005, 0.0001);
+  EXPECT_NEAR(levelOfRows(0.050, 0.080, 0.12), 0.0, 0.0002);
+  EXPECT_NEAR(levelOfRows(0.050, 0.080, 0.085), 0.0005, 0.0001);
+}
+
 TEST(StackSections, OfAnArcWithFortyThousandPointsEverySecondIsTaken) {
   const FootProfile there = Sections(ringwall, ringwall, 60, 0.0005, 3800).there();
   // 11 stations of 3800 points over 295 mm, in bins of 3 mm
