@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
@@ -67,13 +68,16 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
   const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope, false}, priors.sigma_bend);
   std::vector<double> azimuths, slopes, weights;
+  std::vector<WeightedValue> seen;
   for (std::size_t k = 0; k < found.fits.size(); ++k) {
     if (!found.fits[k].valid()) continue;
     azimuths.push_back(foot.directions[k * found.stride]);
     slopes.push_back(found.fits[k].slope);
     weights.push_back(1.0 / (found.fits[k].sigma_slope * found.fits[k].sigma_slope));
+    seen.push_back({slopes.back(), weights.back()});
   }
   if (slopes.size() < 6) return;
+  priors.seen = weightedMedian(std::move(seen));
   double mean = 0;
   for (const double w : weights) mean += w / static_cast<double>(weights.size());
   for (double& w : weights) w /= mean;

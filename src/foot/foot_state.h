@@ -88,7 +88,7 @@ struct FootPriors {
   std::vector<double> slope, sigma_slope;  ///< [m/m]
   double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
   bool settled = false;                    ///< a station's own points have no more to say about its slope
-  double seen = 0;                         ///< where it is settled: as the ring's windows show it, feigned or not [m/m]
+  double seen = 0;                         ///< as the ring's windows show it, feigned or not [m/m]
   BlendedLip blends;                       ///< where it is settled
 
   FootPrior at(std::size_t station) const;

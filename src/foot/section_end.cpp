@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "foot/section_stretches.h"
 
@@ -27,6 +28,23 @@ bool stepsOff(const FootProfile& profile, std::size_t last, const BinLine& line)
     if (std::isfinite(profile.height[i])) beyond.push_back(profile.height[i] - line.at(middle(profile, i)));
   }
   return !beyond.empty() && !(std::abs(median(beyond)) < std::max(0.003, 2.0 * profile.noise));
+}
+
+/// What the number of a bin's points is proportional to, as they scatter more than their median; NaN where it is not
+/// seen.
+double countIn(const FootProfile& profile, std::size_t bin) { return square(profile.spread[bin] / profile.error[bin]); }
+
+/// Whether what is seen between two bins lies far thinner than a plate before it. Beams that meet an edge and something
+/// else leave points between the two, where there is no surface.
+bool isThin(const FootProfile& profile, std::size_t plate_end, std::size_t first, std::size_t last) {
+  constexpr double kThin =
+      0.25;  // of the plate's density; where only arcs whose plate is seen are stacked, that is above the average
+  std::vector<double> plate, beyond;
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (!std::isfinite(profile.height[i]) || (i > plate_end && i < first)) continue;
+    (i <= plate_end ? plate : beyond).push_back(countIn(profile, i));
+  }
+  return median(beyond) < kThin * median(plate);
 }
 
 }  // namespace
@@ -86,6 +104,7 @@ double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double rea
   if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
   const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
   if (!(drop > 0.0 && drop < kThickest)) return 0.0;
+  if (isThin(profile, plate_end, first, last)) return 0.0;
   const double slope = robustLine(profile, first, last).slope;
   return std::abs(slope) < kFace ? slope : 0.0;
 }

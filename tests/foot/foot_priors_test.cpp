@@ -58,6 +58,16 @@ TEST(LearnPriors, APadThatSlopesAlikeAllRoundIsKnownToThreeMillimetresAMetre) {
   EXPECT_FALSE(priors.settled);
 }
 
+TEST(LearnPriors, ThePlacesSeenBestTellHowSteepAPadIs) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const bool best = s < 60;  // the others are seen by a row only
+    made.addStation(s, best ? 80 : 2, best ? 0.02 : 0.15, best ? 0.28 : 0.16,
+                    [&](double d) { return best ? -0.2 * d : 0.0; });
+  }
+  EXPECT_NEAR(learnt(made, Surface::Foundation).seen, -0.2, 0.01);
+}
+
 TEST(LearnPriors, APadsSlopeIsLookedForOverTenDegreesAndLearntFromSixPlaces) {
   const std::vector<double> six = {4, 64, 124, 184, 244, 304}, five = {4, 64, 124, 184, 244};
   EXPECT_LT(learntFrom(six, Surface::Foundation).sigma_slope[0], 0.05);

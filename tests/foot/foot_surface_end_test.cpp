@@ -62,6 +62,24 @@ TEST(SurfaceOf, WhatLiesBeyondIsOnNoLineThatTooFewBinsTell) {
   EXPECT_EQ(surfaceAbove(0.0, {0.0, kUnknown}), Surface::AnnularPlate);
 }
 
+/// The slope seen beyond a lip whose bins hold 120 points each, of something that rises by 0.08 m/m and holds so many.
+double slopeBeyondOf(int points) {
+  std::vector<FootPoint> section;
+  for (int bin = 0; bin < 100; ++bin) {
+    const int count = bin < 20 ? 120 : points;
+    for (int i = 0; i < count; ++i) {
+      const double d = 0.003 * (bin + (i + 0.5) / count), z = bin < 20 ? 0.0 : 0.08 * (d - 0.06) - 0.015;
+      section.push_back({0.0, d, z + 0.0005 * (i % 5 - 2)});
+    }
+  }
+  return stackProfile({section}, {0.0}, {0.3, 0.001, 0.013}).slope_beyond;
+}
+
+TEST(SlopeBeyond, WhatIsSeenAFifthAsDenselyAsTheLipIsNoSurface) {
+  EXPECT_EQ(slopeBeyondOf(24), 0.0);
+  EXPECT_NEAR(slopeBeyondOf(48), 0.08, 0.005);
+}
+
 TEST(FootProfile, SaysThatNothingIsKnownYet) {
   EXPECT_FALSE(FootProfile().valid());
   EXPECT_EQ(FootProfile().surface, Surface::Unknown);
