@@ -55,13 +55,15 @@ double ringScatter(const std::vector<double>& values, const std::vector<double>&
   constexpr double kLongest = 12.0 / 360.0;  // of the ring, over which what values follow is a parabola
   constexpr double kLost = 1.5;  // of the variance of third differences, times the correlation of neighbours
   constexpr double kMostShared = 0.5;
+  constexpr double kChance = 2.0;  // of the square root of their number: how far two such scatters differ by chance
   std::vector<PlacedValue> known;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) known.push_back({static_cast<double>(i), values[i], sigmas[i]});
   }
   const auto ring = static_cast<double>(values.size());
   const double near = scatterAt(known, 1, ring, kLongest * ring), far = scatterAt(known, kApart, ring, kLongest * ring);
-  if (!(far > near)) return near;
+  const double chance = kChance / std::sqrt(static_cast<double>(known.size()));
+  if (!(far > near * (1.0 + chance))) return near;
   const double shared = std::min(kMostShared, (1.0 - square(near / far)) / kLost);
   return far * std::sqrt(1.0 + 2.0 * shared);
 }

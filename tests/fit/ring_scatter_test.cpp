@@ -39,6 +39,12 @@ TEST(RingScatter, WhatNeighboursShareCountsAsItDoesInMeansOfMany) {
   EXPECT_NEAR(scatterOf(scattered(1.0, 360, half)), std::sqrt(1.8), 0.25);
 }
 
+TEST(RingScatter, OfNeighboursThatShareNoMoreThanChanceMakesOfItIsTheirs) {
+  const std::vector<double> little = {1.0, 0.11};  // differences of neighbours are smaller by a twelfth
+  EXPECT_LT(scatterOf(scattered(1.0, 500, little)), 1.0);
+  EXPECT_GT(scatterOf(scattered(1.0, 600, little)), 1.05);
+}
+
 TEST(RingScatter, NeighboursAreTakenToShareHalfAtMost) {
   const double far = std::sqrt(1.0 - 1.5 * 0.1);  // correlation of those three apart
   EXPECT_NEAR(scatterOf(scattered(1.0, 3600, {1.0, std::sqrt(2.0), 1.0})), std::sqrt(2.0), 0.08);
