@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
+#include "fit/ring_scatter.h"
 
 namespace tank_datum {
 namespace {
@@ -110,20 +112,26 @@ void smooth(const Data& data, const Parameters& p, RingProcess& result) {
   }
 }
 
-Parameters likeliest(const Data& data, double scatter, double least_amplitude) {
+/// @param scatter  usual standard error of the values
+/// @param ratio  how many of their standard errors values scatter by at least
+Parameters likeliest(const Data& data, double scatter, double ratio, double least_amplitude) {
   constexpr std::array kAmplitudes{1.0, 2.0, 4.0, 8.0, 16.0};  // of the least
   constexpr std::array kLengths{3.0, 5.0, 8.0, 12.0, 18.0};    // [deg]; longer ones would not follow a short dip
+  constexpr double kLeastScale = 0.4;
   struct Scatter {
     double scale, nugget;
   };
-  constexpr std::array kScatters{Scatter{0.4, 0.0}, Scatter{0.5, 0.0}, Scatter{0.6, 0.0}, Scatter{0.8, 0.0},
-                                 Scatter{1.0, 0.0}, Scatter{1.0, 0.4}, Scatter{1.0, 0.7}, Scatter{1.0, 1.0},
-                                 Scatter{1.0, 1.5}, Scatter{1.0, 2.5}, Scatter{1.0, 4.0}};
+  constexpr std::array kScatters{Scatter{0.5, 0.0}, Scatter{0.6, 0.0}, Scatter{0.8, 0.0}, Scatter{1.0, 0.0},
+                                 Scatter{1.0, 0.4}, Scatter{1.0, 0.7}, Scatter{1.0, 1.0}, Scatter{1.0, 1.5},
+                                 Scatter{1.0, 2.5}, Scatter{1.0, 4.0}};
+  std::vector<Scatter> scatters{{std::clamp(ratio, kLeastScale, 1.0), std::sqrt(std::max(0.0, ratio * ratio - 1.0))}};
+  std::copy_if(kScatters.begin(), kScatters.end(), std::back_inserter(scatters),
+               [&](const Scatter& s) { return std::hypot(s.scale, s.nugget) > ratio; });
   Parameters best{};
   double least = std::numeric_limits<double>::infinity();
   for (const double amplitude : kAmplitudes) {
     for (const double length : kLengths) {
-      for (const Scatter& s : kScatters) {
+      for (const Scatter& s : scatters) {
         const Parameters p{amplitude * least_amplitude, length * kPi / 180.0, s.scale, s.nugget * scatter};
         const double unlikely = filter(data, p, nullptr);
         if (unlikely < least) least = unlikely, best = p;
@@ -198,7 +206,7 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
     data.values[i] -= shape(static_cast<double>(i) * step);
     data.variances.push_back(sigmas[i] * sigmas[i]);
   }
-  const Parameters p = likeliest(data, usual, least_amplitude);
+  const Parameters p = likeliest(data, usual, ringScatter(data.values, sigmas), least_amplitude);
   result.amplitude = p.amplitude, result.length = p.length, result.nugget = p.nugget;
   result.value.resize(values.size());
   result.sigma.resize(values.size());

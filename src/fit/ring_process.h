@@ -25,7 +25,8 @@ struct RingProcess {
 
 /// What values at equal steps round a ring follow: low harmonics and a Matern process of order 3/2 (Rasmussen and
 /// Williams 2006, 4.2), whose amplitude and length, and the values' scatter beside their standard errors, are those
-/// under which the values are likeliest. So neighbours help as far as the values show that they are alike, and no
+/// under which the values are likeliest; the scatter no less than ringScatter(), as a process that has to follow a dip
+/// may follow the scatter of the rest as well. So neighbours help as far as the values show that they are alike, and no
 /// further. A value more than four standard deviations off what the others say counts for what it is off. Kalman filter
 /// and smoother (Rauch, Tung and Striebel 1965), linear in the number of values.
 /// @param values  NaN where unknown

@@ -88,6 +88,17 @@ TEST(RingProcess, ScatterBeyondTheGivenErrorsIsFoundFromTheValues) {
   EXPECT_NEAR(std::hypot(kSigma, more.nugget), 3.0 * kSigma, 0.6 * kSigma);
 }
 
+TEST(RingProcess, SigmaKnowsWhatNeighboursShare) {
+  Ring ring(quiet);
+  const std::vector<double> alone = ring.values;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::size_t next = (i + 1) % kCount;
+    ring.values[i] = ring.truth[i] + std::sqrt(0.5) * (alone[i] - ring.truth[i] + alone[next] - ring.truth[next]);
+  }
+  const RingProcess process = ring.followed();
+  EXPECT_NEAR(median(process.sigma), rmsOf(ring, process), 0.25 * rmsOf(ring, process));
+}
+
 TEST(RingProcess, GapsAreBridgedWithALargerError) {
   Ring ring(quiet);
   for (std::size_t i = 200; i < 208; ++i) ring.values[i] = ring.sigmas[i] = NAN;
