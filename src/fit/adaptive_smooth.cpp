@@ -50,4 +50,19 @@ std::vector<SeriesValue> smoothed(const std::vector<SeriesValue>& series, std::s
   return result;
 }
 
+BetweenValues::BetweenValues(const std::vector<SeriesValue>& series, std::size_t place, std::size_t stride)
+    : left_(place / stride),
+      right_((left_ + 1) % series.size()),
+      share_(static_cast<double>(place - left_ * stride) / static_cast<double>(stride)) {
+  if (!std::isfinite(series[left_].value)) left_ = right_;
+  if (!std::isfinite(series[right_].value)) right_ = left_;
+  known_ = std::isfinite(series[left_].value);
+}
+
+bool BetweenValues::known() const { return known_; }
+
+double BetweenValues::mean(const std::vector<SeriesValue>& series, double SeriesValue::*what) const {
+  return (1.0 - share_) * series[left_].*what + share_ * series[right_].*what;
+}
+
 }  // namespace tank_datum

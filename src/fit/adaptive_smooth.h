@@ -18,4 +18,20 @@ struct SeriesValue {
 /// @param widest  steps on either side
 std::vector<SeriesValue> smoothed(const std::vector<SeriesValue>& series, std::size_t widest);
 
+/// A place between two values of a series; at the one where the other is unknown.
+class BetweenValues {
+ public:
+  /// @param place  counted from the first value, `stride` to a step
+  BetweenValues(const std::vector<SeriesValue>& series, std::size_t place, std::size_t stride);
+
+  bool known() const;
+  /// Of the values, or of their standard errors, of a series that is known at the same steps.
+  double mean(const std::vector<SeriesValue>& series, double SeriesValue::*what) const;
+
+ private:
+  std::size_t left_, right_;
+  double share_;  // of the right one
+  bool known_;
+};
+
 }  // namespace tank_datum

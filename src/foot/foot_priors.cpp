@@ -173,25 +173,6 @@ std::vector<SeriesValue> blendedSlopes(const LipSlopes& lips, const std::vector<
   return blended;
 }
 
-/// A station between two windows; beside the one where the other is not known.
-struct Between {
-  std::size_t left, right;
-  double share;  ///< of the right one
-  bool known;
-
-  Between(std::size_t station, std::size_t stride, const std::vector<SeriesValue>& windows)
-      : left(station / stride), right((left + 1) % windows.size()) {
-    share = static_cast<double>(station - left * stride) / static_cast<double>(stride);
-    if (!std::isfinite(windows[left].value)) left = right;
-    if (!std::isfinite(windows[right].value)) right = left;
-    known = std::isfinite(windows[left].value);
-  }
-
-  double mean(const std::vector<SeriesValue>& windows, double SeriesValue::*what) const {
-    return (1.0 - share) * windows[left].*what + share * windows[right].*what;
-  }
-};
-
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
@@ -213,8 +194,8 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   blends.level_at = 0.5 * (foot.scales.nearest() + whole.edge);
   blends.slope.assign(priors.slope.size(), 0.0), blends.sigma = blends.slope;
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
-    const Between at(i, lips.stride, smooth);
-    if (!at.known) continue;
+    const BetweenValues at(smooth, i, lips.stride);
+    if (!at.known()) continue;
     priors.slope[i] = at.mean(smooth, &SeriesValue::value);
     priors.sigma_slope[i] = std::hypot(least, at.mean(smooth, &SeriesValue::sigma));
     blends.slope[i] = at.mean(blended, &SeriesValue::value);

@@ -115,7 +115,7 @@ class Unmoved {
   CommonPart part_;
   std::size_t cells_ = 0;
   std::vector<Share> shares_;
-  std::vector<double> own_;  ///< standard errors of the stations' own [m]
+  std::vector<double> own_;               ///< standard errors of the stations' own [m]
   std::vector<Eigen::Vector2d> towards_;  ///< the stations from the axis, of length 1
   Deviates normal_{20180419};
 };

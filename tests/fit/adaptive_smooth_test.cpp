@@ -94,5 +94,19 @@ TEST(AdaptiveSmooth, AWindowHasToMeetTheValueWithinThreeStandardErrorsOfEach) {
   EXPECT_EQ(sigmaWith(1.1 * apart), 1.0);
 }
 
+TEST(BetweenValues, AreMeansOrTheOneThatIsKnown) {
+  const std::vector<SeriesValue> series = {{1.0, 0.1, 1.0}, {3.0, 0.5, 1.0}, {NAN, NAN, 1.0}, {NAN, NAN, 1.0}};
+  const auto value = [&](std::size_t place) {
+    const BetweenValues at(series, place, 4);
+    return at.known() ? at.mean(series, &SeriesValue::value) : -1.0;
+  };
+  EXPECT_EQ(value(0), 1.0);
+  EXPECT_EQ(value(3), 2.5);
+  EXPECT_EQ(value(7), 3.0);   // beside one that is not known
+  EXPECT_EQ(value(9), -1.0);  // between two of them
+  EXPECT_EQ(value(13), 1.0);  // before the first
+  EXPECT_NEAR(BetweenValues(series, 1, 4).mean(series, &SeriesValue::sigma), 0.2, 1e-12);
+}
+
 }  // namespace
 }  // namespace tank_datum

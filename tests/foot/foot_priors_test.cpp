@@ -218,12 +218,8 @@ TEST(LearnPriors, LipsAlikeAsFarAsWindowsTellMayDifferByASeventhOfTheirScatter) 
   std::normal_distribution<double> normal;
   std::vector<double> slopes;
   for (int k = 0; k < 72; ++k) slopes.push_back(0.02 * normal(random));
-  const FootPriors priors = learntOfLips(
-      [&](int k) {
-        return Window{300, slopes[static_cast<std::size_t>(k)], 1e-4};
-      },
-      1e-4);
-  EXPECT_GT(priors.sigma_slope[100], 0.002);
+  const auto window = [&](int k) { return Window{300, slopes[static_cast<std::size_t>(k)], 1e-4}; };
+  EXPECT_GT(learntOfLips(window, 1e-4).sigma_slope[100], 0.002);
 }
 
 TEST(LearnPriors, WhatSeemsSteeperThanOneInTenIsNoLipsSlope) {
