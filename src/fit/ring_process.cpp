@@ -188,6 +188,7 @@ double RingProcess::sigmaOfFollowed(std::size_t place) const {
 RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude) {
   constexpr int kOrder = 4;
   constexpr std::size_t kFewestValues = 8;
+  constexpr double kChance = 2.0;  // of the square root of their number: how far differences are off by chance
   RingProcess result;
   std::vector<double> azimuths, known, weights, errors;
   const double step = kTwoPi / static_cast<double>(values.size());
@@ -206,7 +207,8 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
     data.values[i] -= shape(static_cast<double>(i) * step);
     data.variances.push_back(sigmas[i] * sigmas[i]);
   }
-  const Parameters p = likeliest(data, usual, ringScatter(data.values, sigmas), least_amplitude);
+  const double beyond_chance = 1.0 + kChance / std::sqrt(static_cast<double>(known.size()));
+  const Parameters p = likeliest(data, usual, ringScatter(data.values, sigmas) / beyond_chance, least_amplitude);
   result.amplitude = p.amplitude, result.length = p.length, result.nugget = p.nugget;
   result.value.resize(values.size());
   result.sigma.resize(values.size());

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/statistics.h"
+#include "fit/ring_scatter.h"
 
 namespace tank_datum {
 namespace {
@@ -53,6 +54,14 @@ TEST(RingProcess, NeighboursHelpAndSigmaKnowsIt) {
   for (std::size_t i = 0; i < kCount; ++i) within += std::abs(ring.error(process, i)) < 2.0 * process.sigma[i];
   EXPECT_GT(within, kCount * 90 / 100);
   EXPECT_LT(median(process.sigma), 1.5 * rmsOf(ring, process));
+}
+
+TEST(RingProcess, ScatterIsNoLessThanDifferencesShowBeyondChance) {
+  const Ring ring(quiet, 2.0 * kSigma);
+  // a process this free follows all scatter but what it may not
+  const RingProcess process = followRing(ring.values, ring.sigmas, 0.2);
+  const double shown = ringScatter(ring.values, ring.sigmas) / (1.0 + 2.0 / std::sqrt(360.0));
+  EXPECT_NEAR(process.nugget, kSigma * std::sqrt(shown * shown - 1.0), 0.03 * kSigma);
 }
 
 TEST(RingProcess, AShortDipIsNotSmoothedAway) {
