@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
@@ -69,28 +70,47 @@ bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isGrazed(points, pass.sections.at(station), fit, foot.reach);
 }
 
-/// Whether points rise to the shell as no foundation does, which a fit that is told the slope does not show: a heap of
-/// soil. (They fall to it where few rows of the scan cross the lip: range noise moves a row's points along their rays.)
+/// The surface at a station as its points lie, whatever its slope is known to be.
 /// @param half_width  of the window that is looked at [rad]
-bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass, double half_width) {
-  constexpr double kSteeper = 0.01;  // than what is known of a wide surface's slope: more is not foundation [m/m]
-  const FootPriors& priors = pass.priors;
+FootFit ownFit(const Foot& foot, std::size_t station, const FootPass& pass, double half_width) {
   const FootFit& fit = pass.fits[station];
   const FootProfile& profile = pass.sections.at(station);
-  FootPrior any = priors.at(station);
+  FootPrior any = pass.priors.at(station);
   any.sigma_slope = 1.0;
-  const double usual = priors.slope[station];
   const auto points = foot.ring.around(foot.directions[station], half_width, fit.z, foot.reach);
-  const FootFit own = fitFoundation(points, profile, fit.z + profile.offset, usual, any);
+  return fitFoundation(points, profile, fit.z + profile.offset, pass.priors.slope[station], any);
+}
+
+/// Whether points rise to the shell as no foundation does, which a fit that is told the slope does not show: a heap of
+/// soil. (They fall to it where few rows of the scan cross the lip: range noise moves a row's points along their rays.)
+bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own) {
+  constexpr double kSteeper = 0.01;  // than what is known of a wide surface's slope: more is not foundation [m/m]
+  const double usual = priors.slope[station];
   if (!own.valid()) return false;
   if (priors.settled) return own.slope < std::min(usual, priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
   return own.slope < usual - kSteeper - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
 }
 
-/// The same of a station and its neighbours, and of half the window that it is fitted in.
-bool isHeap(const Foot& foot, std::size_t station, const FootPass& pass) {
-  return isHeap(foot, station, pass, 3.0 * foot.half_step) ||
-         isHeap(foot, station, pass, 0.5 * pass.fits[station].half_width);
+/// The same of half the window that a station is fitted in.
+bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
+  return isHeap(station, pass.priors, ownFit(foot, station, pass, 0.5 * pass.fits[station].half_width));
+}
+
+/// Whether the points of stations that stand rise to the shell as those of no lip do, all together: on sparse feet none
+/// of them tells by itself.
+/// @param own  of stations and their neighbours, where they stand
+bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
+  constexpr double kShared = 3.0;  // stations that a point counts for
+  std::vector<WeightedValue> slopes;
+  double weights = 0.0;
+  for (const FootFit& fit : own) {
+    if (!fit.valid()) continue;
+    slopes.push_back({fit.slope, 1.0 / (fit.sigma_slope * fit.sigma_slope)});
+    weights += slopes.back().weight;
+  }
+  if (!priors.settled || slopes.empty()) return false;
+  const double sigma = 1.2533 * std::sqrt(kShared / weights);  // of a median
+  return weightedMedian(std::move(slopes)) < std::min(0.0, priors.seen) - kSteepestLip - 3.0 * sigma;
 }
 
 /// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
@@ -107,6 +127,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
   std::vector<char> before(reasons.size(), 0), no_foot(reasons.size(), 0);
+  std::vector<FootFit> own(reasons.size());
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     const FootFit& fit = pass.fits[i];
     if (!foot.shell_seen[i]) {
@@ -115,14 +136,22 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
       reasons[i] = Unmeasured::Hidden;
     } else {
       before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
-      no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || isHeap(foot, i, pass) ? 1 : 0;
+      own[i] = ownFit(foot, i, pass, 3.0 * foot.half_step);
+      no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) ||
+                           isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass)
+                       ? 1
+                       : 0;
       const bool other = no_foot[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
       if (other) reasons[i] = Unmeasured::OtherSurface;
     }
   });
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
   const auto kerbs = std::count(before.begin(), before.end(), 1);
-  const bool none = static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (reasons[i] != Unmeasured::None) own[i] = {};
+  }
+  const bool none =
+      static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) || areHeaps(own, pass.priors);
   std::vector<FootFit> kept = pass.fits;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (reasons[i] != Unmeasured::None) kept[i] = {};

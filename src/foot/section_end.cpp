@@ -37,8 +37,8 @@ double countIn(const FootProfile& profile, std::size_t bin) { return square(prof
 /// Whether what is seen between two bins lies far thinner than a plate before it. Beams that meet an edge and something
 /// else leave points between the two, where there is no surface.
 bool isThin(const FootProfile& profile, std::size_t plate_end, std::size_t first, std::size_t last) {
-  constexpr double kThin =
-      0.25;  // of the plate's density; where only arcs whose plate is seen are stacked, that is above the average
+  // of the plate's density; where only arcs whose plate is seen are stacked, that is above the average
+  constexpr double kThin = 0.25;
   std::vector<double> plate, beyond;
   for (std::size_t i = 0; i <= last; ++i) {
     if (!std::isfinite(profile.height[i]) || (i > plate_end && i < first)) continue;

@@ -75,6 +75,33 @@ Unmeasured reasonOfSlope(double slope, double seen = 0.0) {
   return reasonAt50(foot, pass);
 }
 
+/// The least slope at which no station stands whose points all slope, so rough that none tells by itself.
+double leastSlopeOfHeaps(double noise) {
+  double stand = 0.0, fall = -0.6;
+  for (int halving = 0; halving < 12; ++halving) {
+    const double slope = 0.5 * (stand + fall);
+    MadeFoot made;
+    for (int s = 0; s < 360; ++s) {
+      for (int i = 0; i < 12; ++i) {
+        const double d = 0.0155 + 0.044 * (i + 0.5) / 12.0, off = i % 4 == 0 || i % 4 == 3 ? noise : -noise;
+        made.add((s + 0.01 * i - 0.055) * made.step(), d, slope * (d - 0.0375) + off);
+      }
+    }
+    Foot& foot = made.foot();
+    FootPass pass = levelPass(foot.half_step, 0.06);
+    pass.priors.settled = true, pass.sections.whole.noise = noise;
+    for (FootFit& fit : pass.fits) fit.noise = noise;
+    (reasonAt50(foot, pass) == Unmeasured::None ? stand : fall) = slope;
+  }
+  return fall;
+}
+
+TEST(FindOutliers, HeapsOfWhichNoneTellsAreToldTogether) {
+  // 36 points of a station and its neighbours tell a slope to 0.237, each of them three times; theirs lean by 0.026
+  const double sigma = 1.2533 * 0.237 * std::sqrt(3.0 / 360.0);
+  EXPECT_NEAR(leastSlopeOfHeaps(0.010), -0.1 - 3.0 * sigma + 0.026, 0.01);
+}
+
 TEST(FindOutliers, WhatRisesToTheShellByOneInTenIsAHeap) {
   EXPECT_EQ(reasonOfSlope(-0.11), Unmeasured::OtherSurface);
   EXPECT_EQ(reasonOfSlope(-0.09), Unmeasured::None);
