@@ -188,7 +188,7 @@ double RingProcess::sigmaOfFollowed(std::size_t place) const {
 RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude) {
   constexpr int kOrder = 4;
   constexpr std::size_t kFewestValues = 8;
-  constexpr double kChance = 2.0;  // of the square root of their number: how far differences are off by chance
+  constexpr double kChance = 2.6;  // over the root of their number: two standard deviations of such a scatter
   RingProcess result;
   std::vector<double> azimuths, known, weights, errors;
   const double step = kTwoPi / static_cast<double>(values.size());
