@@ -12,16 +12,16 @@ namespace tank_datum {
 namespace {
 
 /// A value with its place along the ring, in steps.
-struct PlacedValue {
+struct KnownValue {
   double place, value, sigma;
 };
 
 /// Third divided difference of four values over its standard error.
-double thirdDifference(const std::array<PlacedValue, 4>& values) {
+double thirdDifference(const std::array<KnownValue, 4>& values) {
   double sum = 0, variance = 0;
-  for (const PlacedValue& v : values) {
+  for (const KnownValue& v : values) {
     double weight = 1.0;
-    for (const PlacedValue& other : values) {
+    for (const KnownValue& other : values) {
       if (&other != &v) weight /= v.place - other.place;
     }
     sum += weight * v.value;
@@ -32,12 +32,12 @@ double thirdDifference(const std::array<PlacedValue, 4>& values) {
 
 /// What values scatter by, in their standard errors, as differences of every so manieth of them show it; 0: too few do.
 /// @param longest  that a difference may reach over [steps]
-double scatterAt(const std::vector<PlacedValue>& known, std::size_t lag, double ring, double longest) {
+double scatterAt(const std::vector<KnownValue>& known, std::size_t lag, double ring, double longest) {
   constexpr std::size_t kFewest = 40;
   constexpr double kShare = 0.7, kWithin = 1.0364;  // of normal deviates
   std::vector<double> ratios;
   for (std::size_t i = 0; 3 * lag < known.size() && i < known.size(); ++i) {
-    std::array<PlacedValue, 4> four;
+    std::array<KnownValue, 4> four;
     for (std::size_t k = 0; k < four.size(); ++k) {
       const std::size_t at = i + k * lag;
       four[k] = known[at % known.size()];
@@ -56,7 +56,7 @@ double ringScatter(const std::vector<double>& values, const std::vector<double>&
   constexpr double kLost = 1.5;  // of the variance of third differences, times the correlation of neighbours
   constexpr double kMostShared = 0.5;
   constexpr double kChance = 2.0;  // of the square root of their number: how far two such scatters differ by chance
-  std::vector<PlacedValue> known;
+  std::vector<KnownValue> known;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) known.push_back({static_cast<double>(i), values[i], sigmas[i]});
   }

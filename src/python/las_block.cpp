@@ -57,6 +57,7 @@ LasBlock::LasBlock(std::vector<Records> records, const LasStorage& storage, cons
 }
 
 bool LasBlock::decode(double metres_per_unit, Place& place, ScanBlocks::Block& block) const {
+  const bool begins = place.part == 0 && place.row == 0;
   std::size_t rows = 0;
   if (place.part < parts_.size()) {
     const Part& part = parts_[place.part];
@@ -70,8 +71,7 @@ bool LasBlock::decode(double metres_per_unit, Place& place, ScanBlocks::Block& b
   std::swap(block.points, place.buffer.points);
   std::swap(block.setups, place.buffer.labels);
   block.invalid = counts.invalid;
-  block.left_out = counts.left_out + (place.has_begun ? 0 : left_out_);
-  place.has_begun = true;
+  block.left_out = counts.left_out + (begins ? left_out_ : 0);
   return place.part < parts_.size();
 }
 

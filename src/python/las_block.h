@@ -24,7 +24,6 @@ class LasBlock {
   /// How far they are decoded.
   struct Place {
     std::size_t part = 0, row = 0;
-    bool has_begun = false;
     BlockBuffer buffer = {};
   };
 
