@@ -8,6 +8,7 @@
 #include "core/ring_runs.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "foot/shell_below.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -125,12 +126,6 @@ double riseOf(const RingRun& run, const std::vector<double>& levels, const std::
   return rise;
 }
 
-/// What a shell has to be seen below a level for that not to be an error of either [m].
-double leastBelow(const Foot& foot, const FootFit& level) {
-  constexpr double kLeast = 0.002;  // of the reach
-  return kLeast * foot.reach + 3.0 * std::hypot(level.sigma, level.noise);
-}
-
 /// What the shell beside the end of a run says: whether it is seen to go on below the run's elevation.
 enum class Says { Nothing, GoesOn, Ends };
 
@@ -149,40 +144,6 @@ Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<
 }
 
 }  // namespace
-
-bool ShellCounts::isGoodPart() const {
-  constexpr double kShare = 0.25;
-  return below > 0 && static_cast<double>(below) >= kShare * static_cast<double>(above);
-}
-
-bool ShellCounts::goOn() const {
-  constexpr std::size_t kStray = 3;
-  return below > kStray && isGoodPart();
-}
-
-ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& level, double depth) {
-  const double least = leastBelow(foot, level);
-  ShellCounts counts;
-  foot.ring.visitAround(foot.directions[station], level.half_width, level.z, 2.0 * depth, [&](const FootPoint& p) {
-    if (std::abs(p.d) > 2.0 * foot.scales.shell_noise) return;
-    const double height = p.z - level.z - level.along * p.t - level.bend * p.t * p.t;
-    counts.below += height < -least && height > -depth;
-    counts.above += height > least && height < depth;
-  });
-  return counts;
-}
-
-ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& level) {
-  constexpr double kDepth = 0.04;  // of the reach
-  return countShell(foot, station, level, kDepth * foot.reach + leastBelow(foot, level));
-}
-
-FootFit levelAt(const Foot& foot, double z, double sigma) {
-  FootFit level;
-  level.z = z, level.sigma = sigma, level.along = level.bend = 0.0;
-  level.noise = foot.scales.shell_noise, level.half_width = foot.half_step;
-  return level;
-}
 
 std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels) {
   constexpr double kLeast = 0.008;  // of the reach

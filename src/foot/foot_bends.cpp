@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "foot/foot_banks.h"
+#include "foot/shell_below.h"
 
 namespace tank_datum {
 

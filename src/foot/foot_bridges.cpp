@@ -5,7 +5,7 @@
 
 #include "core/parallel.h"
 #include "core/ring_runs.h"
-#include "foot/foot_banks.h"
+#include "foot/shell_below.h"
 #include "stations/stations.h"
 
 namespace tank_datum {

@@ -7,11 +7,11 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
-#include "foot/foot_banks.h"
 #include "foot/foot_choice.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
 #include "foot/lowest_layer.h"
+#include "foot/shell_below.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/locate/tank.h"
 

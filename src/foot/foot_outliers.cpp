@@ -9,6 +9,7 @@
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
 #include "foot/ring_slope.h"
+#include "foot/shell_below.h"
 #include "foot/slanting_beams.h"
 #include "tank_datum/core/unknown.h"
 
@@ -113,6 +114,14 @@ bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
   return weightedMedian(std::move(slopes)) < std::min(0.0, priors.seen) - kSteepestLip - 3.0 * sigma;
 }
 
+/// The fits without those of stations that do not stand.
+std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmeasured>& reasons) {
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (reasons[i] != Unmeasured::None) fits[i] = {};
+  }
+  return fits;
+}
+
 /// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
 bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>& fits) {
   ShellCounts shell;
@@ -145,17 +154,18 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
       if (other) reasons[i] = Unmeasured::OtherSurface;
     }
   });
+  const std::vector<bool> shell_below = findShellBelow(foot, standing(pass.fits, reasons));
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    if (!shell_below[i]) continue;
+    before[i] = no_foot[i] = 1;
+    reasons[i] = Unmeasured::OtherSurface;
+  }
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
   const auto kerbs = std::count(before.begin(), before.end(), 1);
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    if (reasons[i] != Unmeasured::None) own[i] = {};
-  }
-  const bool none =
-      static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) || areHeaps(own, pass.priors);
-  std::vector<FootFit> kept = pass.fits;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (reasons[i] != Unmeasured::None) kept[i] = {};
-  }
+  const bool none = static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) ||
+                    areHeaps(standing(own, reasons), pass.priors);
+  const std::vector<FootFit> kept = standing(pass.fits, reasons);
+  findShellBelow(foot, kept);
   const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels);
   const std::vector<bool> hanging = findHangingRuns(foot, levels);

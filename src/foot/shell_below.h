@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "foot/foot_state.h"
+
+namespace tank_datum {
+
+/// Stations that stand to one below which the shell goes on, with fewer of which none stands.
+constexpr std::size_t kAsMany = 2;
+
+/// Points of the shell just below a level, and in as much of it above.
+struct ShellCounts {
+  std::size_t below = 0, above = 0;
+
+  void add(const ShellCounts& other) { below += other.below, above += other.above; }
+  /// Whether the points below are a good part of those above, however few.
+  bool isGoodPart() const;
+  /// Whether the shell goes on below, as it does behind a kerb that stands before it: a good part, and not stray
+  /// points.
+  bool goOn() const;
+};
+
+/// Counts them at a station.
+/// @param level  with what is known of its errors and its course along the shell
+/// @param depth  how far below and above [m]
+ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& level, double depth);
+
+/// The same over what is seen at once beside a foot.
+ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& level);
+
+/// A level that is expected at a station, for its own stretch.
+/// @param sigma  its standard error [m]
+FootFit levelAt(const Foot& foot, double z, double sigma);
+
+/// Stations in arcs where the shell is seen to go on below what they lie on, all of them together: what hides a plate
+/// behind a crown leaves some of the shell between the two in sight, which no station tells from its own noise.
+/// @param fits  not valid where a station does not stand
+std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& fits);
+
+}  // namespace tank_datum

@@ -1,0 +1,118 @@
+#include "foot/shell_below.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+constexpr int kFirst = 100, kLast = 130, kMiddle = 115;  // an arc of 31 stations
+
+FootFit fitOf(double sigma, double noise) {
+  FootFit fit;
+  fit.z = fit.slope = fit.along = fit.bend = 0.0;
+  fit.sigma = sigma, fit.noise = noise, fit.half_width = 0.05;
+  return fit;
+}
+
+/// Fits of the stations of an arc upon z = 0, none elsewhere.
+std::vector<FootFit> fitsOf(int first, int last, const FootFit& fit = fitOf(0.0002, 0.0004)) {
+  std::vector<FootFit> fits(360);
+  for (int s = first; s <= last; ++s) fits[static_cast<std::size_t>(s)] = fit;
+  return fits;
+}
+
+/// Points of the shell at a station, evenly from one height to another.
+void addShell(MadeFoot& made, int station, int count, double from, double to) {
+  for (int i = 0; i < count; ++i) {
+    const double beside = 0.9 * (std::fmod(0.618034 * i, 1.0) - 0.5);
+    made.add((station + beside) * made.step(), 0.0, from + (to - from) * (i + 0.5) / count);
+  }
+}
+
+/// Whether the shell goes on at every station of an arc where it is seen that far below all of them, by points a
+/// fiftieth of a millimetre apart.
+bool goesOn(double depth, const FootFit& fit = fitOf(0.0002, 0.0004)) {
+  constexpr double kApart = 0.00002, kHigh = 0.030;
+  MadeFoot made;
+  for (int s = kFirst; s <= kLast; ++s) addShell(made, s, static_cast<int>((depth + kHigh) / kApart), -depth, kHigh);
+  const std::vector<bool> below = findShellBelow(made.foot(), fitsOf(kFirst, kLast, fit));
+  const auto all = std::count(below.begin(), below.end(), true);
+  EXPECT_TRUE(all == 0 || all == kLast - kFirst + 1) << all;
+  return all > 0;
+}
+
+TEST(FindShellBelow, TwoThousandthsOfTheReachBeyondTheBlurAreTheLeast) {
+  EXPECT_FALSE(goesOn(0.0016));  // 0.8 mm of blur and 1 mm
+  EXPECT_TRUE(goesOn(0.0024));
+}
+
+TEST(FindShellBelow, TwoNoisesAreBlur) {
+  EXPECT_FALSE(goesOn(0.0045, fitOf(0.0002, 0.002)));
+  EXPECT_TRUE(goesOn(0.0056, fitOf(0.0002, 0.002)));
+}
+
+TEST(FindShellBelow, ThreeStandardErrorsOfTheLevelsSayNothing) {
+  EXPECT_FALSE(goesOn(0.0035, fitOf(0.001, 0.0004)));
+  EXPECT_TRUE(goesOn(0.0046, fitOf(0.001, 0.0004)));
+}
+
+/// Whether it goes on where it is seen at one height alone below.
+bool goesOnAt(double depth) {
+  MadeFoot made;
+  for (int s = kFirst; s <= kLast; ++s) addShell(made, s, 50, -depth, -depth), addShell(made, s, 100, 0.0, 0.030);
+  return findShellBelow(made.foot(), fitsOf(kFirst, kLast))[kMiddle];
+}
+
+TEST(FindShellBelow, ThreeHundredthsOfTheReachAreLookedAt) {
+  EXPECT_TRUE(goesOnAt(0.012));
+  EXPECT_FALSE(goesOnAt(0.025));
+}
+
+/// Whether it goes on where one point of it is seen below at so many of the stations, and five above at another.
+bool goesOnAtFew(int stations) {
+  MadeFoot made;
+  for (int s = 0; s < stations; ++s) addShell(made, kFirst + s, 1, -0.008, -0.008);
+  addShell(made, kLast, 5, 0.002, 0.012);
+  return findShellBelow(made.foot(), fitsOf(kFirst, kLast))[kMiddle];
+}
+
+TEST(FindShellBelow, FewPointsAreChance) {
+  EXPECT_FALSE(goesOnAtFew(7 + 4));  // seven stations see most of it
+  EXPECT_TRUE(goesOnAtFew(7 + 6));
+}
+
+/// Whether it goes on at a station where it is seen 20 mm below stations in part of the ring, above only elsewhere.
+bool goesOnAtStation(int station, int first, int last, int deep_from, int deep_to) {
+  MadeFoot made;
+  for (int s = first; s <= last; ++s) {
+    const bool deep = s >= deep_from && s <= deep_to;
+    addShell(made, s, deep ? 500 : 250, deep ? -0.020 : 0.0, 0.020);
+  }
+  return findShellBelow(made.foot(), fitsOf(first, last))[static_cast<std::size_t>(station)];
+}
+
+TEST(FindShellBelow, WhatAQuarterOfTheStationsSeesIsNotSeenByAll) {
+  EXPECT_FALSE(goesOnAtStation(kMiddle, kFirst, kLast, 100, 106));
+  EXPECT_TRUE(goesOnAtStation(kMiddle, kFirst, kLast, 100, 108));
+}
+
+TEST(FindShellBelow, StationsWithinFifteenDegreesAreLookedAtTogether) {
+  EXPECT_TRUE(goesOnAtStation(184, 20, 340, 90, 179));
+  EXPECT_FALSE(goesOnAtStation(190, 20, 340, 90, 179));
+}
+
+TEST(FindShellBelow, StationsThatDoNotStandSayNothing) {
+  MadeFoot made;
+  made.addAll(50, -0.001, 0.001, [](double) { return -0.01; });
+  const std::vector<bool> below = findShellBelow(made.foot(), std::vector<FootFit>(360));
+  EXPECT_EQ(std::count(below.begin(), below.end(), true), 0);
+}
+
+}  // namespace
+}  // namespace tank_datum
