@@ -32,6 +32,13 @@ Circle refineCircle(const Points& points, double voxel, const Circle& circle, co
   return fitted.valid() ? fitted : circle;
 }
 
+/// Whether walls step back over most of the azimuths at which they are seen.
+/// @param steps  their heights, NaN where there is none [m]
+bool standsOnRingwall(const std::vector<double>& steps) {
+  const auto known = std::count_if(steps.begin(), steps.end(), [](double z) { return std::isfinite(z); });
+  return 2 * static_cast<std::size_t>(known) > steps.size();
+}
+
 }  // namespace
 
 PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window) {
@@ -59,18 +66,26 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
   tank.strays = sample.strays;
   auto sectors = sectorsOf(points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
   const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
-  std::vector<double> azimuths, feet, heights;
+  std::vector<double> azimuths, feet, tops, steps, heights;
   std::vector<char> outside, inside;  // whether a foundation was seen on that side
   for (std::size_t s = 0; s < sectors.size(); ++s) {
     double bottom = 0, top = 0;
     if (!shellRun(sectors[s].shell, sample.voxel, thickness, bottom, top)) continue;
     azimuths.push_back((static_cast<double>(s) + 0.5) * kTwoPi / static_cast<double>(sectors.size()));
     feet.push_back(bottom);
-    heights.push_back(top - bottom);
+    tops.push_back(top);
+    steps.push_back(stepBackHeight(sectors[s].shell, sample.voxel, kShortOfRingwall));
     outside.push_back(hasFoundation(sectors[s].outside, bottom, sample.voxel, circle.radius));
     inside.push_back(hasFoundation(sectors[s].inside, bottom, sample.voxel, circle.radius));
   }
+  if (standsOnRingwall(steps)) {
+    feet = steps;
+    for (std::size_t i = 0; i < steps.size(); ++i) outside[i] = std::isfinite(steps[i]), inside[i] = 0;
+  }
   tank.coverage = kTwoPi * static_cast<double>(feet.size()) / static_cast<double>(sectors.size());
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    if (std::isfinite(feet[i])) heights.push_back(tops[i] - feet[i]);
+  }
   tank.height = median(heights);
   const auto seen_outside = std::count(outside.begin(), outside.end(), 1);
   const auto seen_inside = std::count(inside.begin(), inside.end(), 1);

@@ -6,9 +6,12 @@
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
+
+constexpr double kFewest = 3.0;  // voxels that a wall is high
 
 /// The line off = at + lean * z of an upright wall, from the medians of its middle and upper third: its lowest third
 /// may be another's.
@@ -47,6 +50,40 @@ std::vector<Hit> longestRun(std::vector<Hit> hits, double voxel) {
           hits.begin() + static_cast<std::ptrdiff_t>(best_last) + 1};
 }
 
+/// A piece of a wall: means, and sums of squares and products about them.
+struct Piece {
+  double n = 0, z = 0, off = 0, zz = 0, zo = 0;
+
+  void add(const Hit& hit) {
+    n += 1.0;
+    const double from_z = hit.z - z;
+    z += from_z / n, off += (hit.off - off) / n;
+    zz += from_z * (hit.z - z), zo += from_z * (hit.off - off);
+  }
+};
+
+/// A wall in two pieces that lean alike, as far above a height as it reaches below it.
+struct TwoPieces {
+  double apart = 0;    ///< how far the lower one stands out [m]
+  double scatter = 0;  ///< mean of what hits are off their piece [m]
+
+  /// @param run  sorted by height
+  TwoPieces(const std::vector<Hit>& run, double height, double voxel) {
+    const double end = height + std::max(height - run.front().z, kFewest * voxel);
+    Piece lower, upper;
+    for (const Hit& hit : run) {
+      if (hit.z <= end) (hit.z < height ? lower : upper).add(hit);
+    }
+    const double squares = lower.zz + upper.zz, lean = squares > 0.0 ? (lower.zo + upper.zo) / squares : 0.0;
+    apart = lower.off - upper.off - lean * (lower.z - upper.z);
+    for (const Hit& hit : run) {
+      const Piece& piece = hit.z < height ? lower : upper;
+      if (hit.z <= end) scatter += std::abs(hit.off - piece.off - lean * (hit.z - piece.z));
+    }
+    scatter /= lower.n + upper.n;
+  }
+};
+
 }  // namespace
 
 std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& circle, double band) {
@@ -77,7 +114,23 @@ bool shellRun(const std::vector<Hit>& hits, double voxel, double thickness, doub
   if (run.empty()) return false;
   bottom = run.front().z;
   top = run.back().z;
-  return top - bottom >= 3.0 * voxel;
+  return top - bottom >= kFewest * voxel;
+}
+
+double stepBackHeight(const std::vector<Hit>& hits, double voxel, double least) {
+  constexpr double kHighest = 2.0;  // ringwalls stand out of the ground by no more [m]
+  constexpr double kClear = 0.2;    // of what the pieces are apart: a wall that leans or bends has no step
+  const std::vector<Hit> run = longestRun(hits, voxel);
+  if (run.empty()) return kUnknown;
+  const double bottom = run.front().z, top = run.back().z, piece = kFewest * voxel;
+  double best = kUnknown, scatter = HUGE_VAL;
+  for (double height = bottom + piece; height <= std::min(bottom + kHighest, top - piece); height += 0.5 * voxel) {
+    const TwoPieces pieces(run, height, voxel);
+    if (pieces.apart <= least || pieces.scatter > std::min(scatter, kClear * pieces.apart)) continue;
+    scatter = pieces.scatter;
+    best = height;
+  }
+  return best;
 }
 
 bool hasFoundation(const std::vector<double>& beside, double foot, double voxel, double radius) {

@@ -45,6 +45,38 @@ TEST(Describe, AFaceBelowTheShellIsARingwallsFrom75MillimetresOutside) {
   EXPECT_NEAR(footAbove(0.14), 0.4, 0.03);
 }
 
+/// What is seen of a shell 3 m high upon a ringwall of 1 m over so many degrees, by a circle that neither is on:
+/// between the two, and as far off as they are.
+Tank uponRingwall(double degrees) {
+  constexpr double kWidth = 0.16;
+  Sample sample{{}, 0.1, false};
+  addFace(sample.points, 0.0, 1.0, 4.0);
+  Points face;
+  addFace(face, kWidth, 0.0, 0.99);
+  for (const auto& p : face) {
+    const double azimuth = std::atan2(p.y(), p.x());
+    const bool ringwall = (azimuth < 0.0 ? azimuth + kTwoPi : azimuth) < degrees * kDegree;
+    const double share = ringwall ? 1.0 : kRadius / (kRadius + kWidth);
+    sample.points.emplace_back(share * p.x(), share * p.y(), p.z());
+  }
+  addGround(sample.points, 0.0);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius + 0.5 * kWidth}, 0.5 * kWidth);
+}
+
+TEST(Describe, AShellUponARingwallIsFoundByItsStep) {
+  const Tank tank = uponRingwall(360.0);
+  EXPECT_NEAR(tank.foot(1.0), 1.0, 0.06);
+  EXPECT_NEAR(tank.height, 3.0, 0.12);
+  EXPECT_NEAR(tank.circle.radius, kRadius, 0.001);
+  EXPECT_EQ(tank.side, kOutside);
+  EXPECT_TRUE(tank.has_foundation);
+}
+
+TEST(Describe, AStepOverHalfTheShellIsARingwalls) {
+  EXPECT_NEAR(uponRingwall(200.0).foot(1.0), 1.0, 0.06);
+  EXPECT_NEAR(uponRingwall(160.0).foot(1.0), 0.0, 0.06);
+}
+
 TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
   Sample sample{{}, 0.1, false};
   addFace(sample.points, 0.0, 0.4, 4.4);

@@ -59,6 +59,58 @@ TEST(ShellRun, FollowsAShellThatLeans) {
   EXPECT_NEAR(run.bottom, 0.0, 1e-9);
 }
 
+/// The height at which a wall 4 m high steps back upon a face that stands out so far; one that leans, whose hits are
+/// off it by so much to either side.
+double stepBack(double face, double out, double lean = 0.0, double scatter = 0.0, double top = 4.0) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, face, out, lean);
+  stack(hits, face, top, 0.0, lean);
+  for (std::size_t i = 0; i < hits.size(); ++i) hits[i].off += i % 2 == 0 ? scatter : -scatter;
+  return stepBackHeight(hits, kVoxel, kThickness);
+}
+
+TEST(StepBackHeight, IsWhereAShellStandsBackFromTheFaceOfItsRingwall) {
+  EXPECT_NEAR(stepBack(1.0, 0.15), 1.0, 0.5 * kVoxel);
+  EXPECT_NEAR(stepBack(1.0, 0.15, 0.03), 1.0, 0.5 * kVoxel);
+  EXPECT_NEAR(stepBack(1.0, 0.15, -0.03), 1.0, 0.5 * kVoxel);
+}
+
+TEST(StepBackHeight, IsNoneOfAWallThatLeansOrStandsOutAbove) {
+  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.0, -0.05)));
+  EXPECT_TRUE(std::isnan(stepBack(1.0, -0.15)));
+}
+
+TEST(StepBackHeight, IsNoneOfLessThanARingwallStandsOut) {
+  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.070)));
+  EXPECT_NEAR(stepBack(1.0, 0.080), 1.0, 0.5 * kVoxel);
+}
+
+TEST(StepBackHeight, IsTwoMetresAtTheMost) {
+  EXPECT_NEAR(stepBack(1.9, 0.15, 0.0, 0.0, 5.0), 1.9, 0.5 * kVoxel);
+  EXPECT_TRUE(std::isnan(stepBack(2.4, 0.15, 0.0, 0.0, 5.0)));
+}
+
+TEST(StepBackHeight, BothPiecesAreThreeVoxelsHigh) {
+  EXPECT_TRUE(std::isnan(stepBack(0.2, 0.15)));
+  EXPECT_NEAR(stepBack(0.4, 0.15), 0.4, 0.5 * kVoxel);
+  EXPECT_TRUE(std::isnan(stepBack(0.6, 0.15, 0.0, 0.0, 0.8)));
+  EXPECT_NEAR(stepBack(0.6, 0.15, 0.0, 0.0, 1.05), 0.6, 0.5 * kVoxel);
+}
+
+TEST(StepBackHeight, HitsLieNearTheirPieces) {
+  EXPECT_NEAR(stepBack(1.0, 0.100, 0.0, 0.017), 1.0, 0.5 * kVoxel);
+  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.100, 0.0, 0.024)));
+}
+
+TEST(StepBackHeight, AGirderNearTheTopIsNoFace) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.2, 0.0);
+  stack(hits, 1.2, 1.5, 0.2);
+  stack(hits, 1.5, 3.0, 0.0);
+  EXPECT_TRUE(std::isnan(stepBackHeight(hits, kVoxel, kThickness)));
+  EXPECT_TRUE(std::isnan(stepBackHeight({}, kVoxel, kThickness)));
+}
+
 TEST(ShellRun, IsNoWallBelowThreeVoxels) {
   std::vector<Hit> hits;
   EXPECT_FALSE(runOf(hits).wall);
