@@ -28,8 +28,9 @@ std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& 
 /// @param thickness  how far its points are from their line at most [m]
 bool shellRun(const std::vector<Hit>& hits, double voxel, double thickness, double& bottom, double& top);
 
-/// The height from which on a wall stands behind what is seen of it below, as a shell does upon a ringwall: the face of
-/// one stands out by more than `least`, all the way down, and is no higher than two metres. NaN where there is none [m].
+/// The height from which on a wall stands behind what is seen of it below, as a shell does upon a ringwall: the face
+/// of one stands out by more than `least`, all the way down, and is two metres high at the most. NaN where there is
+/// none [m].
 /// @param least  how far a ringwall's face is from the shell at least [m]
 double stepBackHeight(const std::vector<Hit>& hits, double voxel, double least);
 
