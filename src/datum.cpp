@@ -133,6 +133,8 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
   if (options.method == Method::Refined) {  // the paper's curve swings where nothing is seen
     const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
     datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());
+    const auto of_gap = testsOfGap(datum.refined.shell_from, ring.reach, evidence);
+    datum.tests.insert(datum.tests.end(), of_gap.begin(), of_gap.end());
   }
   return judgeTests(std::move(datum), options);
 }

@@ -17,6 +17,7 @@
 #include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
 #include "foot/polar_ring.h"
+#include "foot/shell_below.h"
 #include "foot/shell_circle.h"
 #include "foot/shell_fits.h"
 #include "foot/shell_line.h"
@@ -199,6 +200,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   found.refined.profile = pass.sections.whole;
   if (found.refined.profile.unseen > 0.0) return found;
   const FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
+  found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;

@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -116,6 +117,26 @@ std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& f
     goes_on[i] = (below - kChance * std::sqrt(below)) * deep > least * above;
   }
   return goes_on;
+}
+
+double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits) {
+  constexpr std::size_t kStray = 2, kFewest = 10;  // points of a station's stretch
+  constexpr double kClear = 3.0;  // noises of the surface, which goes on below what stands before a shell
+  std::vector<double> lowest(fits.size(), kUnknown);
+  forEachIndex(fits.size(), 0, [&](std::size_t i) {
+    if (!fits[i].valid()) return;
+    FootFit level = fits[i];
+    level.half_width = foot.half_step;
+    std::vector<double> heights;
+    visitShell(foot, i, level, foot.reach, [&](double height) {
+      if (height > kClear * level.noise) heights.push_back(height);
+    });
+    if (heights.size() < kFewest) return;
+    std::nth_element(heights.begin(), heights.begin() + kStray, heights.end());
+    lowest[i] = heights[kStray];
+  });
+  lowest.erase(std::remove_if(lowest.begin(), lowest.end(), [](double h) { return !std::isfinite(h); }), lowest.end());
+  return lowest.empty() ? kUnknown : median(std::move(lowest));
 }
 
 }  // namespace tank_datum

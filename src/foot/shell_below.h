@@ -39,4 +39,8 @@ FootFit levelAt(const Foot& foot, double z, double sigma);
 /// @param fits  not valid where a station does not stand
 std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& fits);
 
+/// Height above the stations from which on their shell is seen, in the middle of them [m]: beside a surface that is
+/// seen to reach it, a bare one is seen from a few points on. NaN where too little is seen.
+double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits);
+
 }  // namespace tank_datum

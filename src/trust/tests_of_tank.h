@@ -19,6 +19,11 @@ std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell)
 std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, const Level& level, const Tilt& tilt,
                                       const ShellEvidence& shell);
 
+/// Whether the shell is seen down to its foot; none where that is not known.
+/// @param shell_from  height above the datum from which on it is seen [m]
+/// @param reach       of the section of the foot [m]
+std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvidence& shell);
+
 /// Numbers of the measured stations that do not lie on their shell, whose elevation is another thing's.
 std::vector<std::size_t> stationsOffCircle(const std::vector<Station>& stations, const Circle& circle,
                                            const ShellEvidence& shell);

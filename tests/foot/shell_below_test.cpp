@@ -114,5 +114,37 @@ TEST(FindShellBelow, StationsThatDoNotStandSayNothing) {
   EXPECT_EQ(std::count(below.begin(), below.end(), true), 0);
 }
 
+/// Where the shell begins at stations that see it by 20 points from 100 mm on, and by others at one height below.
+double seenFrom(int others, double height, int points = 20, double noise = 0.0004) {
+  MadeFoot made;
+  for (int s = kFirst; s <= kLast; ++s) {
+    addShell(made, s, points, 0.100, 0.120);
+    if (others > 0) addShell(made, s, others, height, height);
+  }
+  return shellSeenFrom(made.foot(), fitsOf(kFirst, kLast, fitOf(0.0002, noise)));
+}
+
+TEST(ShellSeenFrom, IsTheLowestOfItsPointsButTwo) {
+  EXPECT_NEAR(seenFrom(0, 0.0), 0.1025, 1e-4);
+  EXPECT_NEAR(seenFrom(2, 0.020), 0.1005, 1e-4);
+  EXPECT_NEAR(seenFrom(3, 0.020), 0.020, 1e-4);
+}
+
+TEST(ShellSeenFrom, PointsOfTheSurfaceAreNoneOfTheShell) {
+  EXPECT_NEAR(seenFrom(5, 0.005, 20, 0.002), 0.1025, 1e-4);
+  EXPECT_NEAR(seenFrom(5, 0.007, 20, 0.002), 0.007, 1e-4);
+}
+
+TEST(ShellSeenFrom, TenPointsOfAStationAreTheLeast) {
+  EXPECT_TRUE(std::isnan(seenFrom(0, 0.0, 9)));
+  EXPECT_GT(seenFrom(0, 0.0, 11), 0.1);
+}
+
+TEST(ShellSeenFrom, WithoutStationsIsNotKnown) {
+  MadeFoot made;
+  made.addAll(50, -0.001, 0.001, [](double) { return 0.1; });
+  EXPECT_TRUE(std::isnan(shellSeenFrom(made.foot(), std::vector<FootFit>(360))));
+}
+
 }  // namespace
 }  // namespace tank_datum

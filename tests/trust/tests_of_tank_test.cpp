@@ -166,5 +166,18 @@ TEST(FindingsOf, NamesTheWorstAlone) {
   EXPECT_STREQ(nameOf(TestOutcome::Doubtful), "doubtful");
 }
 
+TEST(TestsOfGap, ATenthOfTheReachBeyondThreeSpacingsIsDoubtfulAndNeverMore) {
+  const auto at = [](double gap) { return outcomeOf(testsOfGap(0.03 + gap, 0.5, evidence()), "shell_gap"); };
+  EXPECT_EQ(at(-0.02), TestOutcome::Pass);
+  EXPECT_EQ(at(0.0485), TestOutcome::Pass);
+  EXPECT_EQ(at(0.0515), TestOutcome::Doubtful);
+  EXPECT_EQ(at(0.5), TestOutcome::Doubtful);
+}
+
+TEST(TestsOfGap, ThereIsNoneWhereTheShellIsNotKnown) {
+  EXPECT_TRUE(testsOfGap(kUnknown, 0.5, evidence()).empty());
+  EXPECT_TRUE(testsOfGap(0.1, 0.5, ShellEvidence()).empty());
+}
+
 }  // namespace
 }  // namespace tank_datum

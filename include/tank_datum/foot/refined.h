@@ -80,6 +80,7 @@ struct Refined {
   FootProfile profile;                   ///< the section of the foot, and which surface was intersected
   Circle circle;                         ///< of the shell at the datum, from the stations [m]
   double sigma_radius = kUnknown;        ///< standard error of its radius [m]
+  double shell_from = kUnknown;          ///< height above the datum from which on the shell is seen, typical [m]
   std::vector<StationProfile> sections;  ///< one per station where RefineOptions::profile_points > 0, else none
 
   bool valid() const { return profile.valid(); }
