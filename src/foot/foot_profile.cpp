@@ -118,11 +118,14 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
 
 /// The last bin of a plate whose edge does not follow the shell and so comes down over many bins, or ends at a step
 /// that first elevations blur, where the band lies on the ringwall beyond; 0 where what is nearest to the shell lies on
-/// the band's line, or is as narrow as what a beam lifts there.
-std::size_t lastOfRaised(const FootProfile& profile, std::size_t first) {
+/// the band's line, or comes down to it close to the shell as a blend does, more steeply than a lip.
+std::size_t lastOfRaised(const FootProfile& profile, std::size_t first, double reach) {
+  constexpr double kFar = 0.2;      // of the reach
   constexpr double kStep = 0.0025;  // as of an edge that is sharp [m]
   const auto begin = static_cast<std::size_t>(std::lround(profile.band_from / profile.bin));
-  if (!profile.valid() || begin <= first) return 0;
+  if (!profile.valid() || begin <= first + 3) return 0;
+  const bool steep = std::abs(robustLine(profile, first + (begin - first) / 3, begin - 1).slope) > kSteepestLip;
+  if (profile.band_from < kFar * reach && steep) return 0;
   std::vector<double> above;
   for (std::size_t i = first; i < (first + begin) / 2; ++i) {
     if (std::isfinite(profile.height[i])) {
@@ -165,7 +168,7 @@ FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, co
   if (nearest > scales.nearest() + kUnseen * scales.reach) profile.unseen = nearest;
   if (profile.unseen > 0.0 || last < first + 3) return profile;
   readSurface(profile, first, last, scales);
-  const std::size_t end = lastOfRaised(profile, first);
+  const std::size_t end = lastOfRaised(profile, first, scales.reach);
   if (end >= first + 3) readSurface(profile, first, end, scales);
   return profile;
 }
