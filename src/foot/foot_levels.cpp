@@ -220,11 +220,8 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
   const RingProcess& process = levels.process;
   for (std::size_t i = 0; i < levels.fits.size(); ++i) {
     FootFit& fit = levels.fits[i];
+    if (own.of_station[i] == nullptr) fit = {};
     if (!fit.valid()) continue;
-    if (own.of_station[i] == nullptr) {
-      fit = {};
-      continue;
-    }
     const double alone = std::hypot(std::hypot(own.sigmas[i], process.nugget), shared[i]);
     fit.half_width = foot.half_step;
     fit.points = counts[i];
@@ -233,14 +230,15 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
       fit.sigma = alone;
       continue;
     }
+    const FootFit window = pass.priors.blends.without(pass.fits[i], i);
     if (bends[i] != Bend::None) {
-      const double alike = std::sqrt(square(shared[i]) + own.rough.over(2.0 * pass.fits[i].half_width * foot.radius));
-      fit = bentFit(pass.priors.blends.without(pass.fits[i], i), process, i, alike, bends[i]);
+      const double alike = std::sqrt(square(shared[i]) + own.rough.over(2.0 * window.half_width * foot.radius));
+      fit = bentFit(window, process, i, alike, bends[i]);
       continue;
     }
     const double gain = own.of_station[i]->sigma / process.sigma[i];
     fit.z = process.value[i];
-    fit.sigma = process.sigma[i];
+    fit.sigma = std::hypot(process.sigma[i], disagreement(window, process, i));
     fit.half_width *= std::clamp(gain * gain, 1.0, kMostHelp);
     fit.points = pointsWithin(counts, i, static_cast<std::size_t>(std::lround(0.5 * fit.half_width / foot.half_step)));
   }
