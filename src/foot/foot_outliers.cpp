@@ -99,11 +99,12 @@ bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isHeap(station, pass.priors, ownFit(foot, station, pass, 0.5 * pass.fits[station].half_width));
 }
 
+constexpr double kShared = 3.0;  ///< stations that a point counts for in what they and their neighbours show
+
 /// Whether the points of stations that stand rise to the shell as those of no lip do, all together: on sparse feet none
 /// of them tells by itself.
 /// @param own  of stations and their neighbours, where they stand
 bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
-  constexpr double kShared = 3.0;  // stations that a point counts for
   std::vector<WeightedValue> slopes;
   double weights = 0.0;
   for (const FootFit& fit : own) {
@@ -120,7 +121,6 @@ bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
 /// by [m/m].
 /// @param own  of stations and their neighbours, where they stand
 double strangeSlope(const RingRun& run, const std::vector<FootFit>& own, const FootPriors& priors) {
-  constexpr double kShared = 3.0;  // stations that a point counts for
   std::vector<WeightedValue> off;
   double weights = 0.0;
   for (std::size_t k = run.first; k <= run.last; ++k) {
