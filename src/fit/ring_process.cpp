@@ -209,7 +209,7 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
   }
   const double beyond_chance = 1.0 + kChance / std::sqrt(static_cast<double>(known.size()));
   const Parameters p = likeliest(data, usual, ringScatter(data.values, sigmas) / beyond_chance, least_amplitude);
-  result.amplitude = p.amplitude, result.length = p.length, result.nugget = p.nugget;
+  result.amplitude = p.amplitude, result.length = p.length, result.nugget = p.nugget, result.scale = p.scale;
   result.value.resize(values.size());
   result.sigma.resize(values.size());
   result.doubt.assign(values.size(), 0.0);

@@ -17,6 +17,7 @@ struct RingProcess {
   double amplitude = 0;         ///< standard deviation of the process
   double length = 0;            ///< along which it is alike [rad]
   double nugget = 0;            ///< what the values scatter beside their standard errors
+  double scale = 1;             ///< what their standard errors count for, beside the nugget
 
   bool valid() const { return amplitude > 0.0; }
   /// Its standard error as the values that it follows make it: without what those that it does not follow add.

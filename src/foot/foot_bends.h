@@ -23,4 +23,9 @@ std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels,
 /// @param shared  standard error that no count of points lessens [m]
 FootFit bentFit(const FootFit& own, const RingProcess& process, std::size_t station, double shared, Bend bend);
 
+/// The standard error that a process has beside its own at a station whose window shows another level, beyond what both
+/// err by: it may be the one or the other, as beside a dip that the process does not follow [m].
+/// @param window  a fit of the station's own points and its neighbours'
+double disagreement(const FootFit& window, const RingProcess& process, std::size_t station);
+
 }  // namespace tank_datum

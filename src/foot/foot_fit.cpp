@@ -110,14 +110,15 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.points = rows.size();
   if (rows.size() < 4) return fit;
   rows.close();
-  double noise = profile.noise;
+  double noise = profile.noise, alike = 1.0;  // so many points whose errors are alike count for one
   Eigen::Vector4d solution(start, slope, 0.0, 0.0);
   Eigen::Matrix4d inverse;
   for (int iteration = 0; iteration < 8; ++iteration) {
     auto [normal, rhs, used] = rows.equations();
+    alike = 1.0 + used * prior.shared / (noise * noise);
     const auto priorWeight = [&](double sigma) { return noise * noise / (sigma * sigma); };
-    normal(1, 1) += priorWeight(prior.sigma_slope);
-    rhs[1] += priorWeight(prior.sigma_slope) * slope;
+    normal(1, 1) += alike * priorWeight(prior.sigma_slope);
+    rhs[1] += alike * priorWeight(prior.sigma_slope) * slope;
     normal(2, 2) += priorWeight(kSteepestSettlement);
     normal(3, 3) += priorWeight(prior.sigma_bend);
     if (used < 3.0) return fit;
@@ -131,8 +132,9 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.slope = solution[1];
   fit.along = solution[2];
   fit.bend = solution[3];
-  fit.sigma = std::hypot(noise * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
-  fit.sigma_slope = noise * std::sqrt(inverse(1, 1));
+  const double error = noise * std::sqrt(alike);
+  fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
+  fit.sigma_slope = error * std::sqrt(inverse(1, 1));
   fit.noise = noise;
   fit.middle = meanDistance(rows);
   return fit;

@@ -20,6 +20,7 @@ struct FootPrior {
   PeriodicFit slope;       ///< across the shell, against azimuth [m/m]
   double sigma_slope = 0;  ///< how far stations differ from it [m/m]
   double sigma_bend = 0;   ///< of the datum's second-order term along the shell [1/m]
+  double shared = 0;       ///< variance that the points' errors have in common, the surface's own roughness [m^2]
 };
 
 /// The foundation surface at one station: z at the shell, with its slope outwards.

@@ -6,6 +6,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "foot/foot_bends.h"
+#include "foot/foot_patches.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_rises.h"
 #include "foot/foot_roughness.h"
@@ -72,7 +73,8 @@ std::vector<bool> fittedOf(const FootPass& pass) {
 }
 
 /// The surface at the station that a stretch is fitted at, from the stretch's own points.
-FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const StationStretch& stretch) {
+/// @param rough  variance that their heights share [m^2]
+FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const StationStretch& stretch, double rough) {
   const std::size_t at = stretch.at;
   const FootProfile& profile = pass.sections.at(at);
   const double beside = stretch.besideMiddle() * 2.0 * foot.half_step;
@@ -81,6 +83,7 @@ FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const StationStr
   for (FootPoint& p : points) p.t -= beside * foot.radius;
   FootPrior prior = pass.priors.at(at);
   if (pass.priors.settled) prior.sigma_slope = kSettledSlope;
+  prior.shared = rough;
   const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
   return {std::move(points), pass.priors.blends.without(fit, at)};
 }
@@ -90,6 +93,7 @@ struct OwnFits {
   std::vector<FootFit> fits;
   std::vector<const FootFit*> of_station;
   std::vector<double> levels, sigmas;  ///< of the stations that stretches are fitted at, else NaN [m]
+  LevelRoughness rough;                ///< of a wide surface
 
   /// Takes the fits of stations away, and of those whose stretch is fitted at one of them.
   void leaveOut(const std::vector<bool>& stations) {
@@ -104,21 +108,41 @@ struct OwnFits {
   }
 };
 
+/// Fits of stretches, and the roughness that they share. A wide surface is fitted again with it, as it draws slopes to
+/// its patches, twice: fits that follow patches show less of them.
+std::vector<FittedPoints> fittedStretches(const Foot& foot, const FootPass& pass,
+                                          const std::vector<StationStretch>& stretches, LevelRoughness& rough) {
+  std::vector<FittedPoints> fitted(stretches.size());
+  const auto fitAll = [&](double shared) {
+    forEachIndex(stretches.size(), 0, [&](std::size_t k) {
+      if (pass.fits[stretches[k].at].valid()) fitted[k] = fitStretch(foot, pass, stretches[k], shared);
+    });
+  };
+  fitAll(0.0);
+  const FootProfile& section = pass.sections.whole;
+  const double least = sharedRoughness(fitted, section);
+  rough = {least, 0.0, foot.arc()};
+  for (int times = 0; !pass.priors.settled && times < 2; ++times) {
+    rough = levelRoughness(patchesOf(fitted, section, foot.arc()), section, foot.arc(), least);
+    fitAll(rough.variance);
+  }
+  return fitted;
+}
+
 OwnFits fitStretches(const Foot& foot, const FootPass& pass, const std::vector<std::size_t>& counts) {
   const std::size_t count = pass.fits.size();
   const std::vector<StationStretch> stretches = stretchesOf(counts, fittedOf(pass), foot.stationsIn(kWidestStretch));
-  OwnFits own{std::vector<FootFit>(stretches.size()), std::vector<const FootFit*>(count, nullptr),
-              std::vector<double>(count, kUnknown), std::vector<double>(count, kUnknown)};
-  std::vector<FittedPoints> fitted(stretches.size());
-  forEachIndex(stretches.size(), 0, [&](std::size_t k) {
-    if (pass.fits[stretches[k].at].valid()) fitted[k] = fitStretch(foot, pass, stretches[k]);
-  });
-  const double rough = sharedRoughness(fitted, pass.sections.whole);
+  OwnFits own{std::vector<FootFit>(stretches.size()),
+              std::vector<const FootFit*>(count, nullptr),
+              std::vector<double>(count, kUnknown),
+              std::vector<double>(count, kUnknown),
+              {}};
+  const std::vector<FittedPoints> fitted = fittedStretches(foot, pass, stretches, own.rough);
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     FootFit& fit = own.fits[k] = fitted[k].fit;
     if (!fit.valid()) continue;
     const double leverage = static_cast<double>(fit.points) * square(fit.sigma / fit.noise);
-    fit.sigma = std::sqrt(fit.sigma * fit.sigma + rough * leverage);
+    if (pass.priors.settled) fit.sigma = std::sqrt(fit.sigma * fit.sigma + own.rough.variance * leverage);
     own.levels[stretches[k].at] = fit.z;
     own.sigmas[stretches[k].at] = fit.sigma;
     for (std::size_t i = 0; i < stretches[k].count; ++i) own.of_station[stretches[k].first + i] = &fit;
@@ -134,9 +158,13 @@ double misfitOf(const FootSections& sections) {
   return median(misfits);
 }
 
-/// The process with what all of its stations share in its sigmas.
-RingProcess withShared(RingProcess process, const std::vector<double>& shared) {
-  for (std::size_t i = 0; i < shared.size(); ++i) process.sigma[i] = std::hypot(process.sigma[i], shared[i]);
+/// The process with what all of its stations share in its sigmas, and what neighbours do of a rough surface.
+RingProcess withShared(RingProcess process, const OwnFits& own, const std::vector<double>& shared) {
+  for (std::size_t i = 0; i < shared.size(); ++i) {
+    const FootFit* fit = own.of_station[i];
+    const double patches = fit == nullptr ? 0.0 : own.rough.leftOutBy(process, i, fit->sigma);
+    process.sigma[i] = std::sqrt(square(process.sigma[i]) + square(shared[i]) + patches);
+  }
   return process;
 }
 
@@ -188,15 +216,12 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
   if (!levels.process.valid()) return withoutRises(foot, pass, std::move(levels));
   const std::vector<Bend> bends = findBends(foot, own.levels, own.sigmas, levels.process);
   const std::vector<double> shared = sharedSigmas(pass);
-  levels.process = withShared(std::move(levels.process), shared);
+  levels.process = withShared(std::move(levels.process), own, shared);
   const RingProcess& process = levels.process;
   for (std::size_t i = 0; i < levels.fits.size(); ++i) {
     FootFit& fit = levels.fits[i];
+    if (own.of_station[i] == nullptr) fit = {};
     if (!fit.valid()) continue;
-    if (own.of_station[i] == nullptr) {
-      fit = {};
-      continue;
-    }
     const double alone = std::hypot(std::hypot(own.sigmas[i], process.nugget), shared[i]);
     fit.half_width = foot.half_step;
     fit.points = counts[i];
@@ -205,13 +230,15 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
       fit.sigma = alone;
       continue;
     }
+    const FootFit window = pass.priors.blends.without(pass.fits[i], i);
     if (bends[i] != Bend::None) {
-      fit = bentFit(pass.priors.blends.without(pass.fits[i], i), process, i, shared[i], bends[i]);
+      const double alike = std::sqrt(square(shared[i]) + own.rough.over(2.0 * window.half_width * foot.radius));
+      fit = bentFit(window, process, i, alike, bends[i]);
       continue;
     }
     const double gain = own.of_station[i]->sigma / process.sigma[i];
     fit.z = process.value[i];
-    fit.sigma = process.sigma[i];
+    fit.sigma = std::hypot(process.sigma[i], disagreement(window, process, i));
     fit.half_width *= std::clamp(gain * gain, 1.0, kMostHelp);
     fit.points = pointsWithin(counts, i, static_cast<std::size_t>(std::lround(0.5 * fit.half_width / foot.half_step)));
   }

@@ -3,7 +3,10 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
+#include "core/ring_runs.h"
 #include "core/statistics.h"
+#include "core/units.h"
 #include "foot/foot_banks.h"
 #include "foot/foot_check.h"
 #include "foot/foot_profile.h"
@@ -97,11 +100,12 @@ bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isHeap(station, pass.priors, ownFit(foot, station, pass, 0.5 * pass.fits[station].half_width));
 }
 
+constexpr double kShared = 3.0;  ///< stations that a point counts for in what they and their neighbours show
+
 /// Whether the points of stations that stand rise to the shell as those of no lip do, all together: on sparse feet none
 /// of them tells by itself.
 /// @param own  of stations and their neighbours, where they stand
 bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
-  constexpr double kShared = 3.0;  // stations that a point counts for
   std::vector<WeightedValue> slopes;
   double weights = 0.0;
   for (const FootFit& fit : own) {
@@ -120,6 +124,41 @@ std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmea
     if (reasons[i] != Unmeasured::None) fits[i] = {};
   }
   return fits;
+}
+
+/// How far the slopes of points in a run lie off what a wide surface does elsewhere, all together, beyond what they err
+/// by [m/m].
+/// @param own  of stations and their neighbours, where they stand
+double strangeSlope(const RingRun& run, const std::vector<FootFit>& own, const FootPriors& priors) {
+  std::vector<WeightedValue> off;
+  double weights = 0.0;
+  for (std::size_t k = run.first; k <= run.last; ++k) {
+    const std::size_t i = k % own.size();
+    if (!own[i].valid()) continue;
+    const double weight = 1.0 / (square(own[i].sigma_slope) + square(priors.sigma_slope[i]));
+    off.push_back({own[i].slope - priors.slope[i], weight});
+    weights += weight;
+  }
+  if (off.empty()) return 0.0;
+  return std::abs(weightedMedian(std::move(off))) - 3.0 * 1.2533 * std::sqrt(kShared / weights);
+}
+
+/// A few stations far from all others, which cannot be told by their elevation: whether they lie on soil, by a slope
+/// that the foundation does not have.
+std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
+  constexpr double kSlope = 0.03;          // a foundation's varies by less along the shell [m/m]
+  constexpr double kFar = 10.0 * kDegree;  // over which no gap is bridged
+  const std::size_t count = own.size(), far = foot.stationsIn(kFar);
+  std::vector<bool> islands(count, false);
+  if (priors.settled) return islands;
+  std::vector<char> stand;
+  for (const FootFit& fit : own) stand.push_back(fit.valid() ? 1 : 0);
+  for (const RingRun& run : runsRound(stand, far)) {
+    const bool few = run.last - run.first < far;
+    if (!few || !(strangeSlope(run, own, priors) > kSlope)) continue;
+    for (std::size_t k = run.first; k <= run.last; ++k) islands[k % count] = true;
+  }
+  return islands;
 }
 
 /// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
@@ -160,21 +199,21 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     before[i] = no_foot[i] = 1;
     reasons[i] = Unmeasured::OtherSurface;
   }
+  own = standing(std::move(own), reasons);
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
   const auto kerbs = std::count(before.begin(), before.end(), 1);
-  const bool none = static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) ||
-                    areHeaps(standing(own, reasons), pass.priors);
+  const bool none =
+      static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) || areHeaps(own, pass.priors);
   const std::vector<FootFit> kept = standing(pass.fits, reasons);
-  findShellBelow(foot, kept);
   const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels);
-  const std::vector<bool> hanging = findHangingRuns(foot, levels);
+  const std::vector<bool> hanging = findHangingRuns(foot, levels), islands = findStrangeIslands(foot, pass.priors, own);
   Steps steps = findSteps(kept, foot.arc(), [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
   std::vector<double> refused(reasons.size(), kUnknown);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i]))
+    if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i] || islands[i]))
       reasons[i] = Unmeasured::OtherSurface;
-    const bool may_be = !none && no_foot[i] == 0 && !hanging[i];
+    const bool may_be = !none && no_foot[i] == 0 && !hanging[i] && !islands[i];
     if (reasons[i] == Unmeasured::OtherSurface && may_be) refused[i] = pass.fits[i].z;
   }
   return {std::move(reasons), std::move(steps.dips), std::move(refused)};

@@ -9,19 +9,22 @@
 #include "core/units.h"
 
 namespace tank_datum {
-namespace {
-
-constexpr double kStray = 4.0;  // standard deviations off a fit: no point of the surface
-
-/// How far a point lies above a fit [m].
 double offOf(const FootPoint& p, const FootFit& fit) {
   return p.z - fit.z - fit.slope * p.d - fit.along * p.t - fit.bend * p.t * p.t;
 }
 
-/// Whether a point that lies so far off a fit is one of the band's.
 bool isOfBand(const FootPoint& p, double off, const FootFit& fit, const FootProfile& profile) {
+  constexpr double kStray = 4.0;  // standard deviations off a fit: no point of the surface
   return p.d >= profile.band_from && p.d < profile.band_to && std::abs(off) <= kStray * fit.noise;
 }
+
+double sharedAlong(double stretch, double length) {
+  const double x = stretch / length;
+  return std::sqrt(kTwoPi) / x * portable::erf(x / std::sqrt(2.0)) -
+         2.0 / (x * x) * (1.0 - portable::exp(-0.5 * x * x));
+}
+
+namespace {
 
 /// Variance of the means of a band's parts, beyond that of points that err alone, over the number of parts [m^2].
 double roughnessIn(const std::vector<FittedPoints>& fits, const FootProfile& profile, std::size_t parts) {
@@ -68,13 +71,6 @@ struct Cells {
     }
   }
 };
-
-/// What two points of a stretch share on the average, of a process of the length.
-double sharedAlong(double stretch, double length) {
-  const double x = stretch / length;
-  return std::sqrt(kTwoPi) / x * portable::erf(x / std::sqrt(2.0)) -
-         2.0 / (x * x) * (1.0 - portable::exp(-0.5 * x * x));
-}
 
 /// The length at which points of a cell share so much of their variance; of cells that are alike all over, their own.
 double lengthSharing(double share, double width) {

@@ -13,6 +13,15 @@ struct FittedPoints {
   FootFit fit;
 };
 
+/// How far a point lies above a fit [m].
+double offOf(const FootPoint& p, const FootFit& fit);
+
+/// Whether a point that lies so far off a fit is one of the band's.
+bool isOfBand(const FootPoint& p, double off, const FootFit& fit, const FootProfile& profile);
+
+/// What two points of a stretch share on the average, of a process of the length.
+double sharedAlong(double stretch, double length);
+
 /// What a surface's roughness, which neighbouring points share, adds to the error of its level: from how far parts of
 /// the band lie off the fits, beyond what points that err alone do (a variance component).
 /// @param fits     all round; those of few points tell nothing

@@ -21,15 +21,44 @@ constexpr double kFromTheSide = 0.64;
 struct Windows {
   std::size_t stride;  ///< stations between windows
   std::vector<FittedPoints> fits;
+  std::vector<double> seen;       ///< steepness that the counts of points show; NaN where they show none
   std::vector<double> steepness;  ///< of the rays, as far as they may come from the side; NaN where not known
 };
+
+/// What the counts of points make of the rays' steepness. Between two setups rays come from far along the shell, which
+/// shows few points then, as if they were steep. The foundation tells how far: its points lie the thinner the farther
+/// the scanner stands, by the distance cubed, and rays are the flatter by the distance itself.
+void limitSteepness(Windows& windows) {
+  constexpr double kBest = 0.9;      // of the windows: in the others, before the setups, points lie densest
+  constexpr double kStraight = 0.8;  // of that density: rays come straight
+  constexpr double kUpper = 0.75;    // quantile of what straight rays show
+  std::vector<double> counts, straight;
+  for (const FittedPoints& w : windows.fits) counts.push_back(w.fit.valid() ? static_cast<double>(w.fit.points) : 0.0);
+  const double dense = kStraight * quantile(counts, kBest);
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts[k] >= dense && std::isfinite(windows.seen[k])) straight.push_back(windows.seen[k]);
+  }
+  if (straight.empty()) return;
+  const double steepest = kFromTheSide * quantile(straight, kUpper);
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (!(counts[k] > 0.0)) continue;
+    const double flat = steepest * portable::cbrt(std::min(1.0, counts[k] / dense));
+    windows.steepness[k] = std::isfinite(windows.steepness[k]) ? std::min(windows.steepness[k], flat) : flat;
+  }
+}
+
+std::vector<double> finiteOf(const std::vector<double>& values) {
+  std::vector<double> finite;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
+  return finite;
+}
 
 Windows lookAtWindows(const Foot& foot, const FootPass& pass) {
   constexpr std::size_t kWindows = 72;
   const std::size_t count = pass.fits.size();
-  Windows windows{std::max<std::size_t>(1, count / kWindows), {}, {}};
+  Windows windows{std::max<std::size_t>(1, count / kWindows), {}, {}, {}};
   windows.fits.resize((count + windows.stride - 1) / windows.stride);
-  windows.steepness.resize(windows.fits.size(), kUnknown);
+  windows.seen.resize(windows.fits.size(), kUnknown);
   forEachIndex(windows.fits.size(), 0, [&](std::size_t k) {
     const std::size_t i = k * windows.stride;
     if (!pass.fits[i].valid()) return;
@@ -37,13 +66,15 @@ Windows lookAtWindows(const Foot& foot, const FootPass& pass) {
     const double half = static_cast<double>(windows.stride) * foot.half_step, z = pass.fits[i].z;
     auto points = foot.ring.around(foot.directions[i], half, z, foot.reach);
     const double steepness = steepnessOf(points, profile, z + profile.offset, foot.reach);
-    if (steepness > 0.0) windows.steepness[k] = kFromTheSide * steepness;
+    if (steepness > 0.0) windows.seen[k] = steepness;
     const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[i], pass.priors.at(i));
     const auto beside = [&](const FootPoint& p) { return p.d < profile.band_from || p.d > profile.band_to; };
     points.erase(std::remove_if(points.begin(), points.end(), beside), points.end());
     points.shrink_to_fit();
     windows.fits[k] = {std::move(points), fit};
   });
+  for (const double s : windows.seen) windows.steepness.push_back(kFromTheSide * s);
+  limitSteepness(windows);
   return windows;
 }
 
@@ -78,12 +109,10 @@ Roughness unshadowed(const Roughness& seen, double steepness) {
 std::vector<StationDatum> withShadowsDoubted(std::vector<StationDatum> stations, const Foot& foot,
                                              const FootPass& pass) {
   const Windows windows = lookAtWindows(foot, pass);
-  std::vector<double> known;
-  std::copy_if(windows.steepness.begin(), windows.steepness.end(), std::back_inserter(known),
-               [](double s) { return std::isfinite(s); });
-  if (known.empty()) return stations;
-  const double usual = median(known);
-  const Roughness seen = roughnessOf(windows.fits, pass.sections.whole, usual / kFromTheSide * foot.scales.shell_noise);
+  const std::vector<double> seen_steepness = finiteOf(windows.seen);
+  if (seen_steepness.empty()) return stations;
+  const double usual = median(finiteOf(windows.steepness)), noise = median(seen_steepness) * foot.scales.shell_noise;
+  const Roughness seen = roughnessOf(windows.fits, pass.sections.whole, noise);
   const Roughness rough = unshadowed(seen, usual);
   std::vector<double> doubts;
   for (const double s : windows.steepness) doubts.push_back(seenHeights(s > 0.0 ? s : usual, rough).lift);

@@ -95,6 +95,8 @@ TEST(RingProcess, ScatterBeyondTheGivenErrorsIsFoundFromTheValues) {
   const RingProcess more = rough.followed(), less = fine.followed();
   EXPECT_GT(median(more.sigma), 2.0 * median(less.sigma));
   EXPECT_NEAR(std::hypot(kSigma, more.nugget), 3.0 * kSigma, 0.6 * kSigma);
+  EXPECT_EQ(more.scale, 1.0);
+  EXPECT_NEAR(less.scale, 0.5, 0.1);
 }
 
 TEST(RingProcess, SigmaKnowsWhatNeighboursShare) {

@@ -89,5 +89,18 @@ TEST(BentFit, StandsOnItsOwnWindowWithASigmaThatHoldsBoth) {
   EXPECT_NEAR(seen.sigma, 0.0005, 1e-6);
 }
 
+TEST(Disagreement, OfAWindowThreeStandardErrorsOffTheProcessIsAsOfTheOneOrTheOther) {
+  RingProcess process;
+  process.value = {0.0}, process.sigma = {0.0008};
+  FootFit window;
+  window.sigma = 0.0006;
+  for (const double side : {-1.0, 1.0}) {
+    window.z = side * 0.0029;
+    EXPECT_EQ(disagreement(window, process, 0), 0.0);
+    window.z = side * 0.0031;
+    EXPECT_NEAR(disagreement(window, process, 0), kEither * 0.0031, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "foot/foot_profile.h"
 #include "support/made_clouds.h"
@@ -68,6 +69,16 @@ TEST(FitFoot, OfABentDatumIsItsElevationInTheMiddle) {
   const auto bent = pointsOn([](double, double t) { return 2.0 + 0.01 * t * t; }, 200);
   EXPECT_NEAR(fitted(bent, priorOf(0, 0.1, 0.05)).z, 2.0, 1e-5);
   EXPECT_GT(fitted(bent, priorOf(0, 0.1, 1e-6)).z, 2.0001);  // told that the datum is straight
+}
+
+TEST(FitFoot, PointsThatShareAnErrorDoNotTellASlopeOrALevelBetterThanThat) {
+  const auto sloped = pointsOn([](double d, double) { return 2.0 + 0.01 * d; }, 200, kNoise);
+  FootPrior prior = priorOf(0.0, 0.003);
+  EXPECT_NEAR(fitted(sloped, prior).slope, 0.01, 0.001);
+  prior.shared = square(0.001);
+  EXPECT_NEAR(fitted(sloped, prior).slope, 0.0, 0.002);
+  prior.sigma_slope = prior.sigma_bend = 1e-6;
+  EXPECT_NEAR(fitted(sloped, prior).sigma, 0.001, 0.0001);
 }
 
 TEST(FitFoot, FewerThanFourPointsAreNotEnough) {

@@ -125,6 +125,30 @@ TEST(FindOutliers, WhatRisesToTheShellMoreThanWideSurfacesAreKnownToIsAHeap) {
   EXPECT_EQ(reason(0.015), Unmeasured::None);
 }
 
+/// Why a station does not stand that lies on points that slope, so many with it, so many stations away from all others
+/// of a level pad.
+Unmeasured reasonOfIsland(double slope, int gap, int stations = 3) {
+  const int first = 50 - stations / 2, last = first + stations - 1;
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const bool island = s >= first && s <= last;
+    if (island || s < first - gap || s > last + gap)
+      made.addStation(s, 40, 0.02, 0.28, [&](double d) { return island ? slope * (d - 0.15) : 0.0; });
+  }
+  Foot& foot = made.foot();
+  FootPass pass = levelPass(foot.half_step, 0.3);
+  pass.priors.sigma_slope.assign(360, 0.003);
+  return reasonAt50(foot, pass);
+}
+
+TEST(FindOutliers, AFewStationsFarFromAllOthersAreNoFoundationWhereTheirSlopeIsNot) {
+  // a slope that differs by 0.003 from station to station is told to 0.004 by three, each point thrice
+  EXPECT_EQ(reasonOfIsland(0.0435, 11), Unmeasured::OtherSurface);
+  EXPECT_EQ(reasonOfIsland(0.0395, 11), Unmeasured::None);
+  EXPECT_EQ(reasonOfIsland(0.0435, 9), Unmeasured::None);
+  EXPECT_EQ(reasonOfIsland(0.0435, 11, 12), Unmeasured::None);
+}
+
 TEST(FindOutliers, WhatFallsFromTheShellByMoreThanThreeInTwentyIsNoFoundation) {
   const auto reason = [](double slope) {
     MadeFoot made;

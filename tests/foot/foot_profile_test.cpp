@@ -128,6 +128,13 @@ TEST(StackProfile, ALipWhoseEdgeIsBlurredHasTheSlopeOfWhatItLiesOn) {
   }
 }
 
+TEST(StackProfile, ANarrowLipThatLeansIsNoneOfTheWideSurfaceThatItsEdgeIsBlurredInto) {
+  const auto leaning = [](double d) { return d < 0.041 ? 0.0064 - 0.09 * d : std::max(0.0, 0.3 * (0.050 - d)); };
+  EXPECT_LE(Foot(leaning, 180, 0.0036).profile().band_to, 0.045);
+  const auto lifted = [](double d) { return 0.015 * std::exp(-std::max(0.0, d) / 0.010); };  // 4 mm beside the weld
+  EXPECT_EQ(Foot(lifted, 180, 0.0036).profile().surface, Surface::Foundation);
+}
+
 TEST(StackProfile, AWideSurfaceThatEndsInADropIsARingwall) {
   const FootProfile profile = Foot([](double d) { return d < 0.2 ? 0.0 : -0.25; }).profile();
   ASSERT_TRUE(profile.valid());

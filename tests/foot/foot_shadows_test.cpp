@@ -66,18 +66,20 @@ TEST(Unshadowed, IsTheSurfaceThatIsSeenSo) {
 
 constexpr double kSigma = 0.0003;
 
-/// Stations on a rough pad, seen as steeply as points on the shell make it: other ones from station 180 on.
-std::vector<StationDatum> doubtedStations(const RoughSurface& surface, int on_shell, int on_shell_beyond) {
-  constexpr int kOnPad = 90;  // of a station: 300 a metre outwards
+constexpr int kOnPad = 90;  // points of a station: 300 a metre outwards
+
+/// Stations on a rough pad, seen as steeply as points on the shell make it: other ones from a station on.
+std::vector<StationDatum> doubtedStations(const RoughSurface& surface, int on_shell, int on_shell_beyond,
+                                          int on_pad_beyond = kOnPad, int beyond = 180) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> along(-0.5, 0.5), across(0.0, 0.3);
   MadeFoot made;
   for (int s = 0; s < 360; ++s) {
-    for (int i = 0; i < kOnPad; ++i) {
+    for (int i = 0; i < (s < beyond ? kOnPad : on_pad_beyond); ++i) {
       const double azimuth = (s + along(random)) * made.step(), d = across(random);
       made.add(azimuth, d, surface(kRadius * azimuth, d));
     }
-    const int count = s < 180 ? on_shell : on_shell_beyond;
+    const int count = s < beyond ? on_shell : on_shell_beyond;
     for (int i = 0; i < count; ++i) made.add(s * made.step(), 0.0, 0.0501 + 0.1998 * i / count);
   }
   Foot& foot = made.foot();
@@ -124,6 +126,21 @@ TEST(WithShadowsDoubted, EveryFiveDegreesHaveTheirOwnAndThoseWithoutAShellTheUsu
   EXPECT_GT(doubtAt(two, 183), 1.3 * doubtAt(two, 177));
   const auto half = doubtedStations(surface, 300, 0);
   EXPECT_NEAR(doubtAt(half, 270), doubtAt(half, 90), 1e-6);
+}
+
+TEST(WithShadowsDoubted, WherePointsLieAnEighthAsDenseRaysComeHalfAsSteeplyHoweverFewTheShellShows) {
+  const Roughness rough{0.0015, 0.012};
+  const auto stations = doubtedStations(RoughSurface(rough.heights, rough.length), 300, 17, 11, 100);
+  const double steep = seenHeights(0.64 * 0.2, rough).lift, flat = seenHeights(0.54 * 0.64 * 0.2, rough).lift;
+  EXPECT_NEAR(doubtAt(stations, 50) / doubtAt(stations, 250), steep / flat, 0.2 * steep / flat);
+}
+
+TEST(WithShadowsDoubted, AFewStationsThatPointsLieDensestAtOrThatShowLittleOfTheShellSayNothingOfTheOthersRays) {
+  const RoughSurface surface(0.0015, 0.012);
+  const auto few = doubtedStations(surface, 300, 37, 11, 25);  // all as steep
+  EXPECT_NEAR(doubtAt(few, 250), doubtAt(few, 10), 0.02 * doubtAt(few, 10));
+  const auto hidden = doubtedStations(surface, 300, 75, kOnPad, 300);  // as if four times as steep
+  EXPECT_NEAR(doubtAt(hidden, 330), doubtAt(hidden, 100), 0.02 * doubtAt(hidden, 100));
 }
 
 TEST(WithShadowsDoubted, ASmoothSurfaceIsNotDoubted) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/ring_process.h"
+#include "foot/foot_profile.h"
+#include "foot/foot_roughness.h"
+
+namespace tank_datum {
+
+/// Roughness of a wide surface from what points share across its band, which neither range noise nor the datum moves.
+/// @param fits  each of one station's points; those of few tell nothing
+/// @param arc   of a station [m]
+Roughness patchesOf(const std::vector<FittedPoints>& fits, const FootProfile& profile, double arc);
+
+/// What the patches of a rough surface do to the levels of stations.
+struct LevelRoughness {
+  double variance = 0;  ///< of a station's level [m^2]
+  double length = 0;    ///< of the patches; 0: not known, each station has its own [m]
+  double arc = 0;       ///< of a station [m]
+
+  /// Variance of a level over a longer arc [m^2].
+  double over(double longer) const;
+  /// What a process leaves out of its variance at a place: it takes levels to err alone, and patches reach over several
+  /// of them [m^2].
+  /// @param own  standard error of the station's level [m]
+  double leftOutBy(const RingProcess& process, std::size_t place, double own) const;
+};
+
+/// @param least  that the level's variance is known to be [m^2]
+LevelRoughness levelRoughness(const Roughness& patches, const FootProfile& profile, double arc, double least);
+
+}  // namespace tank_datum
