@@ -55,6 +55,7 @@ int run(const Command& command) {
     Ring ring = cropRing(scan, tank, command.options.crop, {}, command.options.threads);
     if (ring.search.empty()) thinForSearch(ring, tank, command.options.crop, command.options.threads);
     figures.ring = runOnRing(ring.search, command);
+    figures.stages = runStages(scan, ring, figures.ring[1].candidates.size(), command);
   }
   if (scan.size() <= command.stock_points) figures.whole.push_back(runStock(command.scan, command.options));
   Datum datum;

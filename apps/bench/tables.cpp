@@ -1,6 +1,7 @@
 #include "tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +70,53 @@ std::string growthTable(const std::vector<GrowthRun>& growth) {
          "of an elevation from the last row's, over its standard error\n";
 }
 
+double gigabytes(double bytes) { return 1e-9 * bytes; }
+
+/// A number in a column; where it is not known, a dash.
+std::string cell(double value, int width, int decimals) {
+  return std::isnan(value) ? line("%*s", width, "-") : line("%*.*f", width, decimals, value);
+}
+
+std::string stageTable(const StageRuns& runs) {
+  const MemorySpeed& memory = runs.memory;
+  std::string text = line("memory, one and two threads: read %.1f and %.1f GB/s, copy %.1f and %.1f GB/s\n",
+                          gigabytes(memory.read.one), gigabytes(memory.read.two), gigabytes(memory.copy.one),
+                          gigabytes(memory.copy.two));
+  text += line("%-16s %10s %10s %8s %8s %10s %10s %10s %10s %8s\n", "stage", "points", "bytes each", "ms", "ms, 2",
+               "ns each", "ns each, 2", "% memory", "% mem., 2", "1 over 2");
+  for (const StageLimit& stage : runs.stages) {
+    const StageSpeed &one = stage.one, &two = stage.two;
+    text += line("%-16s", stage.name.c_str()) +
+            cell(stage.work.points > 0 ? static_cast<double>(stage.work.points) : kUnknown, 11, 0) +
+            cell(stage.work.bytes_per_point, 11, 1) + cell(1e3 * one.seconds, 9, 1) + cell(1e3 * two.seconds, 9, 1) +
+            cell(one.ns_per_point, 11, 1) + cell(two.ns_per_point, 11, 1) + cell(100.0 * one.bandwidth_share, 11, 2) +
+            cell(100.0 * two.bandwidth_share, 11, 2) + cell(stage.ratio, 9, 2) + "\n";
+  }
+  return text +
+         "points: of the stage; bytes each: what it has to read and to write once; % memory: these bytes a second, "
+         "over what "
+         "as many threads move at most\n";
+}
+
+Json speedJson(const StageSpeed& speed) {
+  return {{"seconds", speed.seconds}, {"ns_per_point", speed.ns_per_point}, {"bandwidth_share", speed.bandwidth_share}};
+}
+
+Json stagesJson(const std::vector<StageLimit>& stages) {
+  Json list = Json::array();
+  for (const StageLimit& stage : stages) {
+    list.push_back({{"stage", stage.name},
+                    {"points", stage.work.points},
+                    {"bytes_per_point", stage.work.bytes_per_point},
+                    {"one_thread", speedJson(stage.one)},
+                    {"two_threads", speedJson(stage.two)},
+                    {"ratio", stage.ratio}});
+  }
+  return list;
+}
+
+Json speedsJson(const MemorySpeeds& speeds) { return {{"one_thread", speeds.one}, {"two_threads", speeds.two}}; }
+
 Json costJson(const StageCost& cost) {
   return {{"seconds", cost.seconds}, {"cpu_seconds", cost.cpu_seconds}, {"peak_memory_bytes", cost.peak_memory}};
 }
@@ -105,14 +153,18 @@ bool sameCandidates(const Figures& figures) {
 
 std::string tablesOf(const Figures& figures) {
   return tableOf(figures.ring, "the ring's chain") + candidatesOf(figures.ring) + "\n" +
-         tableOf(figures.whole, "the whole scan") + "\n" + growthTable(figures.growth);
+         tableOf(figures.whole, "the whole scan") + "\n" + stageTable(figures.stages) + "\n" +
+         growthTable(figures.growth);
 }
 
 std::string jsonOf(const Figures& figures) {
   Json json = {{"ring", runsJson(figures.ring)},
                {"same_candidates", sameCandidates(figures)},
                {"whole", runsJson(figures.whole)},
-               {"growth", Json::array()}};
+               {"growth", Json::array()},
+               {"stages", stagesJson(figures.stages.stages)},
+               {"memory_bytes_per_second",
+                {{"read", speedsJson(figures.stages.memory.read)}, {"copy", speedsJson(figures.stages.memory.copy)}}}};
   for (std::size_t i = 0; i < figures.ring.size(); ++i) {
     const Agreement agreement = agreementOf(figures.ring.front(), figures.ring[i]);
     json["ring"][i]["candidates"] = figures.ring[i].candidates.size();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "growth.h"
+#include "stage_runs.h"
 
 namespace tank_datum::bench {
 
@@ -12,9 +13,11 @@ struct Figures {
   std::vector<ChainRun> ring;   ///< on the same points of the ring, the stock chain first
   std::vector<ChainRun> whole;  ///< on the whole file, the stock chain first if it was run
   std::vector<GrowthRun> growth;
+  StageRuns stages;  ///< of the command on the whole file
 };
 
-/// Tables for a terminal: every stage with its seconds, peak memory and points per second, every ratio.
+/// Tables for a terminal: every stage with its seconds, peak memory and points per second, every ratio; every stage
+/// beside what the memory gives.
 std::string tablesOf(const Figures& figures);
 
 /// The same figures. Seconds and bytes.

@@ -43,6 +43,38 @@ def test_chains_beside_each_other(tmp_path: Path) -> None:
             assert run["points_per_second"] == pytest.approx(run["points"] / total["seconds"])
 
 
+def test_stages_beside_what_memory_gives(tmp_path: Path) -> None:
+    found = figures(tmp_path)
+    stages = {stage["stage"]: stage for stage in found["stages"]}
+    assert list(stages)[:-1] == list(found["whole"][1]["stages"])
+    assert list(stages)[-1] == "report"
+    assert stages["locate"]["points"] == stages["crop"]["points"] == found["whole"][1]["points"]
+    assert stages["normals"]["points"] == found["ring"][0]["points"]
+    assert stages["centre_filter"]["points"] == found["ring"][1]["candidates"]
+    assert stages["checks"]["points"] == stages["report"]["points"] == 360
+    row = SAMPLE.stat().st_size / stages["locate"]["points"]
+    assert stages["locate"]["bytes_per_point"] == pytest.approx(row + 24)
+    assert stages["normals"]["bytes_per_point"] == 24 + 20 * 4 + 12
+    assert stages["report"]["bytes_per_point"] * 360 > 100_000
+    memory = found["memory_bytes_per_second"]
+    for name, stage in stages.items():
+        for threads in ("one_thread", "two_threads"):
+            speed = stage[threads]
+            if name in ("open", "hash"):
+                assert stage["points"] == 0
+                assert speed["ns_per_point"] is speed["bandwidth_share"] is None
+                continue
+            best = max(memory[work][threads] for work in ("read", "copy"))
+            assert best > 1e8
+            moved = stage["points"] * stage["bytes_per_point"]
+            assert speed["ns_per_point"] == pytest.approx(1e9 * speed["seconds"] / stage["points"])
+            assert speed["bandwidth_share"] == pytest.approx(moved / speed["seconds"] / best)
+        seconds = stage["one_thread"]["seconds"] / stage["two_threads"]["seconds"]
+        assert stage["ratio"] == pytest.approx(seconds)
+    wider = figures(tmp_path, "--k", 40)["stages"]
+    assert wider[4]["bytes_per_point"] == 24 + 40 * 4 + 12
+
+
 def test_both_chains_take_k_and_theta(tmp_path: Path) -> None:
     def marked(*options: object) -> set[int]:
         ring = figures(tmp_path, *options)["ring"]
@@ -81,6 +113,10 @@ def test_tables() -> None:
         "stock PCL over own, buckets:",
         ": the same",
         "the whole scan",
+        "memory, one and two threads: read",
+        "ns each",
+        "1 over 2",
+        "\nreport ",
     ):
         assert words in done.stdout
 

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -23,10 +24,13 @@ class TestFolder {
   const std::filesystem::path& root() const { return path_; }
   std::string path(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Writes the bytes and returns the path.
+  /// Writes the bytes and returns the path. The file is of a second ago: readers wait 10 ms for one that is just
+  /// written (io/input_file), in tests of all bytes thousands of times.
   std::string file(const std::string& name, const std::string& bytes) const {
     std::filesystem::remove(path(name));  // ext4 writes a truncated file out at once, which is slow
     std::ofstream(path(name), std::ios::binary) << bytes;
+    std::filesystem::last_write_time(path(name),
+                                     std::filesystem::file_time_type::clock::now() - std::chrono::seconds(1));
     return path(name);
   }
 
