@@ -52,7 +52,9 @@ StageRuns runStages(const Scan& scan, const Ring& ring, std::size_t candidates, 
   sizes.k = static_cast<std::uint64_t>(command.options.normals.k);
   sizes.candidates = candidates;
   std::array<std::vector<StageCost>, 2> fastest;
+  StageRuns runs;
   for (int repeat = 0; repeat < command.repeats; ++repeat) {
+    keepFastest(runs.memory, measureMemory());
     for (std::size_t i = 0; i < fastest.size(); ++i) {
       DatumOptions options = command.options;
       options.threads = static_cast<int>(i + 1);
@@ -68,8 +70,6 @@ StageRuns runStages(const Scan& scan, const Ring& ring, std::size_t candidates, 
       sizes.shell = shellPointsOf(datum);
     }
   }
-  StageRuns runs;
-  runs.memory = measureMemory();
   runs.stages = limitsOf(fastest[0], fastest[1], workOf(sizes), runs.memory.best());
   return runs;
 }

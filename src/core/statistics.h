@@ -7,6 +7,9 @@ namespace tank_datum {
 /// The middle value (mean of the two middle ones for an even count); NaN for no values.
 double median(std::vector<double> values);
 
+/// Standard error of the median of many normal values over that of their mean: the root of pi / 2.
+constexpr double kMedianOverMean = 1.2533;
+
 struct WeightedValue {
   double value, weight;  ///< weights above 0
 };

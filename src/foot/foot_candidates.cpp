@@ -83,7 +83,7 @@ std::vector<Bin> binsOf(const std::vector<FootPoint>& points, const FootScales& 
     keepLowestLayer(heights, layer);
     if (heights.size() < kFewestOfLayer) continue;
     const double z = median(heights), spread = robustSigma(heights, z);
-    const double error = 1.2533 / std::sqrt(static_cast<double>(heights.size()));
+    const double error = kMedianOverMean / std::sqrt(static_cast<double>(heights.size()));
     bins.push_back({d, z, spread, error, section.points[first].d, section.points[end - 1].d, heights.size()});
     spreads.push_back(spread);
   }

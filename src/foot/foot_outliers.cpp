@@ -114,7 +114,7 @@ bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
     weights += slopes.back().weight;
   }
   if (!priors.settled || slopes.empty()) return false;
-  const double sigma = 1.2533 * std::sqrt(kShared / weights);  // of a median
+  const double sigma = kMedianOverMean * std::sqrt(kShared / weights);  // of a median
   return weightedMedian(std::move(slopes)) < std::min(0.0, priors.seen) - kSteepestLip - 3.0 * sigma;
 }
 

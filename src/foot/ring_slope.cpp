@@ -73,7 +73,7 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
     const KnownSlopes all(seen, std::numeric_limits<double>::infinity());
     own = std::clamp(std::min(best.amongThem(), all.amongThem()), 1e-12, own);
     const auto count = static_cast<double>(best.values.size());
-    const double mean = 1.2533 * std::sqrt((own + median(best.variances)) / count);
+    const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);
     ring = ringSlope(median(best.values), mean, expected);
   }
   for (SeriesValue& v : smooth) {

@@ -57,7 +57,7 @@ void stackBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& 
     if (values.size() < kFewestPoints) return;
     profile.height[i] = median(values);
     profile.spread[i] = robustSigma(values, profile.height[i]);
-    profile.error[i] = 1.2533 * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
+    profile.error[i] = kMedianOverMean * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
   });
 }
 

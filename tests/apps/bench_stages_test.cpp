@@ -76,6 +76,16 @@ TEST(MemorySpeed, IsTheQuickerOfReadAndCopy) {
   EXPECT_EQ(speed.best().two, 30e9);
 }
 
+TEST(KeepFastest, TakesEachSpeedOfTheMemoryByItself) {
+  MemorySpeed best;
+  keepFastest(best, {{10e9, 30e9}, {20e9, 25e9}});
+  keepFastest(best, {{12e9, 20e9}, {15e9, 26e9}});
+  EXPECT_EQ(best.read.one, 12e9);
+  EXPECT_EQ(best.read.two, 30e9);
+  EXPECT_EQ(best.copy.one, 20e9);
+  EXPECT_EQ(best.copy.two, 26e9);
+}
+
 TEST(KeepFastest, TakesEachStageByItself) {
   std::vector<StageCost> best;
   keepFastest(best, {{"locate", 2.0, 2.0, 0}, {"crop", 1.0, 1.0, 0}});
