@@ -135,7 +135,7 @@ TEST(WithShadowsDoubted, WherePointsLieAnEighthAsDenseRaysComeHalfAsSteeplyHowev
   EXPECT_NEAR(doubtAt(stations, 50) / doubtAt(stations, 250), steep / flat, 0.2 * steep / flat);
 }
 
-TEST(WithShadowsDoubted, AFewStationsThatPointsLieDensestAtOrThatShowLittleOfTheShellSayNothingOfTheOthersRays) {
+TEST(WithShadowsDoubted, AFewStationsWithDensePointsOrLittleShellSayNothingOfTheOthers) {
   const RoughSurface surface(0.0015, 0.012);
   const auto few = doubtedStations(surface, 300, 37, 11, 25);  // all as steep
   EXPECT_NEAR(doubtAt(few, 250), doubtAt(few, 10), 0.02 * doubtAt(few, 10));
