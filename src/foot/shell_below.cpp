@@ -121,15 +121,17 @@ std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& f
 
 double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits) {
   constexpr std::size_t kStray = 2, kFewest = 10;  // points of a station's stretch
+  constexpr double kBefore = 0.1;                  // of the reach: legs and bands on a shell stand before it
   constexpr double kClear = 3.0;  // noises of the surface, which goes on below what stands before a shell
   std::vector<double> lowest(fits.size(), kUnknown);
   forEachIndex(fits.size(), 0, [&](std::size_t i) {
-    if (!fits[i].valid()) return;
-    FootFit level = fits[i];
-    level.half_width = foot.half_step;
+    const FootFit& fit = fits[i];
+    if (!fit.valid()) return;
+    const double behind = 2.0 * foot.scales.shell_noise, before = std::max(behind, kBefore * foot.reach);
     std::vector<double> heights;
-    visitShell(foot, i, level, foot.reach, [&](double height) {
-      if (height > kClear * level.noise) heights.push_back(height);
+    foot.ring.visitAround(foot.directions[i], foot.half_step, fit.z, foot.reach, [&](const FootPoint& p) {
+      const double height = p.z - fit.z - fit.slope * p.d - fit.along * p.t - fit.bend * p.t * p.t;
+      if (p.d >= -behind && p.d <= before && height > kClear * fit.noise) heights.push_back(height);
     });
     if (heights.size() < kFewest) return;
     std::nth_element(heights.begin(), heights.begin() + kStray, heights.end());

@@ -39,8 +39,9 @@ FootFit levelAt(const Foot& foot, double z, double sigma);
 /// @param fits  not valid where a station does not stand
 std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& fits);
 
-/// Height above the stations from which on their shell is seen, in the middle of them [m]: beside a surface that is
-/// seen to reach it, a bare one is seen from a few points on. NaN where too little is seen.
+/// Height above the stations from which on a wall is seen at their shell, in the middle of them [m]: beside a surface
+/// that is seen to reach it, a bare one is seen from a few points on. What stands before it, a leg or a band, is part
+/// of the wall. NaN where too little is seen.
 double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits);
 
 }  // namespace tank_datum

@@ -38,13 +38,14 @@ struct Bounds {
 //            spacings of the points: a shell buckles at a hundredth of it.
 // stations   Least arc that is measured, degrees: a foot seen on 40 degrees has them, and 30 are the shortest wave (n =
 //            12) that is looked for in a datum.
-// shell_gap  Height over the datum from which on the shell is seen, beyond three spacings of its points, over how far
-//            the section goes. Of bare shells whose foundation is seen beside them it is below 0.05; cladding ends at
-//            0.1 to 1, and the shell stands behind it. No gap makes a tank none.
+// shell_gap  Height over the datum from which on the wall is seen, beyond three spacings of its points, over how far
+// the
+//            section goes. Of bare shells whose foundation is seen beside them it is below 0.05, of tins, cans and mugs
+//            before depth cameras below 0.1; cladding ends at 0.2 to 1. No gap makes a tank none.
 constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3.2},
     kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0},
-    kShellGap{"shell_gap", "1", 0.1, HUGE_VAL};
+    kShellGap{"shell_gap", "1", 0.2, HUGE_VAL};
 
 __attribute__((format(printf, 3, 4))) TankTest judged(const Bounds& bounds, double value, const char* format, ...) {
   TankTest test;
@@ -77,7 +78,8 @@ double rangeAboutPlane(const std::vector<Station>& stations) {
 std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvidence& shell) {
   if (!std::isfinite(shell_from) || !shell.known()) return {};
   return {judged(kShellGap, std::max(0.0, shell_from - 3.0 * shell.spacing) / reach,
-                 "its wall begins %.3g m above the foundation, as cladding does before a shell", shell_from)};
+                 "its wall is seen from %.3g m above the foundation on, as cladding is or a dark foot leaves",
+                 shell_from)};
 }
 
 std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell) {

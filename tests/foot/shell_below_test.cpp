@@ -135,6 +135,22 @@ TEST(ShellSeenFrom, PointsOfTheSurfaceAreNoneOfTheShell) {
   EXPECT_NEAR(seenFrom(5, 0.007, 20, 0.002), 0.007, 1e-4);
 }
 
+/// The same where the foot of the shell is seen by points that stand so far before it.
+double seenBehind(double before) {
+  MadeFoot made;
+  for (int s = kFirst; s <= kLast; ++s) {
+    addShell(made, s, 20, 0.100, 0.120);
+    for (int i = 0; i < 20; ++i) made.add((s - 0.4 + 0.04 * i) * made.step(), before, 0.010 + 0.004 * i);
+  }
+  return shellSeenFrom(made.foot(), fitsOf(kFirst, kLast));
+}
+
+TEST(ShellSeenFrom, ATenthOfTheReachBeforeItIsPartOfAWallAndNothingBehind) {
+  EXPECT_NEAR(seenBehind(0.040), 0.018, 1e-3);
+  EXPECT_NEAR(seenBehind(0.060), 0.1025, 1e-4);
+  EXPECT_NEAR(seenBehind(-0.003), 0.1025, 1e-4);
+}
+
 TEST(ShellSeenFrom, TenPointsOfAStationAreTheLeast) {
   EXPECT_TRUE(std::isnan(seenFrom(0, 0.0, 9)));
   EXPECT_GT(seenFrom(0, 0.0, 11), 0.1);

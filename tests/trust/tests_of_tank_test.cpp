@@ -166,11 +166,11 @@ TEST(FindingsOf, NamesTheWorstAlone) {
   EXPECT_STREQ(nameOf(TestOutcome::Doubtful), "doubtful");
 }
 
-TEST(TestsOfGap, ATenthOfTheReachBeyondThreeSpacingsIsDoubtfulAndNeverMore) {
+TEST(TestsOfGap, AFifthOfTheReachBeyondThreeSpacingsIsDoubtfulAndNeverMore) {
   const auto at = [](double gap) { return outcomeOf(testsOfGap(0.03 + gap, 0.5, evidence()), "shell_gap"); };
   EXPECT_EQ(at(-0.02), TestOutcome::Pass);
-  EXPECT_EQ(at(0.0485), TestOutcome::Pass);
-  EXPECT_EQ(at(0.0515), TestOutcome::Doubtful);
+  EXPECT_EQ(at(0.097), TestOutcome::Pass);
+  EXPECT_EQ(at(0.103), TestOutcome::Doubtful);
   EXPECT_EQ(at(0.5), TestOutcome::Doubtful);
 }
 
