@@ -11,7 +11,7 @@ namespace tank_datum::bench {
 struct Command {
   std::string scan;
   std::string json;                        ///< file for the figures, or empty
-  std::string folder;                      ///< for the scans that --scale makes
+  std::string folder;                      ///< for the scans that --scale makes, and results
   std::uint64_t stock_points = 8'000'000;  ///< the stock chain is run on whole scans of at most so many
   int repeats = 3;                         ///< of the chains on the ring; the fastest counts
   bool scale = false;

@@ -5,14 +5,12 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <random>
 
 #include "core/units.h"
 #include "io/input_file.h"
 #include "io/pcd_writer.h"
-#include "results/staging.h"
-#include "results/stop_signals.h"
+#include "scratch_folder.h"
 
 namespace tank_datum::bench {
 namespace {
@@ -75,20 +73,14 @@ void writeScanOfSize(const GrownScan& scan, const std::string& path) {
 }
 
 GrowthRun runOfSize(const GrownScan& scan, const DatumOptions& options, Checksum checksum, const std::string& folder) {
-  results::removeStale(folder);
-  // a folder of its own: what stands in the one named is somebody else's
-  auto staging = std::make_unique<results::Staging>(folder);
-  auto on_stop = std::make_unique<results::OnStop>([&staging] { staging->remove(); });
-  const std::string path = staging->newFiles() + "/scan.pcd";
+  const ScratchFolder scratch(folder);
+  const std::string path = scratch.path() + "/scan.pcd";
   writeScanOfSize(scan, path);
   GrowthRun run;
   run.bytes = std::filesystem::file_size(path);
   secondsToRead(path);  // into the page cache, as far as it goes
   run.read_seconds = secondsToRead(path);
   run.chain = runCommand({path}, options, checksum, run.datum);
-  const results::NoStop hold;
-  on_stop.reset();
-  staging.reset();
   return run;
 }
 

@@ -2,13 +2,11 @@
 
 #include <array>
 #include <filesystem>
-#include <memory>
 
 #include "chains.h"
 #include "locate/crop.h"
 #include "locate/sample_ladder.h"
-#include "results/staging.h"
-#include "results/stop_signals.h"
+#include "scratch_folder.h"
 #include "tank_datum/report/report.h"
 
 namespace tank_datum::bench {
@@ -17,10 +15,8 @@ namespace {
 /// Writes the results as the command does.
 /// @return bytes of the files
 std::uint64_t writeReport(const Datum& datum, const Scan& scan, const Command& command, StageMeter& meter) {
-  results::removeStale(command.folder);
-  auto staging = std::make_unique<results::Staging>(command.folder);
-  auto on_stop = std::make_unique<results::OnStop>([&staging] { staging->remove(); });
-  const std::string folder = staging->newFiles();
+  const ScratchFolder scratch(command.folder);
+  const std::string folder = scratch.path();
   meter.begin("report");
   const Provenance provenance =
       provenanceOf({{command.scan, scan.size(), Checksum::None, {}}}, "m", command.options, datum);
@@ -29,9 +25,6 @@ std::uint64_t writeReport(const Datum& datum, const Scan& scan, const Command& c
   meter.end();
   std::uint64_t bytes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) bytes += entry.file_size();
-  const results::NoStop hold;
-  on_stop.reset();
-  staging.reset();
   return bytes;
 }
 

@@ -4,6 +4,9 @@
 
 namespace tank_datum {
 
+/// The values that are finite, in their order.
+std::vector<double> finiteOf(const std::vector<double>& values);
+
 /// The middle value (mean of the two middle ones for an even count); NaN for no values.
 double median(std::vector<double> values);
 

@@ -180,6 +180,11 @@ void doubtStrays(Data& data, const Parameters& p, RingProcess& result) {
 
 }  // namespace
 
+bool RingProcess::holds(double at_place, double its_sigma, std::size_t place) const {
+  constexpr double kFar = 3.0;
+  return std::abs(at_place - value[place]) <= kFar * std::hypot(its_sigma, sigma[place]);
+}
+
 double RingProcess::sigmaOfFollowed(std::size_t place) const {
   const double added = kEither * strayed[place];
   return std::sqrt(std::max(0.0, sigma[place] * sigma[place] - added * added));

@@ -20,6 +20,8 @@ struct RingProcess {
   double scale = 1;             ///< what their standard errors count for, beside the nugget
 
   bool valid() const { return amplitude > 0.0; }
+  /// Whether a value lies on it at a place, within three standard errors of both.
+  bool holds(double at_place, double its_sigma, std::size_t place) const;
   /// Its standard error as the values that it follows make it: without what those that it does not follow add.
   double sigmaOfFollowed(std::size_t place) const;
 };

@@ -50,9 +50,8 @@ FootFit bentFit(const FootFit& own, const RingProcess& process, std::size_t stat
 }
 
 double disagreement(const FootFit& window, const RingProcess& process, std::size_t station) {
-  constexpr double kFar = 3.0;  // standard errors
-  const double off = std::abs(window.z - process.value[station]);
-  return off > kFar * std::hypot(window.sigma, process.sigma[station]) ? kEither * off : 0.0;
+  if (process.holds(window.z, window.sigma, station)) return 0.0;
+  return kEither * std::abs(window.z - process.value[station]);
 }
 
 }  // namespace tank_datum

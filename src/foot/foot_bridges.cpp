@@ -11,18 +11,12 @@
 namespace tank_datum {
 namespace {
 
-/// Whether a measured station lies on the process.
-bool follows(const StationDatum& station, const RingProcess& process, std::size_t at) {
-  constexpr double kFar = 3.0;  // standard errors
-  return std::abs(station.z - process.value[at]) <= kFar * std::hypot(station.sigma_z, process.sigma[at]);
-}
-
 /// Bridges a gap along the process. Where a station beside it lies off that, as in a dip, straight from side to side,
 /// with a sigma that holds both.
 void bridgeAlong(const RingProcess& process, const RingRun& gap, std::vector<StationDatum>& stations) {
   const std::size_t count = stations.size(), before = (gap.first + count - 1) % count, after = (gap.last + 1) % count;
   const StationDatum a = stations[before], b = stations[after];
-  const bool along = follows(a, process, before) && follows(b, process, after);
+  const bool along = process.holds(a.z, a.sigma_z, before) && process.holds(b.z, b.sigma_z, after);
   for (std::size_t k = gap.first; k <= gap.last; ++k) {
     StationDatum& s = stations[k % count];
     const double expected = process.value[k % count], sigma = std::max(s.sigma_z, process.sigma[k % count]);

@@ -10,6 +10,7 @@
 #include "foot/foot_banks.h"
 #include "foot/foot_check.h"
 #include "foot/foot_profile.h"
+#include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
 #include "foot/ring_slope.h"
 #include "foot/shell_below.h"
@@ -36,7 +37,7 @@ Support supportOf(const Foot& foot, std::size_t station, const FootPass& pass) {
   bool left = false, right = false;
   foot.ring.visitAround(azimuth, 2.0 * foot.half_step, fit.z, foot.reach, [&](const FootPoint& p) {
     if (p.d < profile.band_from || p.d > profile.band_to) return;
-    if (std::abs(p.z - fit.z - fit.slope * p.d - fit.along * p.t - fit.bend * p.t * p.t) > within) return;
+    if (std::abs(offOf(p, fit)) > within) return;
     support.own += std::abs(p.t) <= 0.5 * step;
     (p.t < 0.0 ? left : right) = true;
   });
@@ -100,22 +101,31 @@ bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isHeap(station, pass.priors, ownFit(foot, station, pass, 0.5 * pass.fits[station].half_width));
 }
 
-constexpr double kShared = 3.0;  ///< stations that a point counts for in what they and their neighbours show
+/// What stations and their neighbours show all together, and its standard error; NaN of none.
+struct Together {
+  double value, sigma;
+
+  /// @param own  with weights one over their variances
+  explicit Together(std::vector<WeightedValue> own) {
+    constexpr double kShared = 3.0;  // stations that a point counts for
+    double weights = 0.0;
+    for (const WeightedValue& v : own) weights += v.weight;
+    sigma = kMedianOverMean * std::sqrt(kShared / weights);
+    value = weightedMedian(std::move(own));
+  }
+};
 
 /// Whether the points of stations that stand rise to the shell as those of no lip do, all together: on sparse feet none
 /// of them tells by itself.
 /// @param own  of stations and their neighbours, where they stand
 bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
   std::vector<WeightedValue> slopes;
-  double weights = 0.0;
   for (const FootFit& fit : own) {
-    if (!fit.valid()) continue;
-    slopes.push_back({fit.slope, 1.0 / (fit.sigma_slope * fit.sigma_slope)});
-    weights += slopes.back().weight;
+    if (fit.valid()) slopes.push_back({fit.slope, 1.0 / (fit.sigma_slope * fit.sigma_slope)});
   }
   if (!priors.settled || slopes.empty()) return false;
-  const double sigma = kMedianOverMean * std::sqrt(kShared / weights);  // of a median
-  return weightedMedian(std::move(slopes)) < std::min(0.0, priors.seen) - kSteepestLip - 3.0 * sigma;
+  const Together slope(std::move(slopes));
+  return slope.value < std::min(0.0, priors.seen) - kSteepestLip - 3.0 * slope.sigma;
 }
 
 /// The fits without those of stations that do not stand.
@@ -130,17 +140,16 @@ std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmea
 /// by [m/m].
 /// @param own  of stations and their neighbours, where they stand
 double strangeSlope(const RingRun& run, const std::vector<FootFit>& own, const FootPriors& priors) {
-  std::vector<WeightedValue> off;
-  double weights = 0.0;
+  std::vector<WeightedValue> offs;
   for (std::size_t k = run.first; k <= run.last; ++k) {
     const std::size_t i = k % own.size();
     if (!own[i].valid()) continue;
     const double weight = 1.0 / (square(own[i].sigma_slope) + square(priors.sigma_slope[i]));
-    off.push_back({own[i].slope - priors.slope[i], weight});
-    weights += weight;
+    offs.push_back({own[i].slope - priors.slope[i], weight});
   }
-  if (off.empty()) return 0.0;
-  return std::abs(weightedMedian(std::move(off))) - 3.0 * 1.2533 * std::sqrt(kShared / weights);
+  if (offs.empty()) return 0.0;
+  const Together off(std::move(offs));
+  return std::abs(off.value) - 3.0 * off.sigma;
 }
 
 /// A few stations far from all others, which cannot be told by their elevation: whether they lie on soil, by a slope

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "core/parallel.h"
 #include "core/portable_math.h"
@@ -45,12 +44,6 @@ void limitSteepness(Windows& windows) {
     const double flat = steepest * portable::cbrt(std::min(1.0, counts[k] / dense));
     windows.steepness[k] = std::isfinite(windows.steepness[k]) ? std::min(windows.steepness[k], flat) : flat;
   }
-}
-
-std::vector<double> finiteOf(const std::vector<double>& values) {
-  std::vector<double> finite;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
-  return finite;
 }
 
 Windows lookAtWindows(const Foot& foot, const FootPass& pass) {

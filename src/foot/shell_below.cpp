@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "foot/foot_roughness.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -130,15 +131,14 @@ double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits) {
     const double behind = 2.0 * foot.scales.shell_noise, before = std::max(behind, kBefore * foot.reach);
     std::vector<double> heights;
     foot.ring.visitAround(foot.directions[i], foot.half_step, fit.z, foot.reach, [&](const FootPoint& p) {
-      const double height = p.z - fit.z - fit.slope * p.d - fit.along * p.t - fit.bend * p.t * p.t;
+      const double height = offOf(p, fit);
       if (p.d >= -behind && p.d <= before && height > kClear * fit.noise) heights.push_back(height);
     });
     if (heights.size() < kFewest) return;
     std::nth_element(heights.begin(), heights.begin() + kStray, heights.end());
     lowest[i] = heights[kStray];
   });
-  lowest.erase(std::remove_if(lowest.begin(), lowest.end(), [](double h) { return !std::isfinite(h); }), lowest.end());
-  return lowest.empty() ? kUnknown : median(std::move(lowest));
+  return median(finiteOf(lowest));
 }
 
 }  // namespace tank_datum

@@ -34,10 +34,7 @@ Circle refineCircle(const Points& points, double voxel, const Circle& circle, co
 
 /// Whether walls step back over most of the azimuths at which they are seen.
 /// @param steps  their heights, NaN where there is none [m]
-bool standsOnRingwall(const std::vector<double>& steps) {
-  const auto known = std::count_if(steps.begin(), steps.end(), [](double z) { return std::isfinite(z); });
-  return 2 * static_cast<std::size_t>(known) > steps.size();
-}
+bool standsOnRingwall(const std::vector<double>& steps) { return 2 * finiteOf(steps).size() > steps.size(); }
 
 }  // namespace
 
@@ -83,10 +80,8 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
     for (std::size_t i = 0; i < steps.size(); ++i) outside[i] = std::isfinite(steps[i]), inside[i] = 0;
   }
   tank.coverage = kTwoPi * static_cast<double>(feet.size()) / static_cast<double>(sectors.size());
-  for (std::size_t i = 0; i < feet.size(); ++i) {
-    if (std::isfinite(feet[i])) heights.push_back(tops[i] - feet[i]);
-  }
-  tank.height = median(heights);
+  for (std::size_t i = 0; i < feet.size(); ++i) heights.push_back(tops[i] - feet[i]);
+  tank.height = median(finiteOf(heights));
   const auto seen_outside = std::count(outside.begin(), outside.end(), 1);
   const auto seen_inside = std::count(inside.begin(), inside.end(), 1);
   tank.side = seen_inside > seen_outside ? Side::Inside : Side::Outside;

@@ -39,9 +39,8 @@ struct Bounds {
 // stations   Least arc that is measured, degrees: a foot seen on 40 degrees has them, and 30 are the shortest wave (n =
 //            12) that is looked for in a datum.
 // shell_gap  Height over the datum from which on the wall is seen, beyond three spacings of its points, over how far
-// the
-//            section goes. Of bare shells whose foundation is seen beside them it is below 0.05, of tins, cans and mugs
-//            before depth cameras below 0.1; cladding ends at 0.2 to 1. No gap makes a tank none.
+//            the section goes. Of bare shells whose foundation is seen beside them it is below 0.05, of tins, cans and
+//            mugs before depth cameras below 0.1; cladding ends at 0.2 to 1. No gap makes a tank none.
 constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3.2},
     kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0},

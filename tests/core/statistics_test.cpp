@@ -8,6 +8,11 @@
 namespace tank_datum {
 namespace {
 
+TEST(FiniteOf, LeavesOutWhatIsNotKnownOrHasNoEnd) {
+  EXPECT_EQ(finiteOf({3.0, NAN, -1.0, HUGE_VAL, 2.0}), (std::vector<double>{3.0, -1.0, 2.0}));
+  EXPECT_TRUE(finiteOf({NAN}).empty());
+}
+
 TEST(Median, IsTheMiddleOfAnOddCount) {
   EXPECT_EQ(median({7}), 7);
   EXPECT_EQ(median({9, -4, 2}), 2);
