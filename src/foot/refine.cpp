@@ -16,6 +16,7 @@
 #include "foot/foot_profile.h"
 #include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
+#include "foot/hidden_strip.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_below.h"
 #include "foot/shell_circle.h"
@@ -116,6 +117,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
     pass.outliers = findOutliers(foot, pass);
     elevations = elevationsAfter(pass, elevations.seen);
   }
+  if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {
     if (pass.outliers.reasons[i] != Unmeasured::None) pass.fits[i] = {};
   }

@@ -51,7 +51,7 @@ struct FootProfile {
       0;  ///< the foundation is first seen so far out that no surface is known to reach the shell; else 0 [m]
   Surface surface = Surface::Unknown;
 
-  bool valid() const { return band_to > band_from; }
+  bool valid() const { return band_to > band_from && !(unseen > 0.0); }
 };
 
 /// A scan point in the section across the shell at a station: distance d from the shell at the foot, positive on the
