@@ -3,16 +3,13 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "core/portable_math.h"
-#include "core/ring_runs.h"
 #include "core/statistics.h"
-#include "core/units.h"
 #include "foot/foot_banks.h"
 #include "foot/foot_check.h"
+#include "foot/foot_heaps.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
-#include "foot/ring_slope.h"
 #include "foot/shell_below.h"
 #include "foot/slanting_beams.h"
 #include "tank_datum/core/unknown.h"
@@ -75,99 +72,12 @@ bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isGrazed(points, pass.sections.at(station), fit, foot.reach);
 }
 
-/// The surface at a station as its points lie, whatever its slope is known to be.
-/// @param half_width  of the window that is looked at [rad]
-FootFit ownFit(const Foot& foot, std::size_t station, const FootPass& pass, double half_width) {
-  const FootFit& fit = pass.fits[station];
-  const FootProfile& profile = pass.sections.at(station);
-  FootPrior any = pass.priors.at(station);
-  any.sigma_slope = 1.0;
-  const auto points = foot.ring.around(foot.directions[station], half_width, fit.z, foot.reach);
-  return fitFoundation(points, profile, fit.z + profile.offset, pass.priors.slope[station], any);
-}
-
-/// Whether points rise to the shell as no foundation does, which a fit that is told the slope does not show: a heap of
-/// soil. (They fall to it where few rows of the scan cross the lip: range noise moves a row's points along their rays.)
-bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own) {
-  constexpr double kSteeper = 0.01;  // than what is known of a wide surface's slope: more is not foundation [m/m]
-  const double usual = priors.slope[station];
-  if (!own.valid()) return false;
-  if (priors.settled) return own.slope < std::min(usual, priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
-  return own.slope < usual - kSteeper - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
-}
-
-/// The same of half the window that a station is fitted in.
-bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
-  return isHeap(station, pass.priors, ownFit(foot, station, pass, 0.5 * pass.fits[station].half_width));
-}
-
-/// What stations and their neighbours show all together, and its standard error; NaN of none.
-struct Together {
-  double value, sigma;
-
-  /// @param own  with weights one over their variances
-  explicit Together(std::vector<WeightedValue> own) {
-    constexpr double kShared = 3.0;  // stations that a point counts for
-    double weights = 0.0;
-    for (const WeightedValue& v : own) weights += v.weight;
-    sigma = kMedianOverMean * std::sqrt(kShared / weights);
-    value = weightedMedian(std::move(own));
-  }
-};
-
-/// Whether the points of stations that stand rise to the shell as those of no lip do, all together: on sparse feet none
-/// of them tells by itself.
-/// @param own  of stations and their neighbours, where they stand
-bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
-  std::vector<WeightedValue> slopes;
-  for (const FootFit& fit : own) {
-    if (fit.valid()) slopes.push_back({fit.slope, 1.0 / (fit.sigma_slope * fit.sigma_slope)});
-  }
-  if (!priors.settled || slopes.empty()) return false;
-  const Together slope(std::move(slopes));
-  return slope.value < std::min(0.0, priors.seen) - kSteepestLip - 3.0 * slope.sigma;
-}
-
 /// The fits without those of stations that do not stand.
 std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmeasured>& reasons) {
   for (std::size_t i = 0; i < fits.size(); ++i) {
     if (reasons[i] != Unmeasured::None) fits[i] = {};
   }
   return fits;
-}
-
-/// How far the slopes of points in a run lie off what a wide surface does elsewhere, all together, beyond what they err
-/// by [m/m].
-/// @param own  of stations and their neighbours, where they stand
-double strangeSlope(const RingRun& run, const std::vector<FootFit>& own, const FootPriors& priors) {
-  std::vector<WeightedValue> offs;
-  for (std::size_t k = run.first; k <= run.last; ++k) {
-    const std::size_t i = k % own.size();
-    if (!own[i].valid()) continue;
-    const double weight = 1.0 / (square(own[i].sigma_slope) + square(priors.sigma_slope[i]));
-    offs.push_back({own[i].slope - priors.slope[i], weight});
-  }
-  if (offs.empty()) return 0.0;
-  const Together off(std::move(offs));
-  return std::abs(off.value) - 3.0 * off.sigma;
-}
-
-/// A few stations far from all others, which cannot be told by their elevation: whether they lie on soil, by a slope
-/// that the foundation does not have.
-std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
-  constexpr double kSlope = 0.03;          // a foundation's varies by less along the shell [m/m]
-  constexpr double kFar = 10.0 * kDegree;  // over which no gap is bridged
-  const std::size_t count = own.size(), far = foot.stationsIn(kFar);
-  std::vector<bool> islands(count, false);
-  if (priors.settled) return islands;
-  std::vector<char> stand;
-  for (const FootFit& fit : own) stand.push_back(fit.valid() ? 1 : 0);
-  for (const RingRun& run : runsRound(stand, far)) {
-    const bool few = run.last - run.first < far;
-    if (!few || !(strangeSlope(run, own, priors) > kSlope)) continue;
-    for (std::size_t k = run.first; k <= run.last; ++k) islands[k % count] = true;
-  }
-  return islands;
 }
 
 /// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
@@ -209,6 +119,12 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     reasons[i] = Unmeasured::OtherSurface;
   }
   own = standing(std::move(own), reasons);
+  const std::vector<bool> heaped = findHeapedArcs(foot, pass.priors, own);
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    if (!heaped[i]) continue;
+    no_foot[i] = 1;
+    reasons[i] = Unmeasured::OtherSurface;
+  }
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
   const auto kerbs = std::count(before.begin(), before.end(), 1);
   const bool none =

@@ -1,0 +1,116 @@
+#include "foot/foot_heaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/portable_math.h"
+#include "core/ring_runs.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "foot/ring_slope.h"
+
+namespace tank_datum {
+namespace {
+
+/// What stations and their neighbours show all together, and its standard error; NaN of none.
+struct Together {
+  double value, sigma;
+
+  /// @param own  with weights one over their variances
+  explicit Together(std::vector<WeightedValue> own) {
+    constexpr double kShared = 3.0;  // stations that a point counts for
+    double weights = 0.0;
+    for (const WeightedValue& v : own) weights += v.weight;
+    sigma = kMedianOverMean * std::sqrt(kShared / weights);
+    value = weightedMedian(std::move(own));
+  }
+};
+
+/// How far the slopes of points in a run lie off what a wide surface does elsewhere, all together, beyond what they err
+/// by [m/m].
+/// @param own  of stations and their neighbours, where they stand
+double strangeSlope(const RingRun& run, const std::vector<FootFit>& own, const FootPriors& priors) {
+  std::vector<WeightedValue> offs;
+  for (std::size_t k = run.first; k <= run.last; ++k) {
+    const std::size_t i = k % own.size();
+    if (!own[i].valid()) continue;
+    const double weight = 1.0 / (square(own[i].sigma_slope) + square(priors.sigma_slope[i]));
+    offs.push_back({own[i].slope - priors.slope[i], weight});
+  }
+  if (offs.empty()) return 0.0;
+  const Together off(std::move(offs));
+  return std::abs(off.value) - 3.0 * off.sigma;
+}
+
+}  // namespace
+
+FootFit ownFit(const Foot& foot, std::size_t station, const FootPass& pass, double half_width) {
+  const FootFit& fit = pass.fits[station];
+  const FootProfile& profile = pass.sections.at(station);
+  FootPrior any = pass.priors.at(station);
+  any.sigma_slope = 1.0;
+  const auto points = foot.ring.around(foot.directions[station], half_width, fit.z, foot.reach);
+  return fitFoundation(points, profile, fit.z + profile.offset, pass.priors.slope[station], any);
+}
+
+bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own) {
+  constexpr double kSteeper = 0.01;  // than what is known of a wide surface's slope: more is not foundation [m/m]
+  const double usual = priors.slope[station];
+  if (!own.valid()) return false;
+  if (priors.settled) return own.slope < std::min(usual, priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
+  return own.slope < usual - kSteeper - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
+}
+
+bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
+  return isHeap(station, pass.priors, ownFit(foot, station, pass, 0.5 * pass.fits[station].half_width));
+}
+
+bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
+  std::vector<WeightedValue> slopes;
+  for (const FootFit& fit : own) {
+    if (fit.valid()) slopes.push_back({fit.slope, 1.0 / (fit.sigma_slope * fit.sigma_slope)});
+  }
+  if (!priors.settled || slopes.empty()) return false;
+  const Together slope(std::move(slopes));
+  return slope.value < std::min(0.0, priors.seen) - kSteepestLip - 3.0 * slope.sigma;
+}
+
+std::vector<bool> findHeapedArcs(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
+  constexpr double kArc = 5.0 * kDegree;  // to either side, that is looked at together
+  constexpr double kSteeper = 0.02;       // a lip's slope varies by less along the shell [m/m]
+  const std::size_t count = own.size(), near = std::min(foot.stationsIn(kArc), (count - 1) / 2);
+  std::vector<bool> heaped(count, false);
+  if (!priors.settled) return heaped;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!own[i].valid()) continue;
+    std::vector<WeightedValue> offs;
+    for (std::size_t k = i + count - near; k <= i + count + near; ++k) {
+      const FootFit& fit = own[k % count];
+      if (!fit.valid()) continue;
+      const double usual = std::min(priors.slope[k % count], priors.seen);
+      offs.push_back({fit.slope - usual, 1.0 / square(fit.sigma_slope)});
+    }
+    const Together off(std::move(offs));
+    heaped[i] = off.value < -kSteeper - 3.0 * off.sigma;
+  }
+  return heaped;
+}
+
+std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
+  constexpr double kSlope = 0.03;          // a foundation's varies by less along the shell [m/m]
+  constexpr double kFar = 10.0 * kDegree;  // over which no gap is bridged
+  const std::size_t count = own.size(), far = foot.stationsIn(kFar);
+  std::vector<bool> islands(count, false);
+  if (priors.settled) return islands;
+  std::vector<char> stand;
+  for (const FootFit& fit : own) stand.push_back(fit.valid() ? 1 : 0);
+  for (const RingRun& run : runsRound(stand, far)) {
+    const bool few = run.last - run.first < far;
+    if (!few || !(strangeSlope(run, own, priors) > kSlope)) continue;
+    for (std::size_t k = run.first; k <= run.last; ++k) islands[k % count] = true;
+  }
+  return islands;
+}
+
+}  // namespace tank_datum

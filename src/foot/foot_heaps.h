@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "foot/foot_state.h"
+
+namespace tank_datum {
+
+/// The surface at a station as its points lie, whatever its slope is known to be.
+/// @param half_width  of the window that is looked at [rad]
+FootFit ownFit(const Foot& foot, std::size_t station, const FootPass& pass, double half_width);
+
+/// Whether points rise to the shell as no foundation does, which a fit that is told the slope does not show: a heap of
+/// soil. (They fall to it where few rows of the scan cross the lip: range noise moves a row's points along their rays.)
+/// @param own  ownFit() of the station
+bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own);
+
+/// The same of half the window that a station is fitted in.
+bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass);
+
+/// Whether the points of stations that stand rise to the shell as those of no lip do, all together: on sparse feet none
+/// of them tells by itself.
+/// @param own  of stations and their neighbours, where they stand
+bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors);
+
+/// Stations upon a lip in arcs whose points rise to the shell more steeply than the lip is known to, all together: thin
+/// soil that no station tells from its own noise.
+/// @param own  of stations and their neighbours, where they stand
+std::vector<bool> findHeapedArcs(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own);
+
+/// A few stations far from all others, which cannot be told by their elevation: whether they lie on soil, by a slope
+/// that the foundation does not have.
+/// @param own  of stations and their neighbours, where they stand
+std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own);
+
+}  // namespace tank_datum

@@ -1,0 +1,78 @@
+#include "foot/foot_heaps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+FootFit fitOf(double slope, double sigma_slope) {
+  FootFit fit;
+  fit.z = 0.0, fit.sigma = 0.0005;
+  fit.slope = slope, fit.sigma_slope = sigma_slope;
+  return fit;
+}
+
+/// What is known of a lip that is level all round.
+FootPriors levelLip() {
+  FootPriors priors;
+  priors.slope.assign(360, 0.0);
+  priors.settled = true;
+  return priors;
+}
+
+/// How many stations are found that lean by a slope, of so many beside each other.
+std::ptrdiff_t heaped(int stations, double slope, double sigma_slope, const FootPriors& priors = levelLip()) {
+  MadeFoot made;
+  std::vector<FootFit> own(360);
+  std::fill_n(own.begin() + 50, stations, fitOf(slope, sigma_slope));
+  const std::vector<bool> found = findHeapedArcs(made.foot(), priors, own);
+  return std::count(found.begin(), found.end(), true);
+}
+
+TEST(FindHeapedArcs, AreSteeperThanALipByTwoHundredths) {
+  EXPECT_EQ(heaped(11, -0.017, 0.0001), 0);
+  EXPECT_EQ(heaped(11, -0.023, 0.0001), 11);
+  EXPECT_EQ(heaped(11, 0.2, 0.0001), 0);
+}
+
+TEST(FindHeapedArcs, AreSoByThreeStandardErrors) {
+  EXPECT_EQ(heaped(1, -0.075, 0.01), 0);  // one and a quarter, for a median, times the root of three that share points
+  EXPECT_EQ(heaped(1, -0.095, 0.01), 1);
+}
+
+TEST(FindHeapedArcs, StationsWithinFiveDegreesAreLookedAtTogether) {
+  EXPECT_GT(heaped(11, -0.065, 0.02), 0);
+  EXPECT_EQ(heaped(21, -0.052, 0.02), 0);
+}
+
+TEST(FindHeapedArcs, MostOfTheStationsHaveToBe) {
+  MadeFoot made;
+  std::vector<FootFit> own(360, fitOf(0.0, 0.002));
+  std::fill_n(own.begin() + 50, 20, fitOf(-0.1, 0.002));
+  const std::vector<bool> found = findHeapedArcs(made.foot(), levelLip(), own);
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], i >= 50 && i < 70) << i;
+}
+
+TEST(FindHeapedArcs, AreComparedWithTheLipsOwnSlope) {
+  FootPriors leaning = levelLip();
+  leaning.slope.assign(360, -0.05);
+  EXPECT_EQ(heaped(11, -0.06, 0.0001, leaning), 0);
+  leaning.slope.assign(360, 0.0), leaning.seen = -0.05;
+  EXPECT_EQ(heaped(11, -0.06, 0.0001, leaning), 0);
+  EXPECT_EQ(heaped(11, -0.08, 0.0001, leaning), 11);
+}
+
+TEST(FindHeapedArcs, AreNotOfWideSurfaces) {
+  FootPriors wide = levelLip();
+  wide.settled = false;
+  EXPECT_EQ(heaped(11, -0.1, 0.0001, wide), 0);
+}
+
+}  // namespace
+}  // namespace tank_datum
