@@ -9,8 +9,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kStrip = 0.02;     // of the reach
+constexpr double kStrip = 0.02;  // of the reach
 constexpr std::size_t kStrips = 20;
+constexpr std::size_t kBeyond = 6;  // strips that those beside the shell are compared with
 
 /// Stations that stand, and those within a few degrees of one: a station that has points of what is mostly hidden
 /// stands, its neighbours that have none do not.
@@ -29,40 +30,75 @@ std::vector<std::size_t> stationsAbout(const Foot& foot, const FootPass& pass) {
   return stations;
 }
 
-}  // namespace
+double onSurface(const FootStrip& strip) { return static_cast<double>(strip.heights.size()); }
+double inAll(const FootStrip& strip) { return onSurface(strip) + static_cast<double>(strip.above); }
 
-std::size_t thinStrips(const std::vector<std::size_t>& points) {
-  constexpr std::size_t kFewest = 3, kBeyond = 6;  // strips beside the shell, and those they are compared with
-  constexpr double kThin = 0.65;                   // of the density beyond, in all together and in each
-  constexpr double kChance = 2.0;                  // standard deviations of a number of points
+/// How many strips beside the shell have less than a share of the points that the surface has in those beyond, all
+/// together and each; 0: none.
+template <typename Count>
+std::size_t thinStrips(const std::vector<FootStrip>& strips, double share, const Count& count) {
+  constexpr std::size_t kFewest = 3;
+  constexpr double kChance = 2.0;  // standard deviations of a number of points
   std::size_t thin = 0;
   double inner = 0.0, densest = 0.0;
-  for (std::size_t k = 0; k + kBeyond <= points.size(); ++k) {
-    const auto from = points.begin() + static_cast<std::ptrdiff_t>(k);
-    const double usual = median(std::vector<double>(from, from + kBeyond));
-    const double most = inner + kChance * std::sqrt(inner);
-    if (k >= kFewest && densest < kThin * usual && most < kThin * usual * static_cast<double>(k)) thin = k;
-    const auto here = static_cast<double>(points[k]);
+  for (std::size_t k = 0; k + kBeyond <= strips.size(); ++k) {
+    std::vector<double> beyond;
+    for (std::size_t j = k; j < k + kBeyond; ++j) beyond.push_back(onSurface(strips[j]));
+    const double usual = share * median(std::move(beyond)), most = inner + kChance * std::sqrt(inner);
+    if (k >= kFewest && densest < usual && most < usual * static_cast<double>(k)) thin = k;
+    const double here = count(strips[k]);
     inner += here, densest = std::max(densest, here);
   }
   return thin;
 }
 
+/// Heights of all points on the surface in some strips.
+std::vector<double> heightsIn(const std::vector<FootStrip>& strips, std::size_t first, std::size_t last) {
+  std::vector<double> heights;
+  for (std::size_t k = first; k < last; ++k)
+    heights.insert(heights.end(), strips[k].heights.begin(), strips[k].heights.end());
+  return heights;
+}
+
+/// Whether points of some strips beside the shell lie off those beyond.
+bool areOff(const std::vector<FootStrip>& strips, std::size_t count, double bend) {
+  const std::vector<double> inner = heightsIn(strips, 0, count), beyond = heightsIn(strips, count, count + kBeyond);
+  const double a = median(inner), b = median(beyond);
+  const double error = kMedianOverMean * std::hypot(robustSigma(inner, a) / std::sqrt(inner.size()),
+                                                    robustSigma(beyond, b) / std::sqrt(beyond.size()));
+  return std::abs(a - b) > bend + 3.0 * error;
+}
+
+}  // namespace
+
+std::size_t hiddenStrips(const std::vector<FootStrip>& strips, double bend) {
+  constexpr double kEmpty = 0.45;  // of the density beyond: plants would be seen
+  constexpr double kThin = 0.65;
+  const std::size_t empty = thinStrips(strips, kEmpty, inAll), thin = thinStrips(strips, kThin, onSurface);
+  return empty > 0 ? empty : thin > 0 && areOff(strips, thin, bend) ? thin : 0;
+}
+
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels) {
   constexpr double kNoise = 4.0;   // of the surface, within which its points lie,
   constexpr double kBend = 0.002;  // and what it may be bent by, of the reach
-  const double width = kStrip * foot.reach, near = foot.scales.nearest();
-  const double within = kNoise * pass.sections.whole.noise + kBend * foot.reach;
-  std::vector<std::size_t> points(kStrips, 0);
+  constexpr double kHigh = 0.15;   // of the reach: how high plants are looked for
+  const double width = kStrip * foot.reach, near = foot.scales.nearest(), bend = kBend * foot.reach;
+  const double within = kNoise * pass.sections.whole.noise + bend;
+  std::vector<FootStrip> strips(kStrips);
   for (const std::size_t i : stationsAbout(foot, pass)) {
     for (const FootPoint& p : foot.points[i]) {
-      const double strip = (p.d - near) / width, off = p.z - levels[i] - pass.priors.slope[i] * p.d;
-      if (strip < 0.0 || strip >= static_cast<double>(kStrips)) continue;
-      if (std::abs(off) < within) ++points[static_cast<std::size_t>(strip)];
+      const double at = (p.d - near) / width, height = p.z - levels[i] - pass.priors.slope[i] * p.d;
+      if (at < 0.0 || at >= static_cast<double>(kStrips) || height < -within) continue;
+      FootStrip& strip = strips[static_cast<std::size_t>(at)];
+      if (height < within) {
+        strip.heights.push_back(height);
+      } else if (height < kHigh * foot.reach) {
+        ++strip.above;
+      }
     }
   }
-  const std::size_t thin = thinStrips(points);
-  return thin == 0 ? 0.0 : near + static_cast<double>(thin) * width;
+  const std::size_t hidden = hiddenStrips(strips, bend);
+  return hidden == 0 ? 0.0 : near + static_cast<double>(hidden) * width;
 }
 
 }  // namespace tank_datum

@@ -7,9 +7,18 @@
 
 namespace tank_datum {
 
-/// How many strips beside the shell show far fewer points of a surface than those farther out; 0: none.
-/// @param points  of the surface in strips of equal width, from the shell outwards
-std::size_t thinStrips(const std::vector<std::size_t>& points);
+/// A strip along the shell: heights over the surface that stations lie on of the points upon it [m], and how many
+/// points lie higher, upon plants for instance.
+struct FootStrip {
+  std::vector<double> heights;
+  std::size_t above = 0;
+};
+
+/// How many strips beside the shell do not show a surface that is seen farther out: points there are far fewer, upon
+/// whatever, or are fewer and lie off it. 0: none.
+/// @param strips  of equal width, from the shell outwards
+/// @param bend    what a surface may be bent by [m]
+std::size_t hiddenStrips(const std::vector<FootStrip>& strips, double bend);
 
 /// How far from the shell the surface that stations lie on is hidden [m]; 0 where it is seen up to the shell. Rays meet
 /// a surface as densely beside the shell as farther out. A crown that stands before the shell hides what lies between:

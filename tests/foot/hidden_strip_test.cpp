@@ -9,48 +9,80 @@ namespace {
 
 using namespace made_feet;
 
-/// Twenty strips: so many of each number of points, from the shell outwards, and none beyond.
-std::vector<std::size_t> strips(const std::vector<std::pair<int, std::size_t>>& runs) {
-  std::vector<std::size_t> points;
-  for (const auto& [count, each] : runs) points.insert(points.end(), static_cast<std::size_t>(count), each);
-  points.resize(20, 0);
-  return points;
+constexpr double kBend = 0.001;
+
+/// So many strips with so many points on a surface, and above it.
+struct StripRun {
+  int strips;
+  std::size_t on;
+  double height = 0.0;  // of the points, give or take half a millimetre
+  std::size_t above = 0;
+};
+
+/// How many are hidden of twenty strips, from the shell outwards, the last of which are empty.
+std::size_t hidden(const std::vector<StripRun>& runs, double bend = kBend) {
+  std::vector<FootStrip> strips;
+  for (const StripRun& run : runs) {
+    FootStrip strip;
+    for (std::size_t i = 0; i < run.on; ++i) strip.heights.push_back(run.height + (i % 2 == 0 ? 0.0005 : -0.0005));
+    strip.above = run.above;
+    strips.insert(strips.end(), static_cast<std::size_t>(run.strips), strip);
+  }
+  strips.resize(20);
+  return hiddenStrips(strips, bend);
 }
 
-TEST(ThinStrips, OfASurfaceThatIsSeenUpToTheShellNoneAre) {
-  EXPECT_EQ(thinStrips(strips({{20, 1000}})), 0U);
-  EXPECT_EQ(thinStrips(strips({{5, 1000}, {1, 2000}})), 0U);  // a lip and its face
-  EXPECT_EQ(thinStrips(strips({})), 0U);
+TEST(HiddenStrips, OfASurfaceThatIsSeenUpToTheShellNoneAre) {
+  EXPECT_EQ(hidden({{20, 1000}}), 0U);
+  EXPECT_EQ(hidden({{5, 1000}, {1, 2000}}), 0U);  // a lip and its face
+  EXPECT_EQ(hidden({}), 0U);
 }
 
-TEST(ThinStrips, OfACrownThoseBeforeItAre) {
-  EXPECT_EQ(thinStrips(strips({{7, 10}, {8, 100}, {2, 1000}})), 7U);
-  EXPECT_EQ(thinStrips(strips({{7, 0}, {8, 100}, {2, 1000}})), 7U);
+TEST(HiddenStrips, AreThoseBeforeACrown) {
+  EXPECT_EQ(hidden({{7, 10}, {8, 100}, {2, 1000}}), 7U);
+  EXPECT_EQ(hidden({{7, 0}, {8, 100}, {2, 1000}}), 7U);
 }
 
-TEST(ThinStrips, HaveLessThanTwoThirdsOfThePoints) {
-  EXPECT_EQ(thinStrips(strips({{5, 6100}, {15, 10000}})), 5U);
-  EXPECT_EQ(thinStrips(strips({{5, 6700}, {15, 10000}})), 0U);
+TEST(HiddenStrips, HaveLessThanHalfOfThePoints) {
+  EXPECT_EQ(hidden({{5, 420}, {15, 1000}}), 5U);
+  EXPECT_EQ(hidden({{5, 480}, {15, 1000}}), 0U);
 }
 
-TEST(ThinStrips, AreNoneWhereOneOfThemIsDense) {
-  EXPECT_EQ(thinStrips(strips({{1, 7000}, {4, 0}, {15, 10000}})), 0U);  // a plate of which all but a strip is hidden
-  EXPECT_EQ(thinStrips(strips({{1, 6000}, {4, 0}, {15, 10000}})), 5U);
+TEST(HiddenStrips, AreNotThoseThatPlantsCover) {
+  EXPECT_EQ(hidden({{5, 200, 0.0, 220}, {15, 1000}}), 5U);
+  EXPECT_EQ(hidden({{5, 200, 0.0, 280}, {15, 1000}}), 0U);
 }
 
-TEST(ThinStrips, AreSoBeyondTwoStandardDeviations) {
-  EXPECT_EQ(thinStrips(strips({{3, 4}, {17, 10}})), 3U);
-  EXPECT_EQ(thinStrips(strips({{1, 5}, {2, 4}, {17, 10}})), 0U);
+TEST(HiddenStrips, WhoseFewPointsLieOffMayHaveTwoThirds) {
+  EXPECT_EQ(hidden({{5, 610, -0.003}, {15, 1000}}), 5U);
+  EXPECT_EQ(hidden({{5, 690, -0.003}, {15, 1000}}), 0U);
+  EXPECT_EQ(hidden({{5, 610, -0.003, 500}, {15, 1000}}), 5U);
 }
 
-TEST(ThinStrips, AreThreeAtLeast) {
-  EXPECT_EQ(thinStrips(strips({{2, 10}, {18, 1000}})), 0U);
-  EXPECT_EQ(thinStrips(strips({{3, 10}, {17, 1000}})), 3U);
+TEST(HiddenStrips, LieOffByMoreThanASurfaceIsBentBy) {
+  EXPECT_EQ(hidden({{5, 600, 0.0009}, {15, 1000}}), 0U);
+  EXPECT_EQ(hidden({{5, 600, 0.0012}, {15, 1000}}), 5U);
+  EXPECT_EQ(hidden({{5, 600, 0.0012}, {15, 1000}}, 2.0 * kBend), 0U);
 }
 
-TEST(ThinStrips, AreComparedWithSixBeyond) {
-  EXPECT_EQ(thinStrips(strips({{3, 100}, {2, 1000}, {15, 100}})), 0U);  // the upright face of something
-  EXPECT_EQ(thinStrips(strips({{3, 10}, {5, 1000}})), 3U);              // a narrow crown
+TEST(HiddenStrips, AreNoneWhereOneOfThemIsDense) {
+  EXPECT_EQ(hidden({{1, 700}, {4, 0}, {15, 1000}}), 0U);  // a plate of which all but a strip is hidden
+  EXPECT_EQ(hidden({{1, 400}, {4, 0}, {15, 1000}}), 5U);
+}
+
+TEST(HiddenStrips, AreSoBeyondTwoStandardDeviations) {
+  EXPECT_EQ(hidden({{1, 2}, {2, 3}, {17, 11}}), 3U);
+  EXPECT_EQ(hidden({{2, 3}, {1, 4}, {17, 11}}), 0U);
+}
+
+TEST(HiddenStrips, AreThreeAtLeast) {
+  EXPECT_EQ(hidden({{2, 10}, {18, 1000}}), 0U);
+  EXPECT_EQ(hidden({{3, 10}, {17, 1000}}), 3U);
+}
+
+TEST(HiddenStrips, AreComparedWithSixBeyond) {
+  EXPECT_EQ(hidden({{3, 100}, {2, 1000}, {15, 100}}), 0U);  // the upright face of something
+  EXPECT_EQ(hidden({{3, 10}, {5, 1000}}), 3U);              // a narrow crown
 }
 
 /// A pass whose fits all stand upon z = 0, or that of one station only.
@@ -91,6 +123,21 @@ TEST(HiddenBesideShell, IsLookedForAsFarAsThreeTenthsOfTheReach) {
 TEST(HiddenBesideShell, IsOfTheSurfaceThatStationsLieOn) {
   EXPECT_GT(hiddenBefore(0.093, 0.0022), 0.0);
   EXPECT_EQ(hiddenBefore(0.093, 0.0030), 0.0);
+}
+
+/// Whether it is hidden where plants stand beside the shell, so high.
+bool isHiddenByPlants(double height) {
+  MadeFoot made;
+  made.addAll(20, 0.013, 0.093, level);
+  made.addAll(80, 0.013, 0.093, [height](double) { return height; });
+  made.addAll(160, 0.093, 0.253, level);
+  return hiddenBesideShell(made.foot(), passUpon(), std::vector<double>(360, 0.0)) > 0.0;
+}
+
+TEST(HiddenBesideShell, MayBeCoveredByPlants) {
+  EXPECT_FALSE(isHiddenByPlants(0.060));
+  EXPECT_TRUE(isHiddenByPlants(0.100));  // beams pass below them
+  EXPECT_TRUE(isHiddenByPlants(-0.010));
 }
 
 /// Whether it is hidden about one station that alone stands and sees all of it, where another sees most beyond only.
