@@ -75,7 +75,8 @@ std::size_t firstBeyond(const Foot& foot, const FootProfile& surface) {
   return std::max(kFirst, static_cast<std::size_t>(std::ceil(lip)));
 }
 
-/// How far a section lies below the usual one, where that is more than chance explains; 0 elsewhere [m].
+/// How far a section lies below the usual one, where that is more than chance explains, else 0 [m]; NaN where too little
+/// of it is seen to tell.
 double depthBelow(const Section& section, const UsualSection& usual, double least) {
   constexpr double kStands = 3.0;
   constexpr int kFewest = 2;  // bins
@@ -87,7 +88,8 @@ double depthBelow(const Section& section, const UsualSection& usual, double leas
     weights += weight, below += weight * (usual.height[b] - section[b]), spread += weight * usual.spread[b];
     ++bins;
   }
-  return bins >= kFewest && below > std::max(kStands * spread, least * weights) ? below / weights : 0.0;
+  if (bins < kFewest) return kUnknown;
+  return below > std::max(kStands * spread, least * weights) ? below / weights : 0.0;
 }
 
 /// The elevation nearest to a station on one side, and how many stations away; 0: none is near.
@@ -108,11 +110,12 @@ Beside besideOf(std::size_t station, int step, const std::vector<double>& levels
 }
 
 /// How far a run of stations rises above the line between those beside it [m]; infinite where none is near.
-double riseOf(const RingRun& run, const std::vector<double>& levels, const std::vector<char>& in_runs,
+/// @param leave_out  stations that are no measure of it
+double riseOf(const RingRun& run, const std::vector<double>& levels, const std::vector<char>& leave_out,
               std::size_t near) {
   const std::size_t count = levels.size();
-  Beside before = besideOf(run.first % count, -1, levels, in_runs, near);
-  Beside after = besideOf(run.last % count, +1, levels, in_runs, near);
+  Beside before = besideOf(run.first % count, -1, levels, leave_out, near);
+  Beside after = besideOf(run.last % count, +1, levels, leave_out, near);
   if (before.away == 0 && after.away == 0) return std::numeric_limits<double>::infinity();
   if (before.away == 0) before = {after.level, 1};
   if (after.away == 0) after = {before.level, 1};
@@ -156,16 +159,17 @@ std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const 
   });
   const UsualSection usual = usualOf(sections, firstBeyond(foot, surface), kNoise * foot.reach);
   std::vector<double> depths(count, 0.0);
-  std::vector<char> lower(count, 0);
+  std::vector<char> lower(count, 0), no_measure(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     depths[i] = depthBelow(sections[i], usual, kLeast * foot.reach);
     lower[i] = depths[i] > 0.0 ? 1 : 0;
+    no_measure[i] = depths[i] == 0.0 ? 0 : 1;  // one of which nothing is known may stand on the same bank
   }
   std::vector<bool> banks(count, false);
   for (const RingRun& run : runsRound(lower, near)) {
     double depth = 0.0;
     for (std::size_t i = run.first; i <= run.last; ++i) depth = std::max(depth, depths[i % count]);
-    if (riseOf(run, levels, lower, near) < kShareUp * depth) continue;
+    if (riseOf(run, levels, no_measure, near) < kShareUp * depth) continue;
     for (std::size_t i = run.first; i <= run.last; ++i) banks[i % count] = std::isfinite(levels[i % count]);
   }
   return banks;

@@ -57,6 +57,28 @@ TEST(FindBanks, WhatRisesAboveItsNeighboursAsTheFoundationSinksBelowItIsABank) {
   for (int s = 0; s < 360; ++s) EXPECT_EQ(banks[static_cast<std::size_t>(s)], isInArc(s)) << s;
 }
 
+/// Whether an arc is a bank that falls from 22 mm at its first station to nothing behind its last one, where a station
+/// that stands 22 mm high before it shows its ringwall or does not.
+bool isFallingBank(bool shows) {
+  constexpr int kBefore = kFirst - 8;
+  MadeFoot made;
+  std::vector<double> levels;
+  for (int s = 0; s < 360; ++s) {
+    const double along = static_cast<double>(s - kFirst) / (kLast + 1 - kFirst);
+    const bool stands = s <= kBefore - 8 || s == kBefore || s >= kFirst, high = s >= kBefore && s <= kLast;
+    const double level = !high ? 0.0 : isInArc(s) ? 0.022 * (1.0 - along) : 0.022;
+    levels.push_back(stands ? level : kUnknown);
+    const double ringwall = isInArc(s) ? -0.015 : level - 0.015;
+    if (stands && (s != kBefore || shows)) made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return ringwall; });
+  }
+  return findBanks(made.foot(), lipOf(0.0), levels)[kFirst + 2];
+}
+
+TEST(FindBanks, AStationThatMayStandOnTheSameBankIsNoMeasureOfItsRise) {
+  EXPECT_TRUE(isFallingBank(false));
+  EXPECT_FALSE(isFallingBank(true));
+}
+
 TEST(FindBanks, AnArcOverTheFirstAzimuthIsOneArc) {
   MadeFoot made;
   std::vector<double> levels;
