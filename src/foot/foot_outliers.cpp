@@ -89,11 +89,10 @@ FootFit ownFit(const Foot& foot, std::size_t station, const FootPass& pass, doub
 /// Whether points rise to the shell as no foundation does, which a fit that is told the slope does not show: a heap of
 /// soil. (They fall to it where few rows of the scan cross the lip: range noise moves a row's points along their rays.)
 bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own) {
-  constexpr double kSteeper = 0.01;  // than what is known of a wide surface's slope: more is not foundation [m/m]
   const double usual = priors.slope[station];
   if (!own.valid()) return false;
   if (priors.settled) return own.slope < std::min(usual, priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
-  return own.slope < usual - kSteeper - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
+  return own.slope < usual - kHeapFalls - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
 }
 
 /// The same of half the window that a station is fitted in.
