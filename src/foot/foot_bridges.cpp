@@ -93,7 +93,7 @@ std::vector<StationDatum> withoutGapsAboveShell(std::vector<StationDatum> statio
     for (std::size_t k = run.first; k <= run.last; ++k) {
       StationDatum& s = stations[k % stations.size()];
       s = unknown(s, s.reason == Unmeasured::NoShell ? s.reason : Unmeasured::ShellBelow);
-      ++below;
+      below += s.reason == Unmeasured::ShellBelow ? 1 : 0;
     }
   }
   const auto measured = static_cast<std::size_t>(std::count(gap.begin(), gap.end(), 0));
