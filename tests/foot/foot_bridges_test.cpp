@@ -106,5 +106,26 @@ TEST(WithGapsBridged, WhereNoShellIsSeenItDoesNotGoOnBelow) {
   EXPECT_EQ(stations[50].flag, StationFlag::Measured);
 }
 
+/// Whether a station beside a gap below which the shell goes on stands, with so many points of it below and above.
+bool standsBeside(int below, int above) {
+  MadeFoot made;
+  for (int i = 0; i < 8; ++i) made.add(100 * made.step(), 0.0, -0.010 - 0.001 * i);
+  for (int i = 0; i < below; ++i) made.add(101 * made.step(), 0.0, -0.010 - 0.001 * i);
+  for (int i = 0; i < above; ++i) made.add(101 * made.step(), 0.0, 0.010 + 0.001 * i);
+  const Foot& foot = made.foot();
+  std::vector<StationDatum> stations = bridgedOver({}, 0.0, 1);
+  stations[100] = {};
+  stations = withGapsBridged(stations, {}, foot, {{{0.0, 0.0}, kRadius}, 1e-4, {}});
+  EXPECT_EQ(stations[100].reason, Unmeasured::ShellBelow);
+  EXPECT_EQ(stations[102].flag, StationFlag::Measured);
+  return stations[101].flag == StationFlag::Measured;
+}
+
+TEST(WithGapsBridged, BesideSuchAGapFewPointsBelowWillDo) {
+  EXPECT_FALSE(standsBeside(1, 4));
+  EXPECT_TRUE(standsBeside(1, 5));
+  EXPECT_TRUE(standsBeside(0, 0));
+}
+
 }  // namespace
 }  // namespace tank_datum
