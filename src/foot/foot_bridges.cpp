@@ -79,6 +79,20 @@ StationDatum unknown(const StationDatum& station, Unmeasured reason) {
   return missing;
 }
 
+/// A gap below whose bridge the shell goes on, with the stations beside it at which some of the shell is seen below
+/// too: a few points, as there is a reason beside.
+RingRun withBeside(RingRun gap, const Foot& foot, const std::vector<StationDatum>& stations) {
+  const std::size_t count = stations.size();
+  const auto lies_lower = [&](std::size_t i) {
+    const StationDatum& s = stations[i % count];
+    return s.flag == StationFlag::Measured && countShell(foot, i % count, levelAt(foot, s.z, s.sigma_z)).isGoodPart();
+  };
+  gap.first += count, gap.last += count;
+  while (gap.last - gap.first < count - 2 && lies_lower(gap.last + 1)) ++gap.last;
+  while (gap.last - gap.first < count - 2 && lies_lower(gap.first - 1)) --gap.first;
+  return gap;
+}
+
 /// The stations without a datum in gaps where the shell is seen to go on below: the datum lies lower there, by what is
 /// not known. Where that is a third of all, what the others lie on is not the foot either.
 /// @param expected  elevation and its standard error at every station, as the others say
@@ -90,10 +104,11 @@ std::vector<StationDatum> withoutGapsAboveShell(std::vector<StationDatum> statio
   std::size_t below = 0;
   for (const RingRun& run : runsRound(gap)) {
     if (!goesOnIn(run, counts)) continue;
-    for (std::size_t k = run.first; k <= run.last; ++k) {
+    const RingRun all = withBeside(run, foot, stations);
+    for (std::size_t k = all.first; k <= all.last; ++k) {
       StationDatum& s = stations[k % stations.size()];
       s = unknown(s, s.reason == Unmeasured::NoShell ? s.reason : Unmeasured::ShellBelow);
-      ++below;
+      below += s.reason == Unmeasured::ShellBelow ? 1 : 0;
     }
   }
   const auto measured = static_cast<std::size_t>(std::count(gap.begin(), gap.end(), 0));

@@ -26,11 +26,19 @@ class RefusedLine {
   /// Whether a shell could follow it; not where nothing was refused.
   bool canBeDatum() const {
     constexpr double kSteepest = 0.1;  // fifty times what the codes allow [m/m]
+    constexpr double kDip = 0.2;       // no soil lies lower than the stations beside a gap [m/m]
+    const double most = dips() ? kDip : kSteepest;
     for (std::size_t i = 1; i < knots_.size(); ++i) {
       const double length = static_cast<double>(knots_[i].at - knots_[i - 1].at) * arc_;
-      if (std::abs(knots_[i].z - knots_[i - 1].z) > kSteepest * length) return false;
+      if (std::abs(knots_[i].z - knots_[i - 1].z) > most * length) return false;
     }
     return knots_.size() > 2;
+  }
+
+  /// Whether all that was refused lies below the stations beside.
+  bool dips() const {
+    const double beside = std::min(knots_.front().z, knots_.back().z);
+    return std::all_of(knots_.begin() + 1, knots_.end() - 1, [beside](const Knot& k) { return k.z < beside; });
   }
 
   /// Elevation so many stations on from the one before the gap [m].
@@ -54,7 +62,8 @@ class RefusedLine {
 
 std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations, const std::vector<double>& refused,
                                              const Foot& foot) {
-  constexpr double kHolds = 0.5;  // of the difference: two standard errors hold it
+  constexpr double kHolds = 0.5;   // of the difference: two standard errors hold it
+  constexpr double kBeside = 0.5;  // of it, where a dip begins at the station beside
   const std::size_t count = stations.size();
   std::vector<char> gaps;
   for (const StationDatum& s : stations) gaps.push_back(s.flag == StationFlag::Measured ? 0 : 1);
@@ -67,6 +76,12 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
       s.z_refused = line.at(k - gap.first + 1);
       if (s.flag == StationFlag::Interpolated) s.sigma_z = std::hypot(s.sigma_z, kHolds * (s.z_refused - s.z));
     }
+    if (!line.dips()) continue;
+    const auto doubtBeside = [&](StationDatum& s, double next) {
+      s.sigma_z = std::hypot(s.sigma_z, kHolds * kBeside * (s.z - next));
+    };
+    doubtBeside(stations[(gap.first + count - 1) % count], line.at(1));
+    doubtBeside(stations[(gap.last + 1) % count], line.at(gap.last - gap.first + 1));
   }
   return stations;
 }

@@ -15,6 +15,8 @@
 
 namespace tank_datum {
 
+struct Tank;
+
 /// What is known of the foundation surface before a station's own points are looked at.
 struct FootPrior {
   PeriodicFit slope;       ///< across the shell, against azimuth [m/m]
@@ -41,6 +43,11 @@ class FootRing {
  public:
   /// @param side  +1 when the foundation lies outside of the shell, -1 inside
   FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach);
+
+  /// Leaves out what stands upright before the shell, as chairs and plants do, with the ground about its foot: points
+  /// low on an upright face are near the foundation's level, and on one side of it.
+  /// @param nearest  where the foundation begins [m]
+  void leaveOutUprights(const Tank& tank, double nearest, double reach);
 
   /// The points within half_width [rad] of an azimuth and within `height` of an elevation [m].
   std::vector<FootPoint> around(double azimuth, double half_width, double z, double height) const;

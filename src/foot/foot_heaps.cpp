@@ -55,11 +55,10 @@ FootFit ownFit(const Foot& foot, std::size_t station, const FootPass& pass, doub
 }
 
 bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own) {
-  constexpr double kSteeper = 0.01;  // than what is known of a wide surface's slope: more is not foundation [m/m]
   const double usual = priors.slope[station];
   if (!own.valid()) return false;
   if (priors.settled) return own.slope < std::min(usual, priors.seen) - kSteepestLip - 3.0 * own.sigma_slope;
-  return own.slope < usual - kSteeper - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
+  return own.slope < usual - kHeapFalls - 3.0 * std::hypot(own.sigma_slope, priors.sigma_slope[station]);
 }
 
 bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {

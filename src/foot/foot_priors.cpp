@@ -3,12 +3,14 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
 #include "fit/circular_series.h"
 #include "fit/harmonics.h"
 #include "foot/foot_check.h"
+#include "foot/foot_profile.h"
 #include "foot/foot_state.h"
 #include "foot/ring_slope.h"
 #include "foot/slanting_beams.h"
@@ -25,7 +27,7 @@ constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looke
 struct Slopes {
   std::size_t stride;
   std::vector<FootFit> fits;
-  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation; 0 where not looked at
+  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation
   std::vector<BandPoints> bands;
 };
 
@@ -43,8 +45,8 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   Slopes slopes;
   slopes.stride = std::max<std::size_t>(1, count / windows.count);
   slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
-  slopes.steepness.resize(slopes.fits.size());
   slopes.bands.resize(slopes.fits.size());
+  std::vector<RayCounts> rays(slopes.fits.size());
   FootPrior prior;
   prior.sigma_slope = windows.sigma_slope;
   prior.sigma_bend = sigma_bend;
@@ -56,9 +58,10 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
     const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
     slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, profile.slope, prior);
     if (!windows.beams) return;
-    slopes.steepness[k] = steepnessOf(points, profile, level + profile.offset, foot.reach);
+    rays[k] = countRays(points, profile, level + profile.offset, foot.reach);
     slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
   });
+  slopes.steepness = steepnessAlong(rays, foot.reach);
   return slopes;
 }
 
@@ -66,18 +69,23 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
 void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
+  constexpr std::size_t kFewest = 6;
   const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope, false}, priors.sigma_bend);
-  std::vector<double> azimuths, slopes, weights;
   std::vector<WeightedValue> seen;
-  for (std::size_t k = 0; k < found.fits.size(); ++k) {
-    if (!found.fits[k].valid()) continue;
-    azimuths.push_back(foot.directions[k * found.stride]);
-    slopes.push_back(found.fits[k].slope);
-    weights.push_back(1.0 / (found.fits[k].sigma_slope * found.fits[k].sigma_slope));
-    seen.push_back({slopes.back(), weights.back()});
+  for (const FootFit& fit : found.fits) {
+    if (fit.valid()) seen.push_back({fit.slope, 1.0 / square(fit.sigma_slope)});
   }
-  if (slopes.size() < 6) return;
+  if (seen.size() < kFewest) return;
   priors.seen = weightedMedian(std::move(seen));
+  std::vector<double> azimuths, slopes, weights;
+  for (std::size_t k = 0; k < found.fits.size(); ++k) {
+    const FootFit& fit = found.fits[k];
+    // soil over a third of the ring would tilt the harmonic
+    if (!fit.valid() || fit.slope < priors.seen - kHeapFalls - 3.0 * fit.sigma_slope) continue;
+    azimuths.push_back(foot.directions[k * found.stride]);
+    slopes.push_back(fit.slope), weights.push_back(1.0 / square(fit.sigma_slope));
+  }
+  if (slopes.size() < kFewest) return;
   double mean = 0;
   for (const double w : weights) mean += w / static_cast<double>(weights.size());
   for (double& w : weights) w /= mean;
@@ -137,6 +145,13 @@ struct LipSlopes {
   std::vector<SeriesValue> series;  ///< with the lean in their errors
   std::vector<double> lean;
   double doubt = 0;  ///< the lean that range noise may feign, typical [m/m]
+
+  double usualLean() const {
+    std::vector<double> leans;
+    for (std::size_t k = 0; k < lean.size(); ++k)
+      if (std::isfinite(series[k].value)) leans.push_back(lean[k]);
+    return median(leans);
+  }
 };
 
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
@@ -176,14 +191,14 @@ std::vector<SeriesValue> blendedSlopes(const LipSlopes& lips, const std::vector<
 /// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
 void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
-  constexpr double kBlendLean = 3.5;     // as lips lean on simulated scans whose beams are wide
   constexpr std::size_t kWidest = 4;
   const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
   if (lips.series.empty()) return;
   std::vector<SeriesValue> smooth = smoothed(lips.series, kWidest);
   const FootProfile& whole = sections.whole;
-  const double lean = kBlendLean * blendBeyond(whole) / whole.edge;
-  const MeanSlope ring = drawTogether(lips.seen, lips.series, {whole.slope_beyond, lips.doubt, lean}, smooth);
+  const BlendLean lean = blendLean(whole, lips.usualLean());
+  const MeanSlope ring =
+      drawTogether(lips.seen, lips.series, {whole.slope_beyond, lips.doubt, lean.surely, lean.maybe}, smooth);
   priors.seen = ring.seen;
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);
@@ -191,7 +206,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   const double least = std::hypot(kLeastSigma, ring.sigma);  // what the windows together leave open
   const std::vector<SeriesValue> blended = blendedSlopes(lips, smooth, kWidest);
   BlendedLip& blends = priors.blends;
-  blends.level_at = 0.5 * (foot.scales.nearest() + whole.edge);
+  blends.level_at = 0.5 * (foot.scales.nearest() + seenTo(whole));
   blends.slope.assign(priors.slope.size(), 0.0), blends.sigma = blends.slope;
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const BetweenValues at(smooth, i, lips.stride);

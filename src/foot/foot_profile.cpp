@@ -151,6 +151,12 @@ const char* nameOf(Surface surface) {
   return "";
 }
 
+double seenTo(const FootProfile& lip) {
+  auto last = static_cast<std::size_t>(std::lround(lip.edge / lip.bin));
+  while (last > 0 && !std::isfinite(lip.height[last - 1])) --last;
+  return static_cast<double>(last) * lip.bin;
+}
+
 FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, const std::vector<double>& datum,
                          const FootScales& scales) {
   constexpr double kUnseen = 0.15;  // of the reach

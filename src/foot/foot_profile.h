@@ -41,6 +41,9 @@ inline bool fitsLevel(const FootPoint& p, double level, const FootProfile& profi
   return std::abs(p.z - level - profile.slope * p.d) <= heightTolerance(profile);
 }
 
+/// How far out a lip is seen; a crown may hide the rest of it, and its edge [m].
+double seenTo(const FootProfile& lip);
+
 /// Stacks the points of all stations, z relative to `datum` of their station, and finds the surface that meets the
 /// shell: the line through the bins just outside the weld, extended both ways while bins lie on it.
 FootProfile stackProfile(const std::vector<std::vector<FootPoint>>& stations, const std::vector<double>& datum,

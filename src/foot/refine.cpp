@@ -65,6 +65,7 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
             directionsOf(station_options),
             {},
             {}};
+  if (isResolved(foot)) foot.ring.leaveOutUprights(tank, scales.nearest(), reach);
   for (const ShellLine& line : shell.lines) foot.shell_seen.push_back(line.seen());
   foot.points.resize(foot.directions.size());
   forEachIndex(foot.points.size(), 0, [&](std::size_t i) {

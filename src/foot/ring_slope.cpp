@@ -31,7 +31,7 @@ MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
   const double share = leaning / (parallel + leaning);
   const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd), mean = weight * own;
   const double variance = (1.0 - share) * beams * beams + share * (weight * odd * odd + (1.0 - share) * mean * mean);
-  return {seen, expected.parallel + share * mean, withPrior(std::sqrt(variance))};
+  return {seen, expected.parallel + share * mean, withPrior(std::hypot(std::sqrt(variance), kBeams * expected.more))};
 }
 
 /// Slopes that are known, and the variances of their errors.

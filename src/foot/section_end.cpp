@@ -25,9 +25,10 @@ BinLine innerLine(const FootProfile& profile, std::size_t first, std::size_t las
 bool stepsOff(const FootProfile& profile, std::size_t last, const BinLine& line) {
   std::vector<double> beyond;
   for (std::size_t i = last + 2; i < profile.height.size() && beyond.size() < 8; ++i) {
-    if (std::isfinite(profile.height[i])) beyond.push_back(profile.height[i] - line.at(middle(profile, i)));
+    if (std::isfinite(profile.height[i])) beyond.push_back(std::abs(profile.height[i] - line.at(middle(profile, i))));
   }
-  return !beyond.empty() && !(std::abs(median(beyond)) < std::max(0.003, 2.0 * profile.noise));
+  // below it in a gap and above it on the crown beyond is off it too
+  return !beyond.empty() && !(median(beyond) < std::max(0.003, 2.0 * profile.noise));
 }
 
 /// What the number of a bin's points is proportional to, as they scatter more than their median; NaN where it is not

@@ -24,15 +24,38 @@ double steepnessBy(double points_a_metre, double on_shell, double reach) {
 
 }  // namespace
 
-double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
+RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
   const double within = heightTolerance(profile);
-  double lip = 0, shell = 0;
+  RayCounts counts;
   for (const FootPoint& p : points) {
-    if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(p.z - level) <= within) ++lip;
-    if (isOnShell(p, profile, level, reach)) ++shell;
+    if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(p.z - level) <= within) ++counts.on_band;
+    if (isOnShell(p, profile, level, reach)) ++counts.on_shell;
   }
-  if (shell < kFewestOnShell) return 0.0;  // not known: as if it grazed
-  return steepnessBy(lip / (profile.band_to - profile.band_from), shell, reach);
+  counts.a_metre = counts.on_band / (profile.band_to - profile.band_from);
+  return counts;
+}
+
+double RayCounts::steepness(double reach) const {
+  return on_shell < kFewestOnShell ? 0.0 : steepnessBy(a_metre, on_shell, reach);  // not known: as if it grazed
+}
+
+double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
+  return countRays(points, profile, level, reach).steepness(reach);
+}
+
+std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double reach) {
+  constexpr double kEnough = 50.0;  // points: of a few rows
+  const std::size_t count = windows.size();
+  std::vector<double> steepness;
+  for (std::size_t i = 0; i < count; ++i) {
+    RayCounts sum = windows[i];
+    for (std::size_t away = 1; sum.on_band < kEnough && 2 * away < count; ++away) {
+      sum.add(windows[(i + away) % count]);
+      sum.add(windows[(i + count - away) % count]);
+    }
+    steepness.push_back(std::min(windows[i].steepness(reach), sum.steepness(reach)));
+  }
+  return steepness;
 }
 
 bool risesOutwards(const FootFit& fit) { return fit.slope > 3.0 * fit.sigma_slope; }
@@ -98,7 +121,18 @@ double beamLean(double steepness, double lip) {
   return std::max(0.0, kBeam / lip - steepness);
 }
 
-double blendBeyond(const FootProfile& profile) {
+namespace {
+
+/// How far what lies beyond an edge is lifted beside it.
+struct LiftBeyond {
+  double lift = 0, uneven = 0;  ///< [m]
+
+  /// More than its unevenness explains.
+  double surely() const { return std::max(0.0, lift - 2.0 * uneven); }
+};
+
+/// @return lift, and what the ground scatters by there; nothing where no drop is seen
+LiftBeyond liftBeyond(const FootProfile& profile) {
   constexpr double kLeastDrop = 0.003, kBeside = 0.009;  // [m]
   constexpr double kFar = 0.030, kEnd = 0.090;           // where no beam meets the edge too [m]
   const auto level = [&](std::size_t bin) { return profile.height[bin] - profile.slope_beyond * middle(profile, bin); };
@@ -108,7 +142,7 @@ double blendBeyond(const FootProfile& profile) {
     if (beyond > kFar && beyond < kEnd && std::isfinite(level(i))) far.push_back(level(i));
   }
   const double below = median(far), plate = profile.offset + (profile.slope - profile.slope_beyond) * profile.edge;
-  if (far.empty() || !(plate - below > kLeastDrop)) return 0.0;
+  if (far.empty() || !(plate - below > kLeastDrop)) return {};
   const auto isBelow = [&](std::size_t i) { return level(i) < 0.5 * (plate + below); };
   auto face = static_cast<std::size_t>(profile.edge / profile.bin);
   while (face < profile.height.size() && !isBelow(face)) ++face;
@@ -117,7 +151,19 @@ double blendBeyond(const FootProfile& profile) {
     const double d = middle(profile, i);
     if (isBelow(i) && d >= from && d < from + 2.0 * profile.bin) beside.push_back(level(i) - below);
   }
-  return beside.empty() ? 0.0 : std::max(0.0, median(beside) - 2.0 * robustSigma(far, below));
+  if (beside.empty()) return {};
+  return {std::max(0.0, median(beside)), robustSigma(far, below)};
+}
+
+}  // namespace
+
+double blendBeyond(const FootProfile& profile) { return liftBeyond(profile).surely(); }
+
+BlendLean blendLean(const FootProfile& profile, double most) {
+  constexpr double kLean = 3.5;  // as lips lean on simulated scans whose beams are wide
+  const LiftBeyond beyond = liftBeyond(profile);
+  const double surely = kLean * beyond.surely() / profile.edge, seen = kLean * beyond.lift / profile.edge;
+  return {surely, std::max(0.0, std::min(seen, most) - surely)};
 }
 
 SeriesValue blendedSlope(const SeriesValue& seen, double lip, double lean) {

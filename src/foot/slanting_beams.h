@@ -20,6 +20,26 @@ namespace tank_datum {
 /// @return 0, as if they grazed, where the shell shows too few points to tell
 double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach);
 
+/// Points of a window on the foundation and on the shell.
+struct RayCounts {
+  double on_band = 0;   ///< points on the foundation
+  double a_metre = 0;   ///< of those to a metre outwards [1/m]
+  double on_shell = 0;  ///< points on the shell, up to a height that all windows have alike
+
+  void add(const RayCounts& o) { on_band += o.on_band, a_metre += o.a_metre, on_shell += o.on_shell; }
+  /// What they show, as steepnessOf().
+  double steepness(double reach) const;
+};
+
+/// @param points,profile,level,reach  as of steepnessOf()
+RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach);
+
+/// Steepness at windows round the ring. Where few rows of the scan cross a lip, a window that shows some of it has more
+/// points than its share, as if rays were steep: it is seen no more steeply than with those beside it together, until
+/// there are enough points.
+/// @param reach  of the section [m]
+std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double reach);
+
 /// The most that a lip may seem to lean where beams slant: the slope that a beam's width is over the lip, less the
 /// slope of the rays; as measured on simulated lips that are level. Zero where the footprint is shorter than the lip.
 /// @param lip  width of the lip [m]
@@ -61,6 +81,15 @@ double feignedSlope(const BandPoints& points, double steepness, double noise, do
 /// seen.
 /// @return [m]
 double blendBeyond(const FootProfile& profile);
+
+/// The slope that beams feign on a lip.
+struct BlendLean {
+  double surely = 0;  ///< as what is lifted beyond its edge shows [m/m]
+  double maybe = 0;   ///< so much more where the unevenness of what lies there may be none [m/m]
+};
+
+/// @param most  that beams can feign, as they slant [m/m]
+BlendLean blendLean(const FootProfile& profile, double most);
 
 /// The slope that beams feign which meet shell or edge too, where a lip is seen to lean otherwise than it does: no more
 /// than they can, and downwards only.

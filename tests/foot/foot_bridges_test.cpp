@@ -14,8 +14,9 @@ using namespace made_feet;
 
 /// Stations of a level ring, of which some are not measured; where those are, the shell is seen down to so far below
 /// the others with so many points a station.
+/// @param no_shell  so many stations from 110 on have no shell
 std::vector<StationDatum> bridgedOver(const std::vector<int>& gap, double down_to, int count,
-                                      double longest_bridge = StationOptions().longest_bridge) {
+                                      double longest_bridge = StationOptions().longest_bridge, int no_shell = 0) {
   MadeFoot made;
   for (const int s : gap) {
     for (int i = 0; i < count; ++i) made.add(s * made.step(), 0.0, -down_to * (i + 0.5) / count);
@@ -31,7 +32,8 @@ std::vector<StationDatum> bridgedOver(const std::vector<int>& gap, double down_t
   }
   for (const int s : gap) {
     stations[static_cast<std::size_t>(s)].flag = StationFlag::Missing;
-    stations[static_cast<std::size_t>(s)].reason = Unmeasured::Hidden;
+    stations[static_cast<std::size_t>(s)].reason =
+        s >= 110 && s < 110 + no_shell ? Unmeasured::NoShell : Unmeasured::Hidden;
   }
   StationOptions options;
   options.longest_bridge = longest_bridge;
@@ -94,6 +96,35 @@ TEST(WithGapsBridged, WhereTheShellGoesOnBelowAThirdOfTheStationsNoneStands) {
   EXPECT_EQ(measured(60), 300);
   EXPECT_EQ(measured(115), 245);
   EXPECT_EQ(measured(125), 0);
+}
+
+TEST(WithGapsBridged, WhereNoShellIsSeenItDoesNotGoOnBelow) {
+  std::vector<int> gap;
+  for (int s = 100; s < 240; ++s) gap.push_back(s);
+  const auto stations = bridgedOver(gap, 0.02, 8, kTwoPi / 2.0, 130);
+  EXPECT_EQ(stations[105].reason, Unmeasured::ShellBelow);
+  EXPECT_EQ(stations[50].flag, StationFlag::Measured);
+}
+
+/// Whether a station beside a gap below which the shell goes on stands, with so many points of it below and above.
+bool standsBeside(int below, int above) {
+  MadeFoot made;
+  for (int i = 0; i < 8; ++i) made.add(100 * made.step(), 0.0, -0.010 - 0.001 * i);
+  for (int i = 0; i < below; ++i) made.add(101 * made.step(), 0.0, -0.010 - 0.001 * i);
+  for (int i = 0; i < above; ++i) made.add(101 * made.step(), 0.0, 0.010 + 0.001 * i);
+  const Foot& foot = made.foot();
+  std::vector<StationDatum> stations = bridgedOver({}, 0.0, 1);
+  stations[100] = {};
+  stations = withGapsBridged(stations, {}, foot, {{{0.0, 0.0}, kRadius}, 1e-4, {}});
+  EXPECT_EQ(stations[100].reason, Unmeasured::ShellBelow);
+  EXPECT_EQ(stations[102].flag, StationFlag::Measured);
+  return stations[101].flag == StationFlag::Measured;
+}
+
+TEST(WithGapsBridged, BesideSuchAGapFewPointsBelowWillDo) {
+  EXPECT_FALSE(standsBeside(1, 4));
+  EXPECT_TRUE(standsBeside(1, 5));
+  EXPECT_TRUE(standsBeside(0, 0));
 }
 
 }  // namespace

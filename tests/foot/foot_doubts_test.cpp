@@ -58,6 +58,18 @@ TEST(WithRefusedDoubted, NoShellFollowsWhatRisesByMoreThanOneInTen) {
   EXPECT_EQ(doubted(0.11 * two_stations)[101].sigma_z, 0.0001);
 }
 
+TEST(WithRefusedDoubted, ADipMayFallByTwoInTen) {
+  const double two_stations = 2.0 * kTwoPi / 360.0 * kRadius;
+  EXPECT_GT(doubted(-0.19 * two_stations)[101].sigma_z, 0.01);
+  EXPECT_EQ(doubted(-0.21 * two_stations)[101].sigma_z, 0.0001);
+}
+
+TEST(WithRefusedDoubted, ADipBeginsAtTheStationsBeside) {
+  const auto stations = doubted(-0.020);
+  for (const std::size_t beside : {99U, 103U}) EXPECT_NEAR(stations[beside].sigma_z, 0.25 * 0.010, 1e-5) << beside;
+  for (const std::size_t farther : {98U, 104U}) EXPECT_EQ(stations[farther].sigma_z, 0.0001) << farther;
+}
+
 TEST(WithRefusedDoubted, WhereNothingWasRefusedNothingIsDoubted) { EXPECT_EQ(doubted(kUnknown)[101].sigma_z, 0.0001); }
 
 }  // namespace

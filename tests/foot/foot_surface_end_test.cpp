@@ -62,6 +62,13 @@ TEST(SurfaceOf, WhatLiesBeyondIsOnNoLineThatTooFewBinsTell) {
   EXPECT_EQ(surfaceAbove(0.0, {0.0, kUnknown}), Surface::AnnularPlate);
 }
 
+TEST(SurfaceOf, AGapBelowTheLineAndACrownAboveItAreOffItTogether) {
+  FootProfile profile;
+  profile.bin = 0.003, profile.noise = 0.0005;
+  for (int bin = 0; bin < 100; ++bin) profile.height.push_back(bin < 20 ? 0.0 : bin < 25 ? -0.010 : 0.010);
+  EXPECT_EQ(surfaceOf(profile, 5, 19, {0.0, 0.0}, {0.3, 0.001, 0.013}), Surface::AnnularPlate);
+}
+
 /// The slope seen beyond a lip whose bins hold 120 points each, of something that rises by 0.08 m/m and holds so many.
 double slopeBeyondOf(int points) {
   std::vector<FootPoint> section;

@@ -62,5 +62,23 @@ TEST(RefineStations, StationsTwoDegreesApartLookAtTheDegreeTheyStandIn) {
   EXPECT_NEAR(windowOf(ring, options, 360), 1.0, 0.01);
 }
 
+TEST(RefineStations, WhatStandsUprightBeforeTheShellIsNoFoundation) {
+  Ring ring = ringOf(60'000, 0.0005);
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any;
+  for (int i = 0; i < 4'000; ++i) {  // a face 80 mm from the shell, over four degrees
+    const double a = toRadians(88.0 + 4.0 * any(random)), r = kRadius + 0.08;
+    ring.points.push_back({r * std::cos(a), r * std::sin(a), 0.45 * any(random)});
+  }
+  RefineOptions options;
+  options.wanted_sigma = 1.0;
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  const std::vector<StationDatum> stations = refineStations(ring, tank, options, {}).stations;
+  EXPECT_LT(*stations[89].n_foundation, *stations[80].n_foundation * 8 / 10);
+  EXPECT_NEAR(stations[89].z, 0.0, 0.0005);
+}
+
 }  // namespace
 }  // namespace tank_datum

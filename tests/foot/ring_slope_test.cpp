@@ -41,5 +41,11 @@ TEST(DrawTogether, SlopesThatDifferLittleMayDifferUnseen) {
   EXPECT_NEAR(sigmaWhere(0.2, 0.2), 0.2 * kError * std::sqrt(0.5 * std::sqrt(2.0 / 72.0)), 0.012 * kError);
 }
 
+TEST(DrawTogether, OfWhatBeamsMayFeignBesidesSixTenthsAreDoubted) {
+  std::vector<SeriesValue> seen(72, {0.0, 1e-5, 1.0}), smooth = seen;
+  const double sigma = drawTogether(seen, seen, {0.0, 1e-4, 0.0, 0.02}, smooth).sigma;
+  EXPECT_NEAR(sigma, 1.0 / std::hypot(1.0 / 0.012, 1.0 / 0.03), 1e-5);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -57,6 +57,17 @@ TEST(SteepnessOf, OfAShellThatIsHardlySeenIsNotKnown) {
   EXPECT_GT(steepnessOf(window(40, 20), lip(), 2.0, 0.5), 0.0);
 }
 
+/// Steepness at the first of four windows whose shells are seen alike; the others have no point of the lip.
+double steepnessBesideNone(double points) {
+  return steepnessAlong({{points, points / 0.04, 200}, {0, 0, 200}, {0, 0, 200}, {0, 0, 200}}, 0.5).front();
+}
+
+TEST(SteepnessAlong, OfFewPointsIsThatOfTheWindowsBesideTogether) {
+  EXPECT_NEAR(steepnessBesideNone(50), 50.0 / 0.04 / (200.0 / 0.2), 1e-12);
+  EXPECT_NEAR(steepnessBesideNone(49), 49.0 / 0.04 / (600.0 / 0.2), 1e-12);
+  EXPECT_NEAR(steepnessAlong({{4, 100, 200}, {40, 1000, 200}, {9, 200, 200}}, 0.5)[0], 0.1, 1e-12) << "seen so";
+}
+
 TEST(BeamLean, IsThatOfLevelLipsSeenByWideBeams) {
   // slopes fitted to level lips in a simulated scan with mixed pixels, by the rays' steepness, lip to 54 mm
   EXPECT_NEAR(beamLean(0.051, 0.054), 0.10, 0.035);
@@ -98,6 +109,15 @@ TEST(BlendBeyond, IsWhatStandsOutOfAnUnevenGround) {
   const double even = blendBeyond(edgeWith(0.003, 0.0));
   EXPECT_NEAR(blendBeyond(edgeWith(0.003, 0.0, 0.010, 0.00005)), even - 2.0 * 1.4826 * 0.00005, 0.00006);
   EXPECT_EQ(blendBeyond(edgeWith(0.003, 0.0, 0.010, 0.00030)), 0.0);
+}
+
+TEST(BlendLean, WhatUnevenGroundMayHideIsDoubtedAsFarAsBeamsCanFeignIt) {
+  const FootProfile uneven = edgeWith(0.003, 0.0, 0.010, 0.00005);
+  const double surely = 3.5 * blendBeyond(uneven) / 0.060, hidden = 3.5 * 2.0 * 1.4826 * 0.00005 / 0.060;
+  EXPECT_NEAR(blendLean(uneven, 0.1).surely, surely, 1e-9);
+  EXPECT_NEAR(blendLean(uneven, 0.1).maybe, hidden, 0.05 * hidden);
+  EXPECT_NEAR(blendLean(uneven, surely + 0.3 * hidden).maybe, 0.3 * hidden, 1e-9);
+  EXPECT_EQ(blendLean(uneven, 0.0).maybe, 0.0);
 }
 
 TEST(LiftOf, IsThatOfTheMiddleWhereTheLiftFallsOffWithTheSquareOfTheDistance) {

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/made_feet.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_feet;
+
+/// What is learnt where the section is that of a surface level up to its edge, in bins of 3 mm, and so beyond.
+/// @param seen_to  from where on up to the edge nothing is seen [m]
+FootPriors learnt(MadeFoot& made, Surface surface, double edge, double seen_to) {
+  FootSections sections;
+  FootProfile& whole = sections.whole;
+  whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = seen_to, whole.edge = edge;
+  whole.blur = 0.004, whole.noise = 0.0005, whole.surface = surface;
+  for (int bin = 0; bin < 100; ++bin) {
+    const double d = middle(whole, static_cast<std::size_t>(bin));
+    whole.height.push_back(d < seen_to ? 0.0 : d < edge ? kUnknown : 0.020);
+  }
+  sections.stations = 360;
+  const FootElevations level{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
+  return learnPriors(made.foot(), level, sections);
+}
+
+/// The slopes of a pad that falls by 0.005 m/m, and by more over a third of the ring; a quarter of it is not seen.
+FootPriors padUnderSoil(double more) {
+  MadeFoot made;
+  for (int s = 0; s < 270; ++s)
+    made.addStation(s, 40, 0.02, 0.28, [&](double d) { return (s < 120 ? -0.005 - more : -0.005) * d; });
+  return learnt(made, Surface::Foundation, 0.3, 0.3);
+}
+
+TEST(LearnPriors, SoilThatFallsMoreSteeplyOverAThirdOfTheRingTiltsNoPad) {
+  const FootPriors priors = padUnderSoil(0.017);
+  EXPECT_NEAR(priors.slope[60], -0.005, 0.001);
+  EXPECT_NEAR(priors.slope[200], -0.005, 0.001);
+  EXPECT_NEAR(priors.sigma_slope[200], 0.003, 1e-5);
+}
+
+TEST(LearnPriors, APadMayFallByEightMillimetresAMetreMoreThanElsewhere) {
+  EXPECT_LT(padUnderSoil(0.008).slope[60], -0.010);
+}
+
+TEST(LearnPriors, ALipWhoseEdgeACrownHidesIsLevelAmidWhatIsSeenOfIt) {
+  MadeFoot made;
+  made.addAll(40, 0.0155, 0.0385, [](double) { return 0.0; });
+  const FootPriors priors = learnt(made, Surface::AnnularPlate, 0.165, 0.039);
+  EXPECT_NEAR(priors.blends.level_at, 0.5 * (kScales.weld + 0.039), 1e-9);
+}
+
+}  // namespace
+}  // namespace tank_datum
