@@ -75,8 +75,8 @@ std::size_t firstBeyond(const Foot& foot, const FootProfile& surface) {
   return std::max(kFirst, static_cast<std::size_t>(std::ceil(lip)));
 }
 
-/// How far a section lies below the usual one, where that is more than chance explains, else 0 [m]; NaN where too little
-/// of it is seen to tell.
+/// How far a section lies below the usual one, where that is more than chance explains, else 0; NaN where too little of
+/// it is seen to tell [m].
 double depthBelow(const Section& section, const UsualSection& usual, double least) {
   constexpr double kStands = 3.0;
   constexpr int kFewest = 2;  // bins
