@@ -5,6 +5,7 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
+#include "foot/section_lines.h"
 
 namespace tank_datum {
 namespace {
@@ -52,21 +53,25 @@ std::size_t thinStrips(const std::vector<FootStrip>& strips, double share, const
   return thin;
 }
 
-/// Heights of all points on the surface in some strips.
-std::vector<double> heightsIn(const std::vector<FootStrip>& strips, std::size_t first, std::size_t last) {
-  std::vector<double> heights;
-  for (std::size_t k = first; k < last; ++k)
-    heights.insert(heights.end(), strips[k].heights.begin(), strips[k].heights.end());
-  return heights;
+/// The line through the heights in some strips, against the strip's number.
+/// @param bend  by which it may rise from strip to strip [m]
+SectionLine lineOf(const std::vector<FootStrip>& strips, BinRange range, double bend) {
+  std::vector<SectionBin> bins;
+  for (std::size_t k = range.first; k < range.last; ++k) {
+    const std::vector<double>& heights = strips[k].heights;
+    if (heights.empty()) continue;
+    const double z = median(heights);
+    const double error = kMedianOverMean * robustSigma(heights, z) / std::sqrt(onSurface(strips[k]));
+    bins.push_back({static_cast<double>(k), z, std::max(error, 1e-7)});
+  }
+  return lineThrough(bins, {0, bins.size()}, bend);
 }
 
-/// Whether points of some strips beside the shell lie off those beyond.
+/// Whether points of some strips beside the shell lie off the line through those beyond.
 bool areOff(const std::vector<FootStrip>& strips, std::size_t count, double bend) {
-  const std::vector<double> inner = heightsIn(strips, 0, count), beyond = heightsIn(strips, count, count + kBeyond);
-  const double a = median(inner), b = median(beyond);
-  const double error = kMedianOverMean * std::hypot(robustSigma(inner, a) / std::sqrt(inner.size()),
-                                                    robustSigma(beyond, b) / std::sqrt(beyond.size()));
-  return std::abs(a - b) > bend + 3.0 * error;
+  const SectionLine inner = lineOf(strips, {0, count}, bend), beyond = lineOf(strips, {count, count + kBeyond}, bend);
+  const double error = std::sqrt(inner.variance + beyond.varianceAt(inner.middle));
+  return std::abs(inner.height - beyond.at(inner.middle)) > bend + 3.0 * error;
 }
 
 }  // namespace
