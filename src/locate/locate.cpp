@@ -97,7 +97,8 @@ bool holdStrays(const std::vector<Sample>& samples) {
 Tank describeKnown(const std::vector<Sample>& samples, const Circle& circle) {
   if (samples.empty()) return {};
   const Sample& sample = samples.front();
-  Tank tank = describe(sample.points, sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
+  const double rms = std::max(sample.voxel, 0.005 * circle.radius);
+  Tank tank = describe(sample.points, sample, circle, rms, kLeastFoundation, true);
   if (tank.foot.valid()) lookBehind(tank, mapWalls(sample.points, sample.voxel));
   return tank;
 }

@@ -162,7 +162,7 @@ PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vecto
   return fit;
 }
 
-Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least) {
+Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least, bool given) {
   Tank tank;
   tank.circle = circle;
   tank.rms = rms;
@@ -176,11 +176,12 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
     double above = rms;
     const Circle shell = setBackCircle(views, circle, above);
     const double moved = (shell.center - circle.center).norm() + std::abs(shell.radius - circle.radius);
-    if (std::max(3.0 * rms, moved) > kShortOfRingwall || !tank.has_foundation) {
+    const bool is_face = moved > kShortOfRingwall, is_both = 3.0 * rms > kShortOfRingwall;
+    if (given ? !is_face : is_face || is_both || !tank.has_foundation) {
       tank.circle = shell, tank.rms = above;
       views = aboveSteps(std::move(views));
       look(tank, views, least);
-    } else if (!beginAtSteps(views, sample.voxel)) {
+    } else if (given || !beginAtSteps(views, sample.voxel)) {
       tank.ringwall_width = tank.ringwall_height = 0.0;
     }
   }

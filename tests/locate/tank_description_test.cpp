@@ -79,7 +79,7 @@ TEST(Describe, AStepOverHalfTheShellIsARingwalls) {
 
 /// What is seen, by the circle of its face, of a ringwall that stands out by 0.4 m, and of the shell above it: so much
 /// over so many degrees.
-Tank byItsFace(double shell, double degrees) {
+Tank byItsFace(double shell, double degrees, bool given = false) {
   Sample sample{{}, 0.1, false};
   Points above;
   addFace(above, 0.0, 1.0, 1.0 + shell);
@@ -89,7 +89,7 @@ Tank byItsFace(double shell, double degrees) {
   }
   addFace(sample.points, 0.4, 0.0, 0.99);
   addGround(sample.points, 0.0);
-  return describe(sample.points, sample, {{0.0, 0.0}, kRadius + 0.4}, 0.002);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius + 0.4}, 0.002, kLeastFoundation, given);
 }
 
 TEST(Describe, AShellFarBehindTheFaceOfItsRingwallIsFound) {
@@ -107,6 +107,13 @@ TEST(Describe, WhereAFaceOnlyIsSeenNothingTellsOfItsStep) {
   EXPECT_NEAR(tank.foot(1.0), 1.0, 0.06);
   EXPECT_NEAR(tank.coverage, 100.0 * kDegree, 5.0 * kDegree);
   EXPECT_FALSE(byItsFace(0.0, 360.0).standsOnRingwall());
+}
+
+TEST(Describe, AGivenCircleIsNotLeftForAnother) {
+  const Tank tank = byItsFace(3.0, 360.0, true);
+  EXPECT_NEAR(tank.circle.radius, kRadius + 0.4, 0.001);
+  EXPECT_NEAR(tank.foot(1.0), 0.0, 0.06);
+  EXPECT_FALSE(tank.standsOnRingwall());
 }
 
 TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
