@@ -76,9 +76,8 @@ std::size_t firstFrom(const std::vector<Hit>& run, double height) {
 }  // namespace
 
 StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
-  constexpr double kHighest = 2.0;  // ringwalls stand out of the ground by no more [m]
-  constexpr double kClear = 0.2;    // of what the pieces are apart: a wall that leans or bends has no step
-  constexpr double kRows = 0.25;    // rows of a scan on a wall are no farther apart [m]
+  constexpr double kClear = 0.2;  // of what the pieces are apart: a wall that leans or bends has no step
+  constexpr double kRows = 0.25;  // rows of a scan on a wall are no farther apart [m]
   const std::vector<Hit> run =
       longestRun(uprightOf(std::move(hits), voxel, least), std::max(kHoleInVoxels * voxel, kRows));
   if (run.empty()) return {};
@@ -87,7 +86,7 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
   const double top = run.back().z, piece = kFewestVoxels * voxel;
   StepBack step;
   double least_scatter = HUGE_VAL;
-  const double highest = std::min(lowest.z + kHighest, top - piece);
+  const double highest = std::min(lowest.z + kHighestRingwall, top - piece);
   for (double height = lowest.z + piece + 0.25 * voxel; height <= highest; height += 0.5 * voxel) {
     const std::size_t middle = firstFrom(run, height),
                       end = firstFrom(run, height + std::max(height - lowest.z, piece));

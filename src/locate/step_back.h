@@ -7,6 +7,8 @@
 
 namespace tank_datum {
 
+constexpr double kHighestRingwall = 2.0;  ///< above the ground [m]
+
 /// Where a wall stands behind what is seen of it below, as a shell does upon a ringwall; NaN where it nowhere does.
 struct StepBack {
   double height = kUnknown;  ///< from which on it does [m]

@@ -40,6 +40,7 @@ struct WallView {
   double bottom = 0, top = 0;            ///< [m]
   bool outside = false, inside = false;  ///< whether a foundation was seen on that side
   StepBack step;                         ///< of what stands there and around
+  bool behind_top = false;               ///< whether something lies there, as a ringwall's top does
 };
 
 std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& circle, double rms) {
@@ -52,6 +53,8 @@ std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& 
     view.stands = shellRun(sectors[i].shell, voxel, thickness, view.bottom, view.top);
     view.step = findStepBack(sectors[i].around, voxel, kShortOfRingwall);
     if (!view.stands) continue;
+    const auto is_behind = [&](const Hit& hit) { return hit.off < -thickness && hit.z > view.top - 2.0 * voxel; };
+    view.behind_top = std::any_of(sectors[i].around.begin(), sectors[i].around.end(), is_behind);
     view.outside = hasFoundation(sectors[i].outside, view.bottom, voxel, circle.radius);
     view.inside = hasFoundation(sectors[i].inside, view.bottom, voxel, circle.radius);
   }
@@ -130,6 +133,14 @@ void look(Tank& tank, const std::vector<WallView>& views, double least) {
   tank.has_foundation = static_cast<double>(std::max(inside, outside)) >= least * seen;
 }
 
+/// See Tank::low_wall.
+double lowWall(const Tank& tank, const std::vector<WallView>& views) {
+  if (tank.side == Side::Inside || !(tank.height <= kHighestRingwall)) return kUnknown;
+  std::size_t stand = 0, behind = 0;
+  for (const WallView& view : views) stand += view.stands, behind += view.stands && view.behind_top;
+  return static_cast<double>(behind) / static_cast<double>(stand);
+}
+
 /// The feet of the walls; a shell that ends above a shadow says nothing of the foot.
 PeriodicFit footOf(const Tank& tank, const std::vector<WallView>& views) {
   std::vector<double> azimuths, feet;
@@ -185,6 +196,7 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
       tank.ringwall_width = tank.ringwall_height = 0.0;
     }
   }
+  if (!tank.standsOnRingwall()) tank.low_wall = lowWall(tank, views);
   tank.foot = footOf(tank, views);
   if (tank.foot.valid())
     tank.circle =

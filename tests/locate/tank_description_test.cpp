@@ -116,6 +116,23 @@ TEST(Describe, AGivenCircleIsNotLeftForAnother) {
   EXPECT_FALSE(tank.standsOnRingwall());
 }
 
+/// What a wall so high says, behind which something lies so high over a half of it, by a circle seen from outside.
+double lowWallOf(double high, double behind) {
+  Sample sample{{}, 0.1, false};
+  addFace(sample.points, 0.0, 0.0, high);
+  addGround(sample.points, 0.0);
+  for (double a = 0.0; a < 0.5 * kTwoPi; a += 0.006)
+    sample.points.emplace_back((kRadius - 0.3) * std::cos(a), (kRadius - 0.3) * std::sin(a), behind);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002).low_wall;
+}
+
+TEST(Describe, BehindTheTopOfALowWallSomethingMayLie) {
+  EXPECT_NEAR(lowWallOf(1.5, 1.4), 0.5, 0.02);
+  EXPECT_NEAR(lowWallOf(1.9, 1.9), 0.5, 0.02);
+  EXPECT_EQ(lowWallOf(1.5, 1.2), 0.0);
+  EXPECT_TRUE(std::isnan(lowWallOf(2.2, 2.2)));
+}
+
 TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
   Sample sample{{}, 0.1, false};
   addFace(sample.points, 0.0, 0.4, 4.4);
