@@ -148,6 +148,8 @@ Datum withChecks(Datum datum, const DatumOptions& options) {
   datum.analysis.roundness =
       compareRoundness(datum.shell, options.analysis.limits, options.analysis.facts, 2.0 * datum.circle.radius);
   datum.asked_height = options.analysis.facts.height;
+  const std::string ringwall = ringwallText(datum.tank);
+  if (!ringwall.empty()) datum.analysis.notes.push_back(ringwall);
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;
 }

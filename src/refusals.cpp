@@ -83,4 +83,13 @@ std::string leanText(const Datum& datum, const StationOptions& options) {
   return text;
 }
 
+std::string ringwallText(const Tank& tank) {
+  if (!tank.standsOnRingwall()) return {};
+  char text[120];
+  snprintfPlain(text, sizeof text,
+                "The shell begins %.1f m above the ground, upon a ringwall that stands out by %.2f m.",
+                tank.ringwall_height, tank.ringwall_width);
+  return text;
+}
+
 }  // namespace tank_datum

@@ -27,4 +27,7 @@ std::string doubtfulUnits(double radius);
 /// the lean is small or not known.
 std::string leanText(const Datum& datum, const StationOptions& options);
 
+/// On what a shell stands that was taken to begin where its wall steps back; empty where it was not.
+std::string ringwallText(const Tank& tank);
+
 }  // namespace tank_datum

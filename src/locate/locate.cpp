@@ -27,6 +27,10 @@ double shareNearFoot(const Scan& scan, const Points& looked_at, const Tank& tank
 
 std::string degreesOf(double arc) { return std::to_string(std::lround(toDegrees(arc))) + " deg"; }
 
+std::string whyTooShort(double coverage) {
+  return "its wall reaches down to a foot over " + degreesOf(coverage) + " only";
+}
+
 /// What stands behind a tank whose foot is known.
 void lookBehind(Tank& tank, const std::vector<WallCell>& walls) {
   if (!tank.foot.valid()) return;
@@ -53,11 +57,11 @@ Found tanksOf(const Sample& sample, const Points& looked_at, const LocateOptions
       constexpr double kOfAll = 0.5;
       if (!tank.has_foundation) tank = describe(looked_at, sample, found.circle, found.rms, kOfAll);
       lookBehind(tank, walls);
-      if (tank.coverage >= options.min_arc) {
+      if (tank.coverage >= options.min_arc || tank.standsOnRingwall()) {
         all.tanks.push_back(std::move(tank));
         continue;
       }
-      reason = "its wall reaches down to a foot over " + degreesOf(tank.coverage) + " only";
+      reason = whyTooShort(tank.coverage);
     }
     all.rejected.push_back({found.circle, found.coverage, reason});
   }
@@ -76,6 +80,15 @@ Found tanksOf(const std::vector<Sample>& samples, const Points& looked_at, const
   return all;
 }
 
+/// Takes out the tanks of which too little is seen.
+void rejectShort(Found& found, double min_arc) {
+  const auto seen = std::stable_partition(found.tanks.begin(), found.tanks.end(),
+                                          [&](const Tank& tank) { return tank.coverage >= min_arc; });
+  for (auto tank = seen; tank != found.tanks.end(); ++tank)
+    found.rejected.push_back({tank->circle, tank->coverage, whyTooShort(tank->coverage)});
+  found.tanks.erase(seen, found.tanks.end());
+}
+
 bool holdStrays(const std::vector<Sample>& samples) {
   return std::any_of(samples.begin(), samples.end(), [](const Sample& sample) { return sample.strays; });
 }
@@ -84,7 +97,8 @@ bool holdStrays(const std::vector<Sample>& samples) {
 Tank describeKnown(const std::vector<Sample>& samples, const Circle& circle) {
   if (samples.empty()) return {};
   const Sample& sample = samples.front();
-  Tank tank = describe(sample.points, sample, circle, std::max(sample.voxel, 0.005 * circle.radius));
+  const double rms = std::max(sample.voxel, 0.005 * circle.radius);
+  Tank tank = describe(sample.points, sample, circle, rms, kLeastFoundation, true);
   if (tank.foot.valid()) lookBehind(tank, mapWalls(sample.points, sample.voxel));
   return tank;
 }
@@ -105,6 +119,7 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, in
     found = tanksOf(samplesOfAll(looked_at, options, threads), looked_at, options, threads);
   std::vector<Tank>& tanks = found.tanks;
   dropNested(tanks);
+  rejectShort(found, options.min_arc);
   const auto longer = [](const auto& a, const auto& b) {
     return a.coverage * a.circle.radius > b.coverage * b.circle.radius;
   };

@@ -17,6 +17,12 @@ bool standAtOneHeight(const Tank& a, const Tank& b) {
   return shared > 0.5 * std::min(a.height, b.height);
 }
 
+/// Whether one is the face upon which the other stands, or face and shell taken for one wall.
+bool isRingwallOf(const Tank& face, const Tank& shell) {
+  if (!shell.standsOnRingwall() || face.standsOnRingwall()) return false;
+  return face.foot.coefficients[0] < shell.foot.coefficients[0] - 0.5 * shell.ringwall_height;
+}
+
 /// The one of two nested circles that is no tank, or null when both may be.
 const Tank* falseCircleOf(const Tank& a, const Tank& b) {
   const Tank& outer = a.circle.radius >= b.circle.radius ? a : b;
@@ -25,6 +31,8 @@ const Tank* falseCircleOf(const Tank& a, const Tank& b) {
   if (apart > outer.circle.radius || !a.foot.valid() || !b.foot.valid()) return nullptr;
   constexpr double kRingwallWidth = 0.6;  // the widest ringwall beyond the shell [m]
   const double gap = outer.circle.radius - inner.circle.radius;
+  if (apart + gap <= kRingwallWidth && isRingwallOf(a, b)) return &a;
+  if (apart + gap <= kRingwallWidth && isRingwallOf(b, a)) return &b;
   const double same = std::max(4.0 * outer.resolution, 0.02 * outer.circle.radius);
   if (apart + gap <= same && standAtOneHeight(outer, inner)) {
     // one shell found twice: on two rungs, or again from what its tolerance left over

@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "fit/circle.h"
 #include "fit/harmonics.h"
+#include "locate/step_back.h"
 #include "locate/wall_sector.h"
 
 namespace tank_datum {
@@ -32,9 +33,126 @@ Circle refineCircle(const Points& points, double voxel, const Circle& circle, co
   return fitted.valid() ? fitted : circle;
 }
 
-/// Whether walls step back over most of the azimuths at which they are seen.
-/// @param steps  their heights, NaN where there is none [m]
-bool standsOnRingwall(const std::vector<double>& steps) { return 2 * finiteOf(steps).size() > steps.size(); }
+/// What is seen of the wall in one sector.
+struct WallView {
+  double azimuth = 0;
+  bool stands = false;                   ///< on the circle
+  double bottom = 0, top = 0;            ///< [m]
+  bool outside = false, inside = false;  ///< whether a foundation was seen on that side
+  StepBack step;                         ///< of what stands there and around
+  bool behind_top = false;               ///< whether something lies there, as a ringwall's top does
+};
+
+std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& circle, double rms) {
+  const auto sectors = sectorsOf(points, voxel, circle, std::max(1.5 * voxel, 3.0 * rms));
+  const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
+  std::vector<WallView> views(sectors.size());
+  for (std::size_t i = 0; i < sectors.size(); ++i) {
+    WallView& view = views[i];
+    view.azimuth = (static_cast<double>(i) + 0.5) * kTwoPi / static_cast<double>(sectors.size());
+    view.stands = shellRun(sectors[i].shell, voxel, thickness, view.bottom, view.top);
+    view.step = findStepBack(sectors[i].around, voxel, kShortOfRingwall);
+    if (!view.stands) continue;
+    const auto is_behind = [&](const Hit& hit) { return hit.off < -thickness && hit.z > view.top - 2.0 * voxel; };
+    view.behind_top = std::any_of(sectors[i].around.begin(), sectors[i].around.end(), is_behind);
+    view.outside = hasFoundation(sectors[i].outside, view.bottom, voxel, circle.radius);
+    view.inside = hasFoundation(sectors[i].inside, view.bottom, voxel, circle.radius);
+  }
+  return views;
+}
+
+double medianStep(const std::vector<WallView>& views, double (*value)(const StepBack&)) {
+  std::vector<double> values;
+  for (const WallView& view : views) {
+    if (view.step.found()) values.push_back(value(view.step));
+  }
+  return median(values);
+}
+
+double faceHeight(const StepBack& step) { return step.height - step.bottom; }
+
+/// Whether walls step back over most of the azimuths that tell: those at which a step is seen, or a wall that goes
+/// straight past where the others have theirs.
+bool standsOnRingwall(const std::vector<WallView>& views, double voxel) {
+  const double past = medianStep(views, faceHeight) + kFewestVoxels * voxel;
+  std::size_t steps = 0, straight = 0;
+  for (const WallView& view : views) {
+    if (view.step.found()) ++steps;
+    if (!view.step.found() && view.stands && view.top - view.bottom >= past) ++straight;
+  }
+  return steps > straight;
+}
+
+/// Whether what stands on the circle begins where walls step back, most often.
+bool beginAtSteps(const std::vector<WallView>& views, double voxel) {
+  std::vector<double> apart;
+  for (const WallView& view : views) {
+    if (view.stands && view.step.found()) apart.push_back(std::abs(view.bottom - view.step.height));
+  }
+  return median(apart) <= kFewestVoxels * voxel;
+}
+
+/// The circle on which walls stand above their steps, and what they are off it [m].
+Circle setBackCircle(const std::vector<WallView>& views, const Circle& circle, double& rms) {
+  std::vector<Eigen::Vector2d> plan;
+  for (const WallView& view : views) {
+    const Eigen::Vector2d direction(portable::cos(view.azimuth), portable::sin(view.azimuth));
+    if (view.step.found()) plan.push_back(circle.center + (circle.radius + view.step.off) * direction);
+  }
+  const Circle fitted = fitCircleRobust(plan, circle);
+  if (!fitted.valid()) return circle;
+  std::vector<double> residuals;
+  for (const auto& p : plan) residuals.push_back(fitted.residual(p));
+  rms = robustSigma(residuals, 0.0);
+  return fitted;
+}
+
+/// The walls above their steps.
+std::vector<WallView> aboveSteps(std::vector<WallView> views) {
+  for (WallView& view : views) {
+    view.stands = view.outside = view.step.found();
+    view.inside = false;
+    view.bottom = view.step.height, view.top = view.step.top;
+  }
+  return views;
+}
+
+/// What the views say of a tank, its foot and circle apart.
+void look(Tank& tank, const std::vector<WallView>& views, double least) {
+  std::vector<double> heights;
+  std::size_t outside = 0, inside = 0;
+  for (const WallView& view : views) {
+    if (!view.stands) continue;
+    heights.push_back(view.top - view.bottom);
+    outside += view.outside, inside += view.inside;
+  }
+  const auto seen = static_cast<double>(heights.size());
+  tank.coverage = kTwoPi * seen / static_cast<double>(views.size());
+  tank.height = median(heights);
+  tank.side = inside > outside ? Side::Inside : Side::Outside;
+  tank.has_foundation = static_cast<double>(std::max(inside, outside)) >= least * seen;
+}
+
+/// See Tank::low_wall.
+double lowWall(const Tank& tank, const std::vector<WallView>& views) {
+  if (tank.side == Side::Inside || !(tank.height <= kHighestRingwall)) return kUnknown;
+  std::size_t stand = 0, behind = 0;
+  for (const WallView& view : views) stand += view.stands, behind += view.stands && view.behind_top;
+  return static_cast<double>(behind) / static_cast<double>(stand);
+}
+
+/// The feet of the walls; a shell that ends above a shadow says nothing of the foot.
+PeriodicFit footOf(const Tank& tank, const std::vector<WallView>& views) {
+  std::vector<double> azimuths, feet;
+  for (const WallView& view : views) {
+    const bool foundation = tank.side == Side::Inside ? view.inside : view.outside;
+    if (!view.stands || (tank.has_foundation && !foundation)) continue;
+    azimuths.push_back(view.azimuth);
+    feet.push_back(view.bottom);
+  }
+  if (feet.empty()) return {};
+  return fitFootHeights(azimuths, feet, 4.0 * tank.resolution + 0.02 * tank.circle.radius);
+}
 
 }  // namespace
 
@@ -55,47 +173,34 @@ PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vecto
   return fit;
 }
 
-Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least) {
+Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least, bool given) {
   Tank tank;
   tank.circle = circle;
   tank.rms = rms;
   tank.resolution = sample.voxel;
   tank.strays = sample.strays;
-  auto sectors = sectorsOf(points, sample.voxel, circle, std::max(1.5 * sample.voxel, 3.0 * rms));
-  const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
-  std::vector<double> azimuths, feet, tops, steps, heights;
-  std::vector<char> outside, inside;  // whether a foundation was seen on that side
-  for (std::size_t s = 0; s < sectors.size(); ++s) {
-    double bottom = 0, top = 0;
-    if (!shellRun(sectors[s].shell, sample.voxel, thickness, bottom, top)) continue;
-    azimuths.push_back((static_cast<double>(s) + 0.5) * kTwoPi / static_cast<double>(sectors.size()));
-    feet.push_back(bottom);
-    tops.push_back(top);
-    steps.push_back(stepBackHeight(sectors[s].shell, sample.voxel, kShortOfRingwall));
-    outside.push_back(hasFoundation(sectors[s].outside, bottom, sample.voxel, circle.radius));
-    inside.push_back(hasFoundation(sectors[s].inside, bottom, sample.voxel, circle.radius));
+  std::vector<WallView> views = viewsOf(points, sample.voxel, circle, rms);
+  look(tank, views, least);
+  if (standsOnRingwall(views, sample.voxel)) {
+    tank.ringwall_width = medianStep(views, [](const StepBack& step) { return step.width; });
+    tank.ringwall_height = medianStep(views, faceHeight);
+    double above = rms;
+    const Circle shell = setBackCircle(views, circle, above);
+    const double moved = (shell.center - circle.center).norm() + std::abs(shell.radius - circle.radius);
+    const bool is_face = moved > kShortOfRingwall, is_both = 3.0 * rms > kShortOfRingwall;
+    if (given ? !is_face : is_face || is_both || !tank.has_foundation) {
+      tank.circle = shell, tank.rms = above;
+      views = aboveSteps(std::move(views));
+      look(tank, views, least);
+    } else if (given || !beginAtSteps(views, sample.voxel)) {
+      tank.ringwall_width = tank.ringwall_height = 0.0;
+    }
   }
-  if (standsOnRingwall(steps)) {
-    feet = steps;
-    for (std::size_t i = 0; i < steps.size(); ++i) outside[i] = std::isfinite(steps[i]), inside[i] = 0;
-  }
-  tank.coverage = kTwoPi * static_cast<double>(feet.size()) / static_cast<double>(sectors.size());
-  for (std::size_t i = 0; i < feet.size(); ++i) heights.push_back(tops[i] - feet[i]);
-  tank.height = median(finiteOf(heights));
-  const auto seen_outside = std::count(outside.begin(), outside.end(), 1);
-  const auto seen_inside = std::count(inside.begin(), inside.end(), 1);
-  tank.side = seen_inside > seen_outside ? Side::Inside : Side::Outside;
-  const auto& foundation = tank.side == Side::Inside ? inside : outside;
-  const auto seen = static_cast<double>(std::max(seen_inside, seen_outside));
-  tank.has_foundation = seen >= least * static_cast<double>(feet.size());
-  for (std::size_t i = feet.size(); i-- > 0;) {  // a shell that ends above a shadow says nothing of the foot
-    if (foundation[i] || !tank.has_foundation) continue;
-    feet.erase(feet.begin() + static_cast<std::ptrdiff_t>(i));
-    azimuths.erase(azimuths.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-  if (!feet.empty()) tank.foot = fitFootHeights(azimuths, feet, 4.0 * sample.voxel + 0.02 * circle.radius);
+  if (!tank.standsOnRingwall()) tank.low_wall = lowWall(tank, views);
+  tank.foot = footOf(tank, views);
   if (tank.foot.valid())
-    tank.circle = refineCircle(points, sample.voxel, circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * rms));
+    tank.circle =
+        refineCircle(points, sample.voxel, tank.circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * tank.rms));
   return tank;
 }
 

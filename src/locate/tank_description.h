@@ -12,10 +12,14 @@ namespace tank_datum {
 /// @param window  how far from the fit a foot may lie [m]
 PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window);
 
+constexpr double kLeastFoundation = 0.25;  ///< share of the shell's azimuths at which one is seen beside it
+
 /// Looks at points around a known circle: foot, side, coverage, height.
 /// @param points  of the sample that shows the circle, or those that it was thinned from
 /// @param rms     of the shell about the circle [m]
 /// @param least   share of the shell's azimuths at which a foundation must be seen beside it
-Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least = 0.25);
+/// @param given   whether the circle is the user's, who knows which wall is the shell: it is not left for another
+Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms,
+              double least = kLeastFoundation, bool given = false);
 
 }  // namespace tank_datum

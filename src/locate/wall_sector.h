@@ -12,9 +12,10 @@ struct Hit {
   double z, off;
 };
 
-/// One azimuth sector: what stands at the shell, and the heights of what lies beside it on either side.
+/// One azimuth sector: what stands at the shell and as near as a ringwall's face does, and the heights of what lies
+/// beside it on either side.
 struct Sector {
-  std::vector<Hit> shell;
+  std::vector<Hit> shell, around;
   std::vector<double> outside, inside;
 };
 
@@ -23,16 +24,20 @@ struct Sector {
 /// @param band    half-width of what counts as standing at the shell [m]
 std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& circle, double band);
 
+constexpr double kFewestVoxels = 3.0;  ///< that a wall is high
+constexpr double kHoleInVoxels = 3.0;  ///< between hits that are still one wall
+
+void sortByHeight(std::vector<Hit>& hits);
+
+/// The longest stretch of heights without a hole.
+/// @param hits  by height
+/// @param hole  the least there is [m]
+std::vector<Hit> longestRun(const std::vector<Hit>& hits, double hole);
+
 /// Bottom and top of the shell; false when it is no wall. What stands below it a hand's breadth off, the face of a
 /// ringwall, is none of it.
 /// @param thickness  how far its points are from their line at most [m]
-bool shellRun(const std::vector<Hit>& hits, double voxel, double thickness, double& bottom, double& top);
-
-/// The height from which on a wall stands behind what is seen of it below, as a shell does upon a ringwall: the face
-/// of one stands out by more than `least`, all the way down, and is two metres high at the most. NaN where there is
-/// none [m].
-/// @param least  how far a ringwall's face is from the shell at least [m]
-double stepBackHeight(const std::vector<Hit>& hits, double voxel, double least);
+bool shellRun(std::vector<Hit> hits, double voxel, double thickness, double& bottom, double& top);
 
 /// Whether something beside the shell is about as high as its foot.
 /// @param beside  heights [m]

@@ -41,10 +41,13 @@ struct Bounds {
 // shell_gap  Height over the datum from which on the wall is seen, beyond three spacings of its points, over how far
 //            the section goes. Of bare shells whose foundation is seen beside them it is below 0.05, of tins, cans and
 //            mugs before depth cameras below 0.1; cladding ends at 0.2 to 1. No gap makes a tank none.
+// low_wall   Of a wall up to two metres high, share of what is seen behind whose top something lies. Of a shell in a
+//            scan that was cut, or that looks no higher, it is 0; of a ringwall's face, with its top or the lowest
+//            centimetres of the shell in view, 0.3 to 1.
 constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3.2},
     kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0},
-    kShellGap{"shell_gap", "1", 0.2, HUGE_VAL};
+    kShellGap{"shell_gap", "1", 0.2, HUGE_VAL}, kLowWall{"low_wall", "1", 0.1, HUGE_VAL};
 
 __attribute__((format(printf, 3, 4))) TankTest judged(const Bounds& bounds, double value, const char* format, ...) {
   TankTest test;
@@ -85,6 +88,11 @@ std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell)
   std::vector<TankTest> tests;
   tests.push_back(judged(kBehind, tank.behind_share, "walls lie %.3g m behind it over %.0f %% of what is seen of it",
                          tank.behind, 100.0 * tank.behind_share));
+  if (std::isfinite(tank.low_wall)) {
+    tests.push_back(judged(kLowWall, tank.low_wall,
+                           "its wall is %.1f m high only, and something lies behind its top, as behind a ringwall's",
+                           tank.height));
+  }
   if (!shell.known()) return tests;
   const double radius = shell.circle.radius;
   const double explained = std::hypot(kOutOfRoundness * radius, std::min(shell.noise, shell.spacing));

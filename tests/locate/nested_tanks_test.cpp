@@ -40,6 +40,21 @@ TEST(DropNested, AHigherWallThatStandsDeeperUpToSixDecimetresOutsideIsARingwall)
   EXPECT_EQ(leftOf({shell, tankOf(10.35, 3.0, -3.5)}), 10.0);
 }
 
+/// The radius of what is left of a shell seen upon a ringwall 1 m high and of a wall whose foot is so much lower, seen
+/// on coarser voxels half as far round again.
+double leftOfShellAnd(double lower) {
+  Tank shell = tankOf(10.0, 2.0), wall = tankOf(10.1, 2.0 + lower, -lower, 0.1);
+  shell.ringwall_width = 0.2, shell.ringwall_height = 1.0;
+  wall.coverage = 1.5 * shell.coverage;
+  return leftOf({shell, wall});
+}
+
+TEST(DropNested, OfAShellUponARingwallAndAWallThatHoldsBothTheShellStays) {
+  EXPECT_EQ(leftOfShellAnd(1.0), 10.0);
+  EXPECT_EQ(leftOfShellAnd(0.55), 10.0);
+  EXPECT_EQ(leftOfShellAnd(0.45), 10.1);
+}
+
 TEST(DropNested, OfABundWallAndATankTheHigherStays) {
   EXPECT_EQ(leftOf({tankOf(10.0, 8.0), tankOf(25.0, 1.5)}), 10.0);
   EXPECT_EQ(leftOf({tankOf(1.0, 2.0), tankOf(25.0, 12.0)}), 25.0);

@@ -77,6 +77,62 @@ TEST(Describe, AStepOverHalfTheShellIsARingwalls) {
   EXPECT_NEAR(uponRingwall(160.0).foot(1.0), 0.0, 0.06);
 }
 
+/// What is seen, by the circle of its face, of a ringwall that stands out by 0.4 m, and of the shell above it: so much
+/// over so many degrees.
+Tank byItsFace(double shell, double degrees, bool given = false) {
+  Sample sample{{}, 0.1, false};
+  Points above;
+  addFace(above, 0.0, 1.0, 1.0 + shell);
+  for (const auto& p : above) {
+    const double azimuth = std::atan2(p.y(), p.x());
+    if ((azimuth < 0.0 ? azimuth + kTwoPi : azimuth) < degrees * kDegree) sample.points.push_back(p);
+  }
+  addFace(sample.points, 0.4, 0.0, 0.99);
+  addGround(sample.points, 0.0);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius + 0.4}, 0.002, kLeastFoundation, given);
+}
+
+TEST(Describe, AShellFarBehindTheFaceOfItsRingwallIsFound) {
+  const Tank tank = byItsFace(0.6, 360.0);
+  EXPECT_NEAR(tank.circle.radius, kRadius, 0.001);
+  EXPECT_NEAR(tank.foot(1.0), 1.0, 0.06);
+  EXPECT_NEAR(tank.height, 0.6, 0.12);
+  EXPECT_NEAR(tank.ringwall_width, 0.4, 0.001);
+  EXPECT_NEAR(tank.ringwall_height, 1.0, 0.2);
+}
+
+TEST(Describe, WhereAFaceOnlyIsSeenNothingTellsOfItsStep) {
+  const Tank tank = byItsFace(0.6, 100.0);
+  EXPECT_NEAR(tank.circle.radius, kRadius, 0.001);
+  EXPECT_NEAR(tank.foot(1.0), 1.0, 0.06);
+  EXPECT_NEAR(tank.coverage, 100.0 * kDegree, 5.0 * kDegree);
+  EXPECT_FALSE(byItsFace(0.0, 360.0).standsOnRingwall());
+}
+
+TEST(Describe, AGivenCircleIsNotLeftForAnother) {
+  const Tank tank = byItsFace(3.0, 360.0, true);
+  EXPECT_NEAR(tank.circle.radius, kRadius + 0.4, 0.001);
+  EXPECT_NEAR(tank.foot(1.0), 0.0, 0.06);
+  EXPECT_FALSE(tank.standsOnRingwall());
+}
+
+/// What a wall so high says, behind which something lies so high over a half of it, by a circle seen from outside.
+double lowWallOf(double high, double behind) {
+  Sample sample{{}, 0.1, false};
+  addFace(sample.points, 0.0, 0.0, high);
+  addGround(sample.points, 0.0);
+  for (double a = 0.0; a < 0.5 * kTwoPi; a += 0.006)
+    sample.points.emplace_back((kRadius - 0.3) * std::cos(a), (kRadius - 0.3) * std::sin(a), behind);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002).low_wall;
+}
+
+TEST(Describe, BehindTheTopOfALowWallSomethingMayLie) {
+  EXPECT_NEAR(lowWallOf(1.5, 1.4), 0.5, 0.02);
+  EXPECT_NEAR(lowWallOf(1.9, 1.9), 0.5, 0.02);
+  EXPECT_EQ(lowWallOf(1.5, 1.2), 0.0);
+  EXPECT_TRUE(std::isnan(lowWallOf(2.2, 2.2)));
+}
+
 TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
   Sample sample{{}, 0.1, false};
   addFace(sample.points, 0.0, 0.4, 4.4);

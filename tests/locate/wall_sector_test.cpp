@@ -59,58 +59,6 @@ TEST(ShellRun, FollowsAShellThatLeans) {
   EXPECT_NEAR(run.bottom, 0.0, 1e-9);
 }
 
-/// The height at which a wall 4 m high steps back upon a face that stands out so far; one that leans, whose hits are
-/// off it by so much to either side.
-double stepBack(double face, double out, double lean = 0.0, double scatter = 0.0, double top = 4.0) {
-  std::vector<Hit> hits;
-  stack(hits, 0.0, face, out, lean);
-  stack(hits, face, top, 0.0, lean);
-  for (std::size_t i = 0; i < hits.size(); ++i) hits[i].off += i % 2 == 0 ? scatter : -scatter;
-  return stepBackHeight(hits, kVoxel, kThickness);
-}
-
-TEST(StepBackHeight, IsWhereAShellStandsBackFromTheFaceOfItsRingwall) {
-  EXPECT_NEAR(stepBack(1.0, 0.15), 1.0, 0.5 * kVoxel);
-  EXPECT_NEAR(stepBack(1.0, 0.15, 0.03), 1.0, 0.5 * kVoxel);
-  EXPECT_NEAR(stepBack(1.0, 0.15, -0.03), 1.0, 0.5 * kVoxel);
-}
-
-TEST(StepBackHeight, IsNoneOfAWallThatLeansOrStandsOutAbove) {
-  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.0, -0.05)));
-  EXPECT_TRUE(std::isnan(stepBack(1.0, -0.15)));
-}
-
-TEST(StepBackHeight, IsNoneOfLessThanARingwallStandsOut) {
-  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.070)));
-  EXPECT_NEAR(stepBack(1.0, 0.080), 1.0, 0.5 * kVoxel);
-}
-
-TEST(StepBackHeight, IsTwoMetresAtTheMost) {
-  EXPECT_NEAR(stepBack(1.9, 0.15, 0.0, 0.0, 5.0), 1.9, 0.5 * kVoxel);
-  EXPECT_TRUE(std::isnan(stepBack(2.4, 0.15, 0.0, 0.0, 5.0)));
-}
-
-TEST(StepBackHeight, BothPiecesAreThreeVoxelsHigh) {
-  EXPECT_TRUE(std::isnan(stepBack(0.2, 0.15)));
-  EXPECT_NEAR(stepBack(0.4, 0.15), 0.4, 0.5 * kVoxel);
-  EXPECT_TRUE(std::isnan(stepBack(0.6, 0.15, 0.0, 0.0, 0.8)));
-  EXPECT_NEAR(stepBack(0.6, 0.15, 0.0, 0.0, 1.05), 0.6, 0.5 * kVoxel);
-}
-
-TEST(StepBackHeight, HitsLieNearTheirPieces) {
-  EXPECT_NEAR(stepBack(1.0, 0.100, 0.0, 0.017), 1.0, 0.5 * kVoxel);
-  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.100, 0.0, 0.024)));
-}
-
-TEST(StepBackHeight, AGirderNearTheTopIsNoFace) {
-  std::vector<Hit> hits;
-  stack(hits, 0.0, 1.2, 0.0);
-  stack(hits, 1.2, 1.5, 0.2);
-  stack(hits, 1.5, 3.0, 0.0);
-  EXPECT_TRUE(std::isnan(stepBackHeight(hits, kVoxel, kThickness)));
-  EXPECT_TRUE(std::isnan(stepBackHeight({}, kVoxel, kThickness)));
-}
-
 TEST(ShellRun, IsNoWallBelowThreeVoxels) {
   std::vector<Hit> hits;
   EXPECT_FALSE(runOf(hits).wall);
@@ -145,6 +93,20 @@ std::size_t besideAt(double off) {
 TEST(SectorsOf, OnTopOfTheNarrowestRingwallNothingIsBeside) {
   EXPECT_EQ(besideAt(0.09), 0U);
   EXPECT_EQ(besideAt(0.11), 1U);
+}
+
+/// How many points that lie this far off a circle are around the shell.
+std::size_t aroundAt(double off, double radius) {
+  const auto sectors = sectorsOf(Points(1, {radius + off, 0.0, 0.0}), 0.01, {{0.0, 0.0}, radius}, 0.02);
+  return sectors[0].around.size();
+}
+
+TEST(SectorsOf, AroundTheShellIsWhatARingwallMayReach) {
+  EXPECT_EQ(aroundAt(0.59, 10.0), 1U);
+  EXPECT_EQ(aroundAt(-0.59, 10.0), 1U);
+  EXPECT_EQ(aroundAt(0.61, 10.0), 0U);
+  EXPECT_EQ(aroundAt(0.19, 1.0), 1U);
+  EXPECT_EQ(aroundAt(0.21, 1.0), 0U);
 }
 
 TEST(HasFoundation, TheGroundMayDropHalfAMetreAtARingwall) {

@@ -54,6 +54,17 @@ TEST(TestsOfShell, AGoodTankPasses) {
   EXPECT_TRUE(findingsOf(tests).empty());
 }
 
+TEST(TestsOfShell, ALowWallIsDoubtfulWhereSomethingLiesBehindATenthOfIt) {
+  const auto at = [](double share) {
+    Tank tank;
+    tank.low_wall = share;
+    return outcomeOf(testsOfShell(tank, evidence()), "low_wall");
+  };
+  EXPECT_EQ(at(0.09), TestOutcome::Pass);
+  EXPECT_EQ(at(0.11), TestOutcome::Doubtful);
+  EXPECT_EQ(at(1.0), TestOutcome::Doubtful);
+}
+
 TEST(TestsOfShell, Bounds) {
   expectBounds(
       "behind",

@@ -39,11 +39,20 @@ struct Tank {
   bool strays = false;          ///< a good part of the scan's points float in the air, and are not to be fitted
   double near_foot = 0.0;       ///< share of the scan's rows within kNear of the foot, in radius and height
 
+  double ringwall_width = 0.0;   ///< how far the face of one stands out, below the shell; 0 where none is seen [m]
+  double ringwall_height = 0.0;  ///< of that face, from the ground to the foot of the shell [m]
+
+  /// Of a wall no higher than a ringwall's face: the share of what is seen of it behind whose top something lies, as
+  /// the top of a ringwall and the shell upon it do; not known of a higher one, nor of one seen from inside.
+  double low_wall = std::numeric_limits<double>::quiet_NaN();
+
   double behind_share = 0.0;  ///< of what is seen of the shell, where walls of others stand behind it
   double behind = 0.0;        ///< how far behind it these stand, in the middle [m]
 
   static constexpr double kNear = 0.5;  ///< [m]
 
+  /// Whether the shell was taken to begin where a wall steps back.
+  bool standsOnRingwall() const { return ringwall_width > 0.0; }
   double azimuthOf(const Eigen::Vector2d& p) const;
 };
 

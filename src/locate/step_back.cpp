@@ -1,0 +1,110 @@
+#include "locate/step_back.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace tank_datum {
+namespace {
+
+/// Hits of a wall that stands upright, by height: at least half of what is seen at a voxel's height lies beside them.
+/// The ground before it and the top of a ringwall spread outwards.
+std::vector<Hit> uprightOf(std::vector<Hit> hits, double voxel, double least) {
+  sortByHeight(hits);
+  std::size_t kept = 0;
+  std::vector<double> offs;
+  for (std::size_t first = 0, end = 0; first < hits.size(); first = end) {
+    offs.clear();
+    for (; end < hits.size() && hits[end].z < hits[first].z + voxel; ++end) offs.push_back(hits[end].off);
+    std::sort(offs.begin(), offs.end());
+    for (std::size_t i = first; i < end; ++i) {
+      const auto from = std::lower_bound(offs.begin(), offs.end(), hits[i].off - 0.5 * least);
+      const auto to = std::upper_bound(from, offs.end(), hits[i].off + 0.5 * least);
+      if (2 * (to - from) >= static_cast<std::ptrdiff_t>(offs.size())) hits[kept++] = hits[i];
+    }
+  }
+  hits.resize(kept);
+  return hits;
+}
+
+/// Sums over hits.
+struct Sums {
+  double n = 0, z = 0, off = 0, zz = 0, zo = 0;
+
+  void add(double dz, double doff) { n += 1.0, z += dz, off += doff, zz += dz * dz, zo += dz * doff; }
+  Sums minus(const Sums& other) const {
+    return {n - other.n, z - other.z, off - other.off, zz - other.zz, zo - other.zo};
+  }
+  double spread() const { return zz - z * z / n; }
+  double product() const { return zo - z * off / n; }
+};
+
+/// A wall in two pieces that lean alike.
+struct TwoPieces {
+  double lean = 0;
+  double lower_z = 0, lower_off = 0, upper_z = 0, upper_off = 0;  // means
+
+  TwoPieces(const Sums& lower, const Sums& upper) {
+    const double spread = lower.spread() + upper.spread();
+    lean = spread > 0.0 ? (lower.product() + upper.product()) / spread : 0.0;
+    lower_z = lower.z / lower.n, lower_off = lower.off / lower.n;
+    upper_z = upper.z / upper.n, upper_off = upper.off / upper.n;
+  }
+  /// How far the lower one stands out.
+  double apart() const { return lower_off - upper_off - lean * (lower_z - upper_z); }
+  double upperAt(double z) const { return upper_off + lean * (z - upper_z); }
+  double lowerAt(double z) const { return lower_off + lean * (z - lower_z); }
+};
+
+/// Sums over the first hits, none of them, one and so on, about the lowest.
+std::vector<Sums> runningSums(const std::vector<Hit>& run) {
+  std::vector<Sums> sums(run.size() + 1);
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    sums[i + 1] = sums[i];
+    sums[i + 1].add(run[i].z - run[0].z, run[i].off - run[0].off);
+  }
+  return sums;
+}
+
+/// The first hit from a height on.
+std::size_t firstFrom(const std::vector<Hit>& run, double height) {
+  const auto first = std::partition_point(run.begin(), run.end(), [height](const Hit& hit) { return hit.z < height; });
+  return static_cast<std::size_t>(first - run.begin());
+}
+
+}  // namespace
+
+StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
+  constexpr double kClear = 0.2;  // of what the pieces are apart: a wall that leans or bends has no step
+  constexpr double kRows = 0.25;  // rows of a scan on a wall are no farther apart [m]
+  const std::vector<Hit> run =
+      longestRun(uprightOf(std::move(hits), voxel, least), std::max(kHoleInVoxels * voxel, kRows));
+  if (run.empty()) return {};
+  const std::vector<Sums> sums = runningSums(run);
+  const Hit& lowest = run.front();
+  const double top = run.back().z, piece = kFewestVoxels * voxel;
+  StepBack step;
+  double least_scatter = HUGE_VAL;
+  const double highest = std::min(lowest.z + kHighestRingwall, top - piece);
+  for (double height = lowest.z + piece + 0.25 * voxel; height <= highest; height += 0.5 * voxel) {
+    const std::size_t middle = firstFrom(run, height),
+                      end = firstFrom(run, height + std::max(height - lowest.z, piece));
+    if (middle == 0 || middle == end) continue;
+    const TwoPieces pieces(sums[middle], sums[end].minus(sums[middle]));
+    if (!(pieces.apart() > least)) continue;
+    double scatter = 0.0;
+    for (std::size_t i = 0; i < end; ++i) {
+      const double z = run[i].z - lowest.z;
+      scatter += std::abs(run[i].off - lowest.off - (i < middle ? pieces.lowerAt(z) : pieces.upperAt(z)));
+    }
+    scatter /= static_cast<double>(end);
+    if (scatter > std::min(least_scatter, kClear * pieces.apart())) continue;
+    least_scatter = scatter;
+    const double between = 0.5 * (run[middle - 1].z + run[middle].z);
+    step = {between, lowest.off + pieces.upperAt(between - lowest.z), pieces.apart(), lowest.z, top};
+  }
+  return step;
+}
+
+}  // namespace tank_datum

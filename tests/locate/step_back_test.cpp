@@ -1,0 +1,106 @@
+#include "locate/step_back.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tank_datum {
+namespace {
+
+constexpr double kVoxel = 0.1;
+constexpr double kThickness = 0.075;
+
+/// A wall from `from` to `to`, `off` outside of the circle, a hit every half voxel.
+void stack(std::vector<Hit>& hits, double from, double to, double off, double lean = 0.0) {
+  const int count = static_cast<int>(std::lround((to - from) / (0.5 * kVoxel)));
+  for (int i = 0; i < count; ++i) {
+    const double z = from + 0.5 * kVoxel * i;
+    hits.push_back({z, off + lean * z});
+  }
+}
+
+/// The height at which a wall 4 m high steps back upon a face that stands out so far; one that leans, whose hits are
+/// off it by so much to either side.
+double stepBack(double face, double out, double lean = 0.0, double scatter = 0.0, double top = 4.0) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, face, out, lean);
+  stack(hits, face, top, 0.0, lean);
+  for (std::size_t i = 0; i < hits.size(); ++i) hits[i].off += i % 2 == 0 ? scatter : -scatter;
+  return findStepBack(hits, kVoxel, kThickness).height;
+}
+
+TEST(StepBackHeight, IsWhereAShellStandsBackFromTheFaceOfItsRingwall) {
+  EXPECT_NEAR(stepBack(1.0, 0.15), 1.0, 0.5 * kVoxel);
+  EXPECT_NEAR(stepBack(1.0, 0.15, 0.03), 1.0, 0.5 * kVoxel);
+  EXPECT_NEAR(stepBack(1.0, 0.15, -0.03), 1.0, 0.5 * kVoxel);
+}
+
+TEST(StepBackHeight, IsNoneOfAWallThatLeansOrStandsOutAbove) {
+  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.0, -0.05)));
+  EXPECT_TRUE(std::isnan(stepBack(1.0, -0.15)));
+}
+
+TEST(StepBackHeight, IsNoneOfLessThanARingwallStandsOut) {
+  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.070)));
+  EXPECT_NEAR(stepBack(1.0, 0.080), 1.0, 0.5 * kVoxel);
+}
+
+TEST(StepBackHeight, IsTwoMetresAtTheMost) {
+  EXPECT_NEAR(stepBack(1.9, 0.15, 0.0, 0.0, 5.0), 1.9, 0.5 * kVoxel);
+  EXPECT_TRUE(std::isnan(stepBack(2.4, 0.15, 0.0, 0.0, 5.0)));
+}
+
+TEST(StepBackHeight, BothPiecesAreThreeVoxelsHigh) {
+  EXPECT_TRUE(std::isnan(stepBack(0.2, 0.15)));
+  EXPECT_NEAR(stepBack(0.4, 0.15), 0.4, 0.5 * kVoxel);
+  EXPECT_TRUE(std::isnan(stepBack(0.6, 0.15, 0.0, 0.0, 0.8)));
+  EXPECT_NEAR(stepBack(0.6, 0.15, 0.0, 0.0, 1.05), 0.6, 0.5 * kVoxel);
+}
+
+TEST(StepBackHeight, HitsLieNearTheirPieces) {
+  EXPECT_NEAR(stepBack(1.0, 0.100, 0.0, 0.017), 1.0, 0.5 * kVoxel);
+  EXPECT_TRUE(std::isnan(stepBack(1.0, 0.100, 0.0, 0.024)));
+}
+
+TEST(StepBackHeight, AGirderNearTheTopIsNoFace) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.2, 0.0);
+  stack(hits, 1.2, 1.5, 0.2);
+  stack(hits, 1.5, 3.0, 0.0);
+  EXPECT_FALSE(findStepBack(hits, kVoxel, kThickness).found());
+  EXPECT_FALSE(findStepBack({}, kVoxel, kThickness).found());
+}
+
+TEST(StepBackHeight, TheGroundBeforeAFaceAndTheTopOfARingwallAreNoWall) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.0, 0.3);
+  stack(hits, 1.02, 4.0, 0.0);
+  for (double off = -0.02; off < 0.6; off += 0.04) {
+    hits.push_back({-0.02, off}), hits.push_back({-0.06, off});
+    if (off < 0.3) hits.push_back({1.0, off});
+  }
+  const StepBack step = findStepBack(hits, kVoxel, kThickness);
+  EXPECT_NEAR(step.height, 1.0, 0.5 * kVoxel);
+  EXPECT_NEAR(step.off, 0.0, 0.005);
+  EXPECT_NEAR(step.width, 0.3, 0.01);
+  EXPECT_NEAR(step.bottom, 0.0, 0.05);
+  EXPECT_NEAR(step.top, 3.95, 0.05);
+}
+
+/// The height of a step of 1 m upon which the shell is first seen so much higher.
+double stepBelowHidden(double hidden) {
+  constexpr double kFine = 0.03;
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.05, 0.2);
+  stack(hits, 1.0 + hidden, 3.0, 0.0);
+  return findStepBack(hits, kFine, kThickness).height;
+}
+
+TEST(StepBackHeight, AQuarterOfAMetreOfTheShellMayBeHidden) {
+  EXPECT_NEAR(stepBelowHidden(0.24), 1.12, 0.01);
+  EXPECT_TRUE(std::isnan(stepBelowHidden(0.28)));
+  EXPECT_TRUE(std::isnan(stepBelowHidden(0.49)));
+}
+
+}  // namespace
+}  // namespace tank_datum
