@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "locate/wall_sector.h"
+
 namespace tank_datum {
 namespace {
 
@@ -29,7 +31,6 @@ const Tank* falseCircleOf(const Tank& a, const Tank& b) {
   const Tank& inner = &outer == &a ? b : a;
   const double apart = (outer.circle.center - inner.circle.center).norm();
   if (apart > outer.circle.radius || !a.foot.valid() || !b.foot.valid()) return nullptr;
-  constexpr double kRingwallWidth = 0.6;  // the widest ringwall beyond the shell [m]
   const double gap = outer.circle.radius - inner.circle.radius;
   if (apart + gap <= kRingwallWidth && isRingwallOf(a, b)) return &a;
   if (apart + gap <= kRingwallWidth && isRingwallOf(b, a)) return &b;

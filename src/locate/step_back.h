@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "locate/wall_sector.h"
@@ -17,7 +18,7 @@ struct StepBack {
   double bottom = kUnknown;  ///< of the lower one [m]
   double top = kUnknown;     ///< of the upper one [m]
 
-  bool found() const { return height == height; }
+  bool found() const { return std::isfinite(height); }
 };
 
 /// The face of a ringwall stands out by more than `least`, all the way down, and is two metres high at the most.

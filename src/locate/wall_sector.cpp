@@ -34,7 +34,6 @@ struct WallLine {
 }  // namespace
 
 std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& circle, double band) {
-  constexpr double kRingwallWidth = 0.6;   // the widest ringwall beyond the shell [m]
   constexpr double kOfRadius = 0.2;        // on smaller things nothing is as wide
   constexpr double kWithinRingwall = 0.1;  // on top of the narrowest ringwall or plate beside the shell [m]
   const double reach = std::max(0.1 * circle.radius, 6.0 * voxel),

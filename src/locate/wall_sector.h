@@ -24,8 +24,9 @@ struct Sector {
 /// @param band    half-width of what counts as standing at the shell [m]
 std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& circle, double band);
 
-constexpr double kFewestVoxels = 3.0;  ///< that a wall is high
-constexpr double kHoleInVoxels = 3.0;  ///< between hits that are still one wall
+constexpr double kRingwallWidth = 0.6;  ///< the widest ringwall beyond the shell [m]
+constexpr double kFewestVoxels = 3.0;   ///< that a wall is high
+constexpr double kHoleInVoxels = 3.0;   ///< between hits that are still one wall
 
 void sortByHeight(std::vector<Hit>& hits);
 
