@@ -87,7 +87,8 @@ std::vector<bool> findHeapedArcs(const Foot& foot, const FootPriors& priors, con
     for (std::size_t k = i + count - near; k <= i + count + near; ++k) {
       const FootFit& fit = own[k % count];
       if (!fit.valid()) continue;
-      const double usual = std::min(priors.slope[k % count], priors.seen);
+      const double feigned = priors.blends.slope.empty() ? 0.0 : priors.blends.slope[k % count];
+      const double usual = std::min(priors.slope[k % count], priors.seen) + feigned;
       offs.push_back({fit.slope - usual, 1.0 / square(fit.sigma_slope)});
     }
     const Together off(std::move(offs));

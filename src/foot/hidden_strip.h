@@ -7,22 +7,18 @@
 
 namespace tank_datum {
 
-/// A strip along the shell: heights over the surface that stations lie on of the points upon it [m], and how many
-/// points lie higher, upon plants for instance.
-struct FootStrip {
-  std::vector<double> heights;
-  std::size_t above = 0;
-};
+/// Heights of points in a strip along the shell over the surface that stations lie on [m].
+using FootStrip = std::vector<double>;
 
-/// How many strips beside the shell do not show a surface that is seen farther out: points there are far fewer, upon
-/// whatever, or are fewer and lie off it. 0: none.
+/// How many strips beside the shell do not show a surface that is seen farther out: points there are fewer, and lie off
+/// it. 0: none.
 /// @param strips  of equal width, from the shell outwards
-/// @param bend    what a surface may be bent by [m]
+/// @param bend    what a surface may be bent by from strip to strip [m]
 std::size_t hiddenStrips(const std::vector<FootStrip>& strips, double bend);
 
 /// How far from the shell the surface that stations lie on is hidden [m]; 0 where it is seen up to the shell. Rays meet
 /// a surface as densely beside the shell as farther out. A crown that stands before the shell hides what lies between:
-/// beams that graze its edge leave few points there.
+/// beams that graze its edge leave few points there, below it. (Plants or a wet floor leave few points too, upon it.)
 /// @param levels  elevation of every station [m]
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels);
 

@@ -40,14 +40,15 @@ struct Sums {
   double product() const { return zo - z * off / n; }
 };
 
-/// A wall in two pieces that lean alike.
+/// A wall in two pieces that lean alike, with their means.
 struct TwoPieces {
-  double lean = 0;
-  double lower_z = 0, lower_off = 0, upper_z = 0, upper_off = 0;  // means
+  double lean = 0, upper_lean = 0;  // of both, and of the upper one by itself
+  double lower_z = 0, lower_off = 0, upper_z = 0, upper_off = 0;
 
   TwoPieces(const Sums& lower, const Sums& upper) {
     const double spread = lower.spread() + upper.spread();
     lean = spread > 0.0 ? (lower.product() + upper.product()) / spread : 0.0;
+    upper_lean = upper.spread() > 0.0 ? upper.product() / upper.spread() : 0.0;
     lower_z = lower.z / lower.n, lower_off = lower.off / lower.n;
     upper_z = upper.z / upper.n, upper_off = upper.off / upper.n;
   }
@@ -78,6 +79,7 @@ std::size_t firstFrom(const std::vector<Hit>& run, double height) {
 StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
   constexpr double kClear = 0.2;  // of what the pieces are apart: a wall that leans or bends has no step
   constexpr double kRows = 0.25;  // rows of a scan on a wall are no farther apart [m]
+  constexpr double kRoof = 0.5;   // no wall leans by so much: a roof behind the top of a low tank does [m/m]
   const std::vector<Hit> run =
       longestRun(uprightOf(std::move(hits), voxel, least), std::max(kHoleInVoxels * voxel, kRows));
   if (run.empty()) return {};
@@ -92,7 +94,7 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
                       end = firstFrom(run, height + std::max(height - lowest.z, piece));
     if (middle == 0 || middle == end) continue;
     const TwoPieces pieces(sums[middle], sums[end].minus(sums[middle]));
-    if (!(pieces.apart() > least)) continue;
+    if (!(pieces.apart() > least) || std::abs(pieces.upper_lean) > kRoof) continue;
     double scatter = 0.0;
     for (std::size_t i = 0; i < end; ++i) {
       const double z = run[i].z - lowest.z;

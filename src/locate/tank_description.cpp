@@ -53,8 +53,11 @@ std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& 
     view.stands = shellRun(sectors[i].shell, voxel, thickness, view.bottom, view.top);
     view.step = findStepBack(sectors[i].around, voxel, kShortOfRingwall);
     if (!view.stands) continue;
-    const auto is_behind = [&](const Hit& hit) { return hit.off < -thickness && hit.z > view.top - 2.0 * voxel; };
-    view.behind_top = std::any_of(sectors[i].around.begin(), sectors[i].around.end(), is_behind);
+    const auto is_high = [&](double z) { return z > view.top - 2.0 * voxel; };
+    const auto is_behind = [&](const Hit& hit) { return hit.off < -thickness && is_high(hit.z); };
+    const std::vector<double>& farther = sectors[i].farther_in;  // upon a roof; the shell upon a ringwall hides it
+    view.behind_top = std::any_of(sectors[i].around.begin(), sectors[i].around.end(), is_behind) &&
+                      std::none_of(farther.begin(), farther.end(), is_high);
     view.outside = hasFoundation(sectors[i].outside, view.bottom, voxel, circle.radius);
     view.inside = hasFoundation(sectors[i].inside, view.bottom, voxel, circle.radius);
   }
@@ -181,7 +184,7 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
   tank.strays = sample.strays;
   std::vector<WallView> views = viewsOf(points, sample.voxel, circle, rms);
   look(tank, views, least);
-  if (standsOnRingwall(views, sample.voxel)) {
+  if (tank.side == Side::Outside && standsOnRingwall(views, sample.voxel)) {
     tank.ringwall_width = medianStep(views, [](const StepBack& step) { return step.width; });
     tank.ringwall_height = medianStep(views, faceHeight);
     double above = rms;

@@ -44,11 +44,12 @@ std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& 
   for (const auto& p : points) {
     const Eigen::Vector2d arm = p.head<2>() - circle.center;
     const double off = arm.norm() - circle.radius;
-    if (std::abs(off) > std::max(band + reach, around)) continue;
+    if (off > std::max(band + reach, around) || off < -(around + reach)) continue;
     const double turn = portable::atan2(arm.y(), arm.x()) / kTwoPi;
     auto& sector = sectors[static_cast<std::size_t>((turn - std::floor(turn)) * count) % sectors.size()];
     if (std::abs(off) <= band) sector.shell.push_back({p.z(), off});
     if (std::abs(off) <= around) sector.around.push_back({p.z(), off});
+    if (off < -around) sector.farther_in.push_back(p.z());
     if (std::abs(off) <= band + clear || std::abs(off) > band + reach) continue;
     (off > 0 ? sector.outside : sector.inside).push_back(p.z());
   }

@@ -13,10 +13,10 @@ struct Hit {
 };
 
 /// One azimuth sector: what stands at the shell and as near as a ringwall's face does, and the heights of what lies
-/// beside it on either side.
+/// beside it on either side, and farther in than a ringwall is wide.
 struct Sector {
   std::vector<Hit> shell, around;
-  std::vector<double> outside, inside;
+  std::vector<double> outside, inside, farther_in;
 };
 
 /// The sectors round a circle, three voxels wide.

@@ -68,6 +68,13 @@ TEST(FindHeapedArcs, AreComparedWithTheLipsOwnSlope) {
   EXPECT_EQ(heaped(11, -0.08, 0.0001, leaning), 11);
 }
 
+TEST(FindHeapedArcs, AreComparedWithWhatWideBeamsFeign) {
+  FootPriors blended = levelLip();
+  blended.blends.slope.assign(360, -0.05);
+  EXPECT_EQ(heaped(11, -0.06, 0.0001, blended), 0);
+  EXPECT_EQ(heaped(11, -0.08, 0.0001, blended), 11);
+}
+
 TEST(FindHeapedArcs, AreNotOfWideSurfaces) {
   FootPriors wide = levelLip();
   wide.settled = false;

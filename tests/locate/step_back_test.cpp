@@ -87,6 +87,20 @@ TEST(StepBackHeight, TheGroundBeforeAFaceAndTheTopOfARingwallAreNoWall) {
   EXPECT_NEAR(step.top, 3.95, 0.05);
 }
 
+/// Whether a wall steps back that leans by so much upon a face that stands out by 0.6 m.
+bool stepsBackLeaning(double lean) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.0, 0.6);
+  stack(hits, 1.0, 1.4, -lean, lean);
+  return findStepBack(hits, kVoxel, kThickness).found();
+}
+
+TEST(StepBackHeight, WhatLeansByHalfAMetreInAMetreIsARoof) {
+  EXPECT_TRUE(stepsBackLeaning(-0.45));
+  EXPECT_FALSE(stepsBackLeaning(-0.55));
+  EXPECT_FALSE(stepsBackLeaning(-5.0));
+}
+
 /// The height of a step of 1 m upon which the shell is first seen so much higher.
 double stepBelowHidden(double hidden) {
   constexpr double kFine = 0.03;

@@ -116,13 +116,15 @@ TEST(Describe, AGivenCircleIsNotLeftForAnother) {
   EXPECT_FALSE(tank.standsOnRingwall());
 }
 
-/// What a wall so high says, behind which something lies so high over a half of it, by a circle seen from outside.
-double lowWallOf(double high, double behind) {
+/// What a wall so high says, behind which something lies so high over a half of it, as far in, by a circle seen from
+/// outside.
+double lowWallOf(double high, double behind, double far_in = 0.3) {
   Sample sample{{}, 0.1, false};
   addFace(sample.points, 0.0, 0.0, high);
   addGround(sample.points, 0.0);
   for (double a = 0.0; a < 0.5 * kTwoPi; a += 0.006)
-    sample.points.emplace_back((kRadius - 0.3) * std::cos(a), (kRadius - 0.3) * std::sin(a), behind);
+    for (double in = 0.3; in <= far_in; in += 0.1)
+      sample.points.emplace_back((kRadius - in) * std::cos(a), (kRadius - in) * std::sin(a), behind);
   return describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002).low_wall;
 }
 
@@ -131,6 +133,22 @@ TEST(Describe, BehindTheTopOfALowWallSomethingMayLie) {
   EXPECT_NEAR(lowWallOf(1.9, 1.9), 0.5, 0.02);
   EXPECT_EQ(lowWallOf(1.5, 1.2), 0.0);
   EXPECT_TRUE(std::isnan(lowWallOf(2.2, 2.2)));
+}
+
+TEST(Describe, WhatGoesOnFartherInThanARingwallIsWideIsARoof) {
+  EXPECT_NEAR(lowWallOf(1.5, 1.5, 0.55), 0.5, 0.02);
+  EXPECT_EQ(lowWallOf(1.5, 1.5, 0.75), 0.0);
+}
+
+TEST(Describe, FromInsideNoRingwallIsSeen) {
+  Sample sample{{}, 0.1, false};
+  addFace(sample.points, 0.4, 0.0, 1.0);
+  addFace(sample.points, 0.0, 1.0, 2.0);
+  for (double a = 0.0; a < kTwoPi; a += 0.006)
+    sample.points.emplace_back((kRadius - 0.5) * std::cos(a), (kRadius - 0.5) * std::sin(a), 0.0);
+  const Tank tank = describe(sample.points, sample, {{0.0, 0.0}, kRadius + 0.4}, 0.002);
+  EXPECT_EQ(tank.side, Side::Inside);
+  EXPECT_FALSE(tank.standsOnRingwall());
 }
 
 TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
