@@ -65,23 +65,23 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   return slopes;
 }
 
-/// The slope of a wide foundation surface round the tank, from windows ten degrees wide.
+/// The slope of a wide foundation surface round the tank, from windows ten degrees wide; soil would tilt its harmonic.
 void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
   constexpr std::size_t kFewest = 6;
   const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope, false}, priors.sigma_bend);
   std::vector<WeightedValue> seen;
+  std::vector<double> all, azimuths, slopes, weights;
   for (const FootFit& fit : found.fits) {
-    if (fit.valid()) seen.push_back({fit.slope, 1.0 / square(fit.sigma_slope)});
+    if (fit.valid()) seen.push_back({fit.slope, 1.0 / square(fit.sigma_slope)}), all.push_back(fit.slope);
   }
   if (seen.size() < kFewest) return;
   priors.seen = weightedMedian(std::move(seen));
-  std::vector<double> azimuths, slopes, weights;
+  const double scatter = robustSigma(all, priors.seen);
   for (std::size_t k = 0; k < found.fits.size(); ++k) {
     const FootFit& fit = found.fits[k];
-    // soil over a third of the ring would tilt the harmonic
-    if (!fit.valid() || fit.slope < priors.seen - kHeapFalls - 3.0 * fit.sigma_slope) continue;
+    if (!fit.valid() || fit.slope < priors.seen - kHeapFalls - 3.0 * std::hypot(fit.sigma_slope, scatter)) continue;
     azimuths.push_back(foot.directions[k * found.stride]);
     slopes.push_back(fit.slope), weights.push_back(1.0 / square(fit.sigma_slope));
   }

@@ -27,10 +27,13 @@ FootPriors learnt(MadeFoot& made, Surface surface, double edge, double seen_to) 
 }
 
 /// The slopes of a pad that falls by 0.005 m/m, and by more over a third of the ring; a quarter of it is not seen.
-FootPriors padUnderSoil(double more) {
+/// @param uneven  what slopes are off that over twenty degrees each
+FootPriors padUnderSoil(double more, double uneven = 0.0) {
   MadeFoot made;
-  for (int s = 0; s < 270; ++s)
-    made.addStation(s, 40, 0.02, 0.28, [&](double d) { return (s < 120 ? -0.005 - more : -0.005) * d; });
+  for (int s = 0; s < 270; ++s) {
+    const double slope = -0.005 - (s < 120 ? more : 0.0) + (s / 20 % 2 == 0 ? uneven : -uneven);
+    made.addStation(s, 40, 0.02, 0.28, [&](double d) { return slope * d; });
+  }
   return learnt(made, Surface::Foundation, 0.3, 0.3);
 }
 
@@ -44,6 +47,8 @@ TEST(LearnPriors, SoilThatFallsMoreSteeplyOverAThirdOfTheRingTiltsNoPad) {
 TEST(LearnPriors, APadMayFallByEightMillimetresAMetreMoreThanElsewhere) {
   EXPECT_LT(padUnderSoil(0.008).slope[60], -0.010);
 }
+
+TEST(LearnPriors, AnUnevenPadMayFallByMore) { EXPECT_LT(padUnderSoil(0.017, 0.010).slope[60], -0.012); }
 
 TEST(LearnPriors, ALipWhoseEdgeACrownHidesIsLevelAmidWhatIsSeenOfIt) {
   MadeFoot made;
