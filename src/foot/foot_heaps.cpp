@@ -78,7 +78,7 @@ bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {
 std::vector<bool> findHeapedArcs(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
   constexpr double kArc = 5.0 * kDegree;  // to either side, that is looked at together
   constexpr double kSteeper = 0.02;       // a lip's slope varies by less along the shell [m/m]
-  const std::size_t count = own.size(), near = std::min(foot.stationsIn(kArc), (count - 1) / 2);
+  const std::size_t count = own.size(), near = foot.stationsBeside(kArc);
   std::vector<bool> heaped(count, false);
   if (!priors.settled) return heaped;
   for (std::size_t i = 0; i < count; ++i) {

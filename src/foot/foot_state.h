@@ -34,6 +34,8 @@ struct Foot {
   std::size_t stationsIn(double angle) const {
     return static_cast<std::size_t>(std::max(1.0, std::round(0.5 * angle / half_step)));
   }
+  /// How many an angle holds to either side of a station, each of them once.
+  std::size_t stationsBeside(double angle) const { return std::min(stationsIn(angle), (directions.size() - 1) / 2); }
 };
 
 /// The elevations that a pass begins with.

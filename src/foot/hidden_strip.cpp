@@ -18,7 +18,7 @@ constexpr std::size_t kBeyond = 6;  // strips that those beside the shell are co
 /// stands, its neighbours that have none do not.
 std::vector<std::size_t> stationsAbout(const Foot& foot, const FootPass& pass) {
   constexpr double kAbout = 3.0 * kDegree;
-  const std::size_t count = pass.fits.size(), about = std::min(foot.stationsIn(kAbout), (count - 1) / 2);
+  const std::size_t count = pass.fits.size(), about = foot.stationsBeside(kAbout);
   std::vector<char> taken(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (!pass.fits[i].valid() || pass.outliers.reasons[i] != Unmeasured::None) continue;

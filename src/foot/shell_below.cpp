@@ -90,7 +90,7 @@ std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& f
   constexpr double kDeep = 0.03;           // of the reach, below and above what noise blurs
   constexpr double kBlur = 2.0;            // of the surface's noise
   constexpr double kChance = 2.0;          // standard deviations of the number of points below
-  const std::size_t count = fits.size(), near = std::min(foot.stationsIn(kArc), (count - 1) / 2);
+  const std::size_t count = fits.size(), near = foot.stationsBeside(kArc);
   const double deep = kDeep * foot.reach, blur = kBlur * noiseOf(fits);
   std::vector<ShellCounts> own(count);
   forEachIndex(count, 0, [&](std::size_t i) {
