@@ -56,19 +56,6 @@ double guessAt(const std::vector<FootPoint>& points, const FootCandidate& chosen
   return heights.size() < kFew ? chosen.height : median(heights);
 }
 
-/// Stations within a few degrees of one where a stretch was chosen.
-std::vector<bool> closeTo(const std::vector<double>& datum, double step) {
-  constexpr double kClose = 3.0 * kPi / 180.0;
-  const auto count = static_cast<std::ptrdiff_t>(datum.size());
-  const auto reach = std::max<std::ptrdiff_t>(1, std::lround(kClose / step));
-  std::vector<bool> close(datum.size(), false);
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    if (!std::isfinite(datum[static_cast<std::size_t>(i)])) continue;
-    for (std::ptrdiff_t j = i - reach; j <= i + reach; ++j) close[static_cast<std::size_t>((j + count) % count)] = true;
-  }
-  return close;
-}
-
 /// Of a scan so noisy that surfaces at different heights cannot be told apart: the elevation of each station's points
 /// nearest to the shell.
 FootElevations nearestToShell(const Foot& foot) {
@@ -166,6 +153,17 @@ std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
 
 }  // namespace
 
+std::vector<bool> closeTo(const Foot& foot, const std::vector<double>& elevations) {
+  constexpr double kClose = 3.0 * kPi / 180.0;
+  const std::size_t count = elevations.size(), close = foot.stationsBeside(kClose);
+  std::vector<bool> near(count, false);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(elevations[i])) continue;
+    for (std::size_t k = i + count - close; k <= i + count + close; ++k) near[k % count] = true;
+  }
+  return near;
+}
+
 bool isResolved(const Foot& foot) {
   constexpr double kResolved = 0.01;  // noise over the reach of the section; a lip and its ringwall are 0.02 apart
   return foot.scales.shell_noise <= kResolved * foot.reach;
@@ -175,7 +173,7 @@ FootElevations firstElevations(const Foot& foot, const Tank& tank) {
   if (!isResolved(foot)) return nearestToShell(foot);
   FootElevations first;
   first.known = guessRoundRing(foot, tank);
-  first.seen = closeTo(first.known, 2.0 * foot.half_step);
+  first.seen = closeTo(foot, first.known);
   first.filled = filledUp(runningMedian(first.known, 3));
   for (std::size_t i = 0; i < first.known.size(); ++i) {
     if (std::isfinite(first.known[i])) first.known[i] = first.filled[i];

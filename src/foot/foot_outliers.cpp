@@ -72,14 +72,6 @@ bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isGrazed(points, pass.sections.at(station), fit, foot.reach);
 }
 
-/// The fits without those of stations that do not stand.
-std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmeasured>& reasons) {
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (reasons[i] != Unmeasured::None) fits[i] = {};
-  }
-  return fits;
-}
-
 /// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
 bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>& fits) {
   ShellCounts shell;
@@ -89,6 +81,13 @@ bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>
 }
 
 }  // namespace
+
+std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmeasured>& reasons) {
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (reasons[i] != Unmeasured::None) fits[i] = {};
+  }
+  return fits;
+}
 
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, pass);

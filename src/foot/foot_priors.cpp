@@ -27,7 +27,7 @@ constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looke
 struct Slopes {
   std::size_t stride;
   std::vector<FootFit> fits;
-  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation
+  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation; none where not looked at
   std::vector<BandPoints> bands;
 };
 
@@ -61,7 +61,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
     rays[k] = countRays(points, profile, level + profile.offset, foot.reach);
     slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
   });
-  slopes.steepness = steepnessAlong(rays, foot.reach);
+  if (windows.beams) slopes.steepness = steepnessAlong(rays, foot.reach);
   return slopes;
 }
 

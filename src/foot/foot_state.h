@@ -54,6 +54,10 @@ bool isResolved(const Foot& foot);
 /// @param tank  whose coarse foot the points are looked for around
 FootElevations firstElevations(const Foot& foot, const Tank& tank);
 
+/// Stations whose elevation is known, and those within a few degrees of one.
+/// @param elevations  NaN where not known [m]
+std::vector<bool> closeTo(const Foot& foot, const std::vector<double>& elevations);
+
 /// The section of the foot, stacked over the whole ring and over arcs of it.
 struct FootSections {
   FootProfile whole;
@@ -132,6 +136,9 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass);
 
 /// Why stations do not stand: their fit has no support of its own, lies on something else, or steps off its neighbours.
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass);
+
+/// The fits without those of stations that do not stand.
+std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmeasured>& reasons);
 
 /// Elevations of fits; NaN where one is not valid [m].
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/statistics.h"
-#include "core/units.h"
 #include "foot/section_lines.h"
 
 namespace tank_datum {
@@ -13,23 +12,6 @@ namespace {
 constexpr double kStrip = 0.02;  // of the reach
 constexpr std::size_t kStrips = 20;
 constexpr std::size_t kBeyond = 6;  // strips that those beside the shell are compared with
-
-/// Stations that stand, and those within a few degrees of one: a station that has points of what is mostly hidden
-/// stands, its neighbours that have none do not.
-std::vector<std::size_t> stationsAbout(const Foot& foot, const FootPass& pass) {
-  constexpr double kAbout = 3.0 * kDegree;
-  const std::size_t count = pass.fits.size(), about = foot.stationsBeside(kAbout);
-  std::vector<char> taken(count, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!pass.fits[i].valid() || pass.outliers.reasons[i] != Unmeasured::None) continue;
-    for (std::size_t k = i + count - about; k <= i + count + about; ++k) taken[k % count] = 1;
-  }
-  std::vector<std::size_t> stations;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (taken[i] != 0) stations.push_back(i);
-  }
-  return stations;
-}
 
 double pointsIn(const FootStrip& strip) { return static_cast<double>(strip.size()); }
 
@@ -97,7 +79,10 @@ double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vect
   const double width = kStrip * foot.reach, near = foot.scales.nearest(), bend = kBend * foot.reach;
   const double within = kNoise * pass.sections.whole.noise + bend;
   std::vector<FootStrip> strips(kStrips);
-  for (const std::size_t i : stationsAbout(foot, pass)) {
+  // a station that has points of what is mostly hidden stands, its neighbours that have none do not
+  const std::vector<bool> about = closeTo(foot, elevationsOf(standing(pass.fits, pass.outliers.reasons)));
+  for (std::size_t i = 0; i < about.size(); ++i) {
+    if (!about[i]) continue;
     for (const FootPoint& p : foot.points[i]) {
       const double at = (p.d - near) / width, height = p.z - levels[i] - pass.priors.slope[i] * p.d;
       if (at < 0.0 || at >= static_cast<double>(kStrips) || std::abs(height) >= within) continue;

@@ -119,9 +119,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
     elevations = elevationsAfter(pass, elevations.seen);
   }
   if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
-  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
-    if (pass.outliers.reasons[i] != Unmeasured::None) pass.fits[i] = {};
-  }
+  pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
   return pass;
 }
 

@@ -4,20 +4,12 @@
 
 #include <cmath>
 
+#include "support/made_walls.h"
+
 namespace tank_datum {
 namespace {
 
-constexpr double kVoxel = 0.1;
-constexpr double kThickness = 0.075;
-
-/// A wall from `from` to `to`, `off` outside of the circle, a hit every half voxel.
-void stack(std::vector<Hit>& hits, double from, double to, double off, double lean = 0.0) {
-  const int count = static_cast<int>(std::lround((to - from) / (0.5 * kVoxel)));
-  for (int i = 0; i < count; ++i) {
-    const double z = from + 0.5 * kVoxel * i;
-    hits.push_back({z, off + lean * z});
-  }
-}
+using namespace made_walls;
 
 /// The height at which a wall 4 m high steps back upon a face that stands out so far; one that leans, whose hits are
 /// off it by so much to either side.
