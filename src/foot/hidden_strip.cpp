@@ -46,11 +46,36 @@ SectionLine lineOf(const std::vector<FootStrip>& strips, BinRange range, double 
   return lineThrough(bins, {0, bins.size()}, bend);
 }
 
+/// The strips beyond some that show the surface: up to one with far more points, which is an upright face.
+BinRange beyond(const std::vector<FootStrip>& strips, std::size_t count) {
+  constexpr double kFace = 2.0;  // times as many
+  std::vector<double> points;
+  for (std::size_t k = count; k < count + kBeyond; ++k) points.push_back(pointsIn(strips[k]));
+  const double most = kFace * median(std::move(points));
+  BinRange range{count, count};
+  while (range.last < count + kBeyond && pointsIn(strips[range.last]) <= most) ++range.last;
+  return range;
+}
+
 /// Whether points of some strips beside the shell lie off the line through those beyond.
 bool areOff(const std::vector<FootStrip>& strips, std::size_t count, double bend) {
-  const SectionLine inner = lineOf(strips, {0, count}, bend), beyond = lineOf(strips, {count, count + kBeyond}, bend);
-  const double error = std::sqrt(inner.variance + beyond.varianceAt(inner.middle));
-  return std::abs(inner.height - beyond.at(inner.middle)) > bend + 3.0 * error;
+  const SectionLine inner = lineOf(strips, {0, count}, bend), outer = lineOf(strips, beyond(strips, count), bend);
+  const double error = std::sqrt(inner.variance + outer.varianceAt(inner.middle));
+  return std::abs(inner.height - outer.at(inner.middle)) > bend + 3.0 * error;
+}
+
+/// Whether the shell goes on below the line through the strips beyond some.
+bool goesBelow(const FootStrip& shell, const std::vector<FootStrip>& strips, std::size_t count, double bend) {
+  constexpr double kDeep = 15.0;  // times what the surface may be bent by, above the line and below
+  const SectionLine outer = lineOf(strips, beyond(strips, count), bend);
+  const double line = outer.at(0.0), deep = kDeep * bend;
+  std::size_t below = 0, above = 0;
+  for (const double height : shell) {
+    below += height < line && height > line - deep;
+    above += height > line && height < line + deep;
+  }
+  const double least = bend + 3.0 * std::sqrt(outer.varianceAt(0.0));
+  return static_cast<double>(below) * deep > static_cast<double>(above) * least;
 }
 
 /// What points of some strips scatter by, usually [m].
@@ -63,33 +88,39 @@ double scatterOf(const std::vector<FootStrip>& strips, BinRange range) {
 /// Whether points of some strips beside the shell scatter far more than those beyond, as on no one surface.
 bool areScattered(const std::vector<FootStrip>& strips, std::size_t count) {
   constexpr double kMore = 2.0;
-  return scatterOf(strips, {0, count}) > kMore * scatterOf(strips, {count, count + kBeyond});
+  return scatterOf(strips, {0, count}) > kMore * scatterOf(strips, beyond(strips, count));
 }
 
 }  // namespace
 
-std::size_t hiddenStrips(const std::vector<FootStrip>& strips, double bend) {
+std::size_t hiddenStrips(const std::vector<FootStrip>& strips, const FootStrip& shell, double bend) {
   const std::size_t thin = thinStrips(strips);
-  return thin > 0 && (areOff(strips, thin, bend) || areScattered(strips, thin)) ? thin : 0;
+  const bool hidden =
+      thin > 0 && (areOff(strips, thin, bend) || areScattered(strips, thin) || goesBelow(shell, strips, thin, bend));
+  return hidden ? thin : 0;
 }
 
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels) {
   constexpr double kNoise = 4.0;   // of the surface, within which its points lie,
   constexpr double kBend = 0.002;  // and what it may be bent by, of the reach
+  constexpr double kShell = 2.0;   // of the shell's noise, within which its points lie
   const double width = kStrip * foot.reach, near = foot.scales.nearest(), bend = kBend * foot.reach;
   const double within = kNoise * pass.sections.whole.noise + bend;
+  const double shell_within = kShell * foot.scales.shell_noise;
   std::vector<FootStrip> strips(kStrips);
+  FootStrip shell;
   // a station that has points of what is mostly hidden stands, its neighbours that have none do not
   const std::vector<bool> about = closeTo(foot, elevationsOf(standing(pass.fits, pass.outliers.reasons)));
   for (std::size_t i = 0; i < about.size(); ++i) {
     if (!about[i]) continue;
     for (const FootPoint& p : foot.points[i]) {
       const double at = (p.d - near) / width, height = p.z - levels[i] - pass.priors.slope[i] * p.d;
+      if (std::abs(p.d) <= shell_within) shell.push_back(height);
       if (at < 0.0 || at >= static_cast<double>(kStrips) || std::abs(height) >= within) continue;
       strips[static_cast<std::size_t>(at)].push_back(height);
     }
   }
-  const std::size_t hidden = hiddenStrips(strips, bend);
+  const std::size_t hidden = hiddenStrips(strips, shell, bend);
   return hidden == 0 ? 0.0 : near + static_cast<double>(hidden) * width;
 }
 

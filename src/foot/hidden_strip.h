@@ -11,14 +11,16 @@ namespace tank_datum {
 using FootStrip = std::vector<double>;
 
 /// How many strips beside the shell do not show a surface that is seen farther out: points there are fewer, and lie off
-/// it. 0: none.
+/// it, or the shell goes on below it. 0: none.
 /// @param strips  of equal width, from the shell outwards
+/// @param shell   the same heights of the shell's points
 /// @param bend    what a surface may be bent by from strip to strip [m]
-std::size_t hiddenStrips(const std::vector<FootStrip>& strips, double bend);
+std::size_t hiddenStrips(const std::vector<FootStrip>& strips, const FootStrip& shell, double bend);
 
 /// How far from the shell the surface that stations lie on is hidden [m]; 0 where it is seen up to the shell. Rays meet
 /// a surface as densely beside the shell as farther out. A crown that stands before the shell hides what lies between:
-/// beams that graze its edge leave few points there, below it. (Plants or a wet floor leave few points too, upon it.)
+/// beams that graze its edge leave few points there, below it, and those that pass it meet the shell below its level.
+/// (Plants or a wet floor leave few points too, upon it.)
 /// @param levels  elevation of every station [m]
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels);
 

@@ -18,8 +18,16 @@ struct StripRun {
   double height = 0.0, off = 0.0005;
 };
 
+/// So many points of a shell, evenly from one height over the surface to another.
+FootStrip shellSeen(double from, double to, std::size_t points) {
+  FootStrip shell;
+  const double step = (to - from) / static_cast<double>(points);
+  for (std::size_t i = 0; i < points; ++i) shell.push_back(from + step * (static_cast<double>(i) + 0.5));
+  return shell;
+}
+
 /// How many are hidden of twenty strips, from the shell outwards, the last of which are empty.
-std::size_t hidden(const std::vector<StripRun>& runs, double bend = kBend) {
+std::size_t hidden(const std::vector<StripRun>& runs, double bend = kBend, const FootStrip& shell = {}) {
   std::vector<FootStrip> strips;
   for (const StripRun& run : runs) {
     FootStrip strip;
@@ -27,7 +35,7 @@ std::size_t hidden(const std::vector<StripRun>& runs, double bend = kBend) {
     strips.insert(strips.end(), static_cast<std::size_t>(run.strips), strip);
   }
   strips.resize(20);
-  return hiddenStrips(strips, bend);
+  return hiddenStrips(strips, shell, bend);
 }
 
 constexpr double kOff = -0.005;  // beyond what a surface is bent by
@@ -61,6 +69,30 @@ TEST(HiddenStrips, LieOffTheLineThroughThoseBeyond) {
 TEST(HiddenStrips, OrScatterTwiceAsMuch) {
   EXPECT_EQ(hidden({{5, 600, 0.0, 0.00095}, {15, 1000}}), 0U);
   EXPECT_EQ(hidden({{5, 600, 0.0, 0.00105}, {15, 1000}}), 5U);
+}
+
+TEST(HiddenStrips, OrTheShellGoesOnBelowThoseBeyond) {
+  const std::vector<StripRun> thin{{5, 600}, {15, 1000}}, few{{5, 10, 0.0, 0.001}, {15, 20, 0.0, 0.001}};
+  EXPECT_EQ(hidden(thin, kBend, shellSeen(-0.0008, 0.015, 158)), 0U);
+  EXPECT_EQ(hidden(thin, kBend, shellSeen(-0.0013, 0.015, 163)), 5U);
+  EXPECT_EQ(hidden(thin, 2.0 * kBend, shellSeen(-0.0013, 0.030, 313)), 0U);
+  EXPECT_EQ(hidden(few, kBend, shellSeen(-0.0027, 0.015, 177)), 0U);  // three standard errors are 2 mm
+  EXPECT_EQ(hidden(few, kBend, shellSeen(-0.0040, 0.015, 190)), 5U);
+  EXPECT_EQ(hidden({{20, 1000}}, kBend, shellSeen(-0.015, 0.015, 300)), 0U);
+}
+
+TEST(HiddenStrips, AreToldByTheShellAsFarBelowAsAbove) {
+  FootStrip shell = shellSeen(0.0, 0.015, 150);
+  const FootStrip lower = shellSeen(-0.0145, -0.008, 65), lowest = shellSeen(-0.030, -0.016, 140);
+  shell.insert(shell.end(), lowest.begin(), lowest.end());
+  EXPECT_EQ(hidden({{5, 600}, {15, 1000}}, kBend, shell), 0U);
+  shell.insert(shell.end(), lower.begin(), lower.end());
+  EXPECT_EQ(hidden({{5, 600}, {15, 1000}}, kBend, shell), 5U);
+}
+
+TEST(HiddenStrips, AreComparedWithWhatIsNoUprightFace) {
+  EXPECT_EQ(hidden({{5, 600, kOff}, {2, 1000}, {1, 2500, -0.02}, {12, 1000}}), 5U);
+  EXPECT_EQ(hidden({{5, 600, kOff}, {1, 1500}, {14, 1000}}), 5U);
 }
 
 TEST(HiddenStrips, AreNoneWhereOneOfThemIsDense) {
@@ -121,6 +153,22 @@ TEST(HiddenBesideShell, IsLookedForAsFarAsThreeTenthsOfTheReach) {
 TEST(HiddenBesideShell, IsOfTheSurfaceThatStationsLieOn) {
   EXPECT_GT(hiddenBefore(0.093, 0.0022), 0.0);
   EXPECT_EQ(hiddenBefore(0.093, 0.0030), 0.0);
+}
+
+/// Whether a surface half of whose points beside the shell are lost is hidden, where the shell goes on below it.
+bool isHiddenBeforeShell(double off) {
+  MadeFoot made;
+  made.addAll(35, 0.013, 0.083, level);
+  made.addAll(70, 0.083, 0.153, level);
+  for (int station = 0; station < 360; ++station) {
+    for (int i = 0; i < 20; ++i) made.add(station * made.step(), off, 0.001 * (i - 9.5));
+  }
+  return hiddenBesideShell(made.foot(), passUpon(), std::vector<double>(360, 0.0)) > 0.0;
+}
+
+TEST(HiddenBesideShell, IsWhatTheShellGoesOnBelow) {
+  EXPECT_TRUE(isHiddenBeforeShell(0.0018));
+  EXPECT_FALSE(isHiddenBeforeShell(0.0022));
 }
 
 /// Whether it is hidden about one station that alone stands and sees all of it, where another sees most beyond only.
