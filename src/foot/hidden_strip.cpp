@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/statistics.h"
+#include "foot/ring_slope.h"
 #include "foot/section_lines.h"
 
 namespace tank_datum {
@@ -17,7 +18,8 @@ double pointsIn(const FootStrip& strip) { return static_cast<double>(strip.size(
 
 /// How many strips beside the shell have less than two thirds of the points of those beyond, all together and each; 0:
 /// none.
-std::size_t thinStrips(const std::vector<FootStrip>& strips) {
+/// @param all  what those beyond have
+std::size_t thinStrips(const std::vector<FootStrip>& strips, const std::vector<FootStrip>& all) {
   constexpr std::size_t kFewest = 3;
   constexpr double kThin = 0.65;
   constexpr double kChance = 2.0;  // standard deviations of a number of points
@@ -25,7 +27,7 @@ std::size_t thinStrips(const std::vector<FootStrip>& strips) {
   double inner = 0.0, densest = 0.0;
   for (std::size_t k = 0; k + kBeyond <= strips.size(); ++k) {
     std::vector<double> beyond;
-    for (std::size_t j = k; j < k + kBeyond; ++j) beyond.push_back(pointsIn(strips[j]));
+    for (std::size_t j = k; j < k + kBeyond; ++j) beyond.push_back(pointsIn(all[j]));
     const double usual = kThin * median(std::move(beyond)), most = inner + kChance * std::sqrt(inner);
     if (k >= kFewest && densest < usual && most < usual * static_cast<double>(k)) thin = k;
     inner += pointsIn(strips[k]), densest = std::max(densest, pointsIn(strips[k]));
@@ -91,13 +93,23 @@ bool areScattered(const std::vector<FootStrip>& strips, std::size_t count) {
   return scatterOf(strips, {0, count}) > kMore * scatterOf(strips, beyond(strips, count));
 }
 
+/// Whether points of some strips beside the shell rise outwards more steeply than a foundation, to an edge that hides
+/// it.
+bool rises(const std::vector<FootStrip>& strips, std::size_t count, double width, double bend) {
+  const SectionLine inner = lineOf(strips, {0, count}, bend);
+  return inner.slope > kSteepestLip * width + 3.0 * std::sqrt(inner.variance_slope);
+}
+
 }  // namespace
 
-std::size_t hiddenStrips(const std::vector<FootStrip>& strips, const FootStrip& shell, double bend) {
-  const std::size_t thin = thinStrips(strips);
-  const bool hidden =
-      thin > 0 && (areOff(strips, thin, bend) || areScattered(strips, thin) || goesBelow(shell, strips, thin, bend));
-  return hidden ? thin : 0;
+std::size_t hiddenStrips(const FootStrips& seen, double bend) {
+  const std::vector<FootStrip>& strips = seen.surface;
+  const std::size_t thin = thinStrips(strips, strips);
+  if (thin > 0 &&
+      (areOff(strips, thin, bend) || areScattered(strips, thin) || goesBelow(seen.shell, strips, thin, bend)))
+    return thin;
+  const std::size_t thinner = thinStrips(strips, seen.all);
+  return thinner > 0 && rises(strips, thinner, seen.width, bend) ? thinner : 0;
 }
 
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels) {
@@ -106,21 +118,21 @@ double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vect
   constexpr double kShell = 2.0;   // of the shell's noise, within which its points lie
   const double width = kStrip * foot.reach, near = foot.scales.nearest(), bend = kBend * foot.reach;
   const double within = kNoise * pass.sections.whole.noise + bend;
-  const double shell_within = kShell * foot.scales.shell_noise;
-  std::vector<FootStrip> strips(kStrips);
-  FootStrip shell;
+  FootStrips seen{width, std::vector<FootStrip>(kStrips), std::vector<FootStrip>(kStrips), {}};
   // a station that has points of what is mostly hidden stands, its neighbours that have none do not
   const std::vector<bool> about = closeTo(foot, elevationsOf(standing(pass.fits, pass.outliers.reasons)));
   for (std::size_t i = 0; i < about.size(); ++i) {
     if (!about[i]) continue;
     for (const FootPoint& p : foot.points[i]) {
       const double at = (p.d - near) / width, height = p.z - levels[i] - pass.priors.slope[i] * p.d;
-      if (std::abs(p.d) <= shell_within) shell.push_back(height);
-      if (at < 0.0 || at >= static_cast<double>(kStrips) || std::abs(height) >= within) continue;
-      strips[static_cast<std::size_t>(at)].push_back(height);
+      if (std::abs(p.d) <= kShell * foot.scales.shell_noise) seen.shell.push_back(height);
+      if (at < 0.0 || at >= static_cast<double>(kStrips)) continue;
+      const auto strip = static_cast<std::size_t>(at);
+      if (std::abs(height) < within) seen.surface[strip].push_back(height);
+      seen.all[strip].push_back(height);
     }
   }
-  const std::size_t hidden = hiddenStrips(strips, shell, bend);
+  const std::size_t hidden = hiddenStrips(seen, bend);
   return hidden == 0 ? 0.0 : near + static_cast<double>(hidden) * width;
 }
 

@@ -10,16 +10,23 @@ namespace tank_datum {
 /// Heights of points in a strip along the shell over the surface that stations lie on [m].
 using FootStrip = std::vector<double>;
 
+/// What is seen about stations, over the surface that they lie on.
+struct FootStrips {
+  double width;                    ///< of a strip [m]
+  std::vector<FootStrip> surface;  ///< what lies on it, from the shell outwards
+  std::vector<FootStrip> all;      ///< with what lies above and below
+  FootStrip shell;
+};
+
 /// How many strips beside the shell do not show a surface that is seen farther out: points there are fewer, and lie off
-/// it, or the shell goes on below it. 0: none.
-/// @param strips  of equal width, from the shell outwards
-/// @param shell   the same heights of the shell's points
-/// @param bend    what a surface may be bent by from strip to strip [m]
-std::size_t hiddenStrips(const std::vector<FootStrip>& strips, const FootStrip& shell, double bend);
+/// it, or the shell goes on below it; or they rise steeply to what lies higher farther out. 0: none.
+/// @param bend  what a surface may be bent by from strip to strip [m]
+std::size_t hiddenStrips(const FootStrips& seen, double bend);
 
 /// How far from the shell the surface that stations lie on is hidden [m]; 0 where it is seen up to the shell. Rays meet
 /// a surface as densely beside the shell as farther out. A crown that stands before the shell hides what lies between:
-/// beams that graze its edge leave few points there, below it, and those that pass it meet the shell below its level.
+/// beams that graze its edge leave few points there, below it or on the line from its edge to the shell, and those that
+/// pass it meet the shell below its level.
 /// (Plants or a wet floor leave few points too, upon it.)
 /// @param levels  elevation of every station [m]
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels);

@@ -9,13 +9,14 @@ namespace {
 
 using namespace made_feet;
 
-constexpr double kBend = 0.001;
+constexpr double kBend = 0.001, kWidth = 0.01;
 
-/// So many strips with so many points, at a height over the surface, give or take so much.
+/// So many strips with so many points, at a height over the surface, give or take so much, that rises so much from
+/// strip to strip.
 struct StripRun {
   int strips;
   std::size_t points;
-  double height = 0.0, off = 0.0005;
+  double height = 0.0, off = 0.0005, rise = 0.0;
 };
 
 /// So many points of a shell, evenly from one height over the surface to another.
@@ -26,16 +27,25 @@ FootStrip shellSeen(double from, double to, std::size_t points) {
   return shell;
 }
 
-/// How many are hidden of twenty strips, from the shell outwards, the last of which are empty.
-std::size_t hidden(const std::vector<StripRun>& runs, double bend = kBend, const FootStrip& shell = {}) {
+/// Twenty strips, from the shell outwards, the last of which are empty.
+std::vector<FootStrip> stripsOf(const std::vector<StripRun>& runs) {
   std::vector<FootStrip> strips;
   for (const StripRun& run : runs) {
-    FootStrip strip;
-    for (std::size_t i = 0; i < run.points; ++i) strip.push_back(run.height + (i % 2 == 0 ? run.off : -run.off));
-    strips.insert(strips.end(), static_cast<std::size_t>(run.strips), strip);
+    for (int k = 0; k < run.strips; ++k) {
+      FootStrip strip;
+      const double height = run.height + k * run.rise;
+      for (std::size_t i = 0; i < run.points; ++i) strip.push_back(height + (i % 2 == 0 ? run.off : -run.off));
+      strips.push_back(strip);
+    }
   }
   strips.resize(20);
-  return hiddenStrips(strips, shell, bend);
+  return strips;
+}
+
+/// How many are hidden of twenty strips, from the shell outwards, the last of which are empty.
+std::size_t hidden(const std::vector<StripRun>& runs, double bend = kBend, const FootStrip& shell = {}) {
+  const std::vector<FootStrip> strips = stripsOf(runs);
+  return hiddenStrips({kWidth, strips, strips, shell}, bend);
 }
 
 constexpr double kOff = -0.005;  // beyond what a surface is bent by
@@ -79,6 +89,20 @@ TEST(HiddenStrips, OrTheShellGoesOnBelowThoseBeyond) {
   EXPECT_EQ(hidden(few, kBend, shellSeen(-0.0027, 0.015, 177)), 0U);  // three standard errors are 2 mm
   EXPECT_EQ(hidden(few, kBend, shellSeen(-0.0040, 0.015, 190)), 5U);
   EXPECT_EQ(hidden({{20, 1000}}, kBend, shellSeen(-0.015, 0.015, 300)), 0U);
+}
+
+/// How many are hidden of strips that rise so much, before so many of so many points each higher up.
+std::size_t hiddenRising(double rise, std::size_t points, std::size_t higher, double off = 0.0005) {
+  const StripRun rising{7, points, 0.0, off, rise};
+  return hiddenStrips({kWidth, stripsOf({rising}), stripsOf({rising, {8, higher, 0.02}}), {}}, kBend);
+}
+
+TEST(HiddenStrips, OrTheyRiseMoreSteeplyThanALipToWhatLiesHigher) {
+  EXPECT_EQ(hiddenRising(0.0009, 60, 100), 0U);
+  EXPECT_NE(hiddenRising(0.0011, 60, 100), 0U);
+  EXPECT_EQ(hiddenRising(-0.0011, 60, 100), 0U);
+  EXPECT_EQ(hiddenRising(0.0011, 70, 100), 0U);          // as dense as what lies higher
+  EXPECT_EQ(hiddenRising(0.0011, 60, 100, 0.0020), 0U);  // three standard errors of 0.06 mm
 }
 
 TEST(HiddenStrips, AreToldByTheShellAsFarBelowAsAbove) {
