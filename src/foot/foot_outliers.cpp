@@ -10,6 +10,7 @@
 #include "foot/foot_profile.h"
 #include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
+#include "foot/grazed_arcs.h"
 #include "foot/shell_below.h"
 #include "foot/slanting_beams.h"
 #include "tank_datum/core/unknown.h"
@@ -119,8 +120,9 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   }
   own = standing(std::move(own), reasons);
   const std::vector<bool> heaped = findHeapedArcs(foot, pass.priors, own);
+  const std::vector<bool> grazed = findGrazedArcs(foot, pass, standing(pass.fits, reasons));
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (!heaped[i]) continue;
+    if (!heaped[i] && !grazed[i]) continue;
     no_foot[i] = 1;
     reasons[i] = Unmeasured::OtherSurface;
   }

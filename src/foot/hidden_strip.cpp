@@ -10,7 +10,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kStrip = 0.02;  // of the reach
 constexpr std::size_t kStrips = 20;
 constexpr std::size_t kBeyond = 6;  // strips that those beside the shell are compared with
 
@@ -112,28 +111,33 @@ std::size_t hiddenStrips(const FootStrips& seen, double bend) {
   return thinner > 0 && rises(strips, thinner, seen.width, bend) ? thinner : 0;
 }
 
+StripScales stripScales(const Foot& foot, const FootPass& pass) {
+  constexpr double kStrip = 0.02;                // wide, of the reach
+  constexpr double kBend = 0.002;                // of the reach
+  constexpr double kNoise = 4.0, kHigher = 2.0;  // of the surface
+  const double noise = pass.sections.whole.noise, bend = kBend * foot.reach;
+  return {foot.scales.nearest(), kStrip * foot.reach, bend, kNoise * noise + bend, kHigher * noise + bend};
+}
+
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels) {
-  constexpr double kNoise = 4.0;   // of the surface, within which its points lie,
-  constexpr double kBend = 0.002;  // and what it may be bent by, of the reach
-  constexpr double kShell = 2.0;   // of the shell's noise, within which its points lie
-  const double width = kStrip * foot.reach, near = foot.scales.nearest(), bend = kBend * foot.reach;
-  const double within = kNoise * pass.sections.whole.noise + bend;
-  FootStrips seen{width, std::vector<FootStrip>(kStrips), std::vector<FootStrip>(kStrips), {}};
+  constexpr double kShell = 2.0;  // of the shell's noise, within which its points lie
+  const StripScales scales = stripScales(foot, pass);
+  FootStrips seen{scales.width, std::vector<FootStrip>(kStrips), std::vector<FootStrip>(kStrips), {}};
   // a station that has points of what is mostly hidden stands, its neighbours that have none do not
   const std::vector<bool> about = closeTo(foot, elevationsOf(standing(pass.fits, pass.outliers.reasons)));
   for (std::size_t i = 0; i < about.size(); ++i) {
     if (!about[i]) continue;
     for (const FootPoint& p : foot.points[i]) {
-      const double at = (p.d - near) / width, height = p.z - levels[i] - pass.priors.slope[i] * p.d;
+      const double at = (p.d - scales.near) / scales.width, height = p.z - levels[i] - pass.priors.slope[i] * p.d;
       if (std::abs(p.d) <= kShell * foot.scales.shell_noise) seen.shell.push_back(height);
       if (at < 0.0 || at >= static_cast<double>(kStrips)) continue;
       const auto strip = static_cast<std::size_t>(at);
-      if (std::abs(height) < within) seen.surface[strip].push_back(height);
+      if (std::abs(height) < scales.within) seen.surface[strip].push_back(height);
       seen.all[strip].push_back(height);
     }
   }
-  const std::size_t hidden = hiddenStrips(seen, bend);
-  return hidden == 0 ? 0.0 : near + static_cast<double>(hidden) * width;
+  const std::size_t hidden = hiddenStrips(seen, scales.bend);
+  return hidden == 0 ? 0.0 : scales.near + static_cast<double>(hidden) * scales.width;
 }
 
 }  // namespace tank_datum

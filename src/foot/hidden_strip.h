@@ -10,6 +10,15 @@ namespace tank_datum {
 /// Heights of points in a strip along the shell over the surface that stations lie on [m].
 using FootStrip = std::vector<double>;
 
+/// Scales that strips along the shell are read with [m].
+struct StripScales {
+  double near, width;  ///< where the first begins, and how wide each is
+  double bend;         ///< what a surface may be bent by from strip to strip
+  double within;       ///< of the surface that stations lie on, for points of it
+  double higher;       ///< above it, for points of something else
+};
+StripScales stripScales(const Foot& foot, const FootPass& pass);
+
 /// What is seen about stations, over the surface that they lie on.
 struct FootStrips {
   double width;                    ///< of a strip [m]
