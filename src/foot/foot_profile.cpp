@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "foot/ring_slope.h"
 #include "foot/section_bins.h"
 #include "foot/section_end.h"
+#include "foot/section_lines.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -18,39 +20,64 @@ struct Plateau {
   double offset, misfit;
 };
 
+/// How far a bin lies above a line through the shell at the surface's slope [m].
+double levelOf(const FootProfile& profile, std::size_t bin) {
+  return profile.height[bin] - profile.slope * middle(profile, bin);
+}
+
+/// Bins to either side of one that lies on the surface as it does, out to where it is off by what can be told.
+Plateau plateauAbout(const FootProfile& profile, std::size_t bin, std::size_t reach, BinRange surface) {
+  std::vector<double> around;
+  for (std::size_t i = bin - reach; i <= bin + reach; ++i) {
+    if (std::isfinite(levelOf(profile, i))) around.push_back(levelOf(profile, i));
+  }
+  const double height = median(around);
+  const auto lies_on = [&](std::size_t i) {
+    return !(std::abs(levelOf(profile, i) - height) > 3.0 * profile.error[i] + 0.1 * profile.noise);
+  };
+  // one stray bin does not end the surface, two in a row do
+  const auto [first, last] = surface;
+  std::size_t from = bin, to = bin;
+  while (from > first && (lies_on(from - 1) || (from > first + 1 && lies_on(from - 2)))) --from;
+  while (to < last && (lies_on(to + 1) || (to + 1 < last && lies_on(to + 2)))) ++to;
+  return {from, to, height, 0.0};
+}
+
+/// What bins outside of the plateau are off by, beyond their errors [m].
+double misfitOf(const FootProfile& profile, const Plateau& plateau, BinRange surface) {
+  double squares = 0, expected = 0, bins = 0;
+  for (std::size_t i = surface.first; i <= surface.last; ++i) {
+    if (!std::isfinite(levelOf(profile, i))) continue;
+    bins += 1.0;
+    if (i >= plateau.first && i <= plateau.last) continue;
+    squares += square(levelOf(profile, i) - plateau.offset);
+    expected += profile.error[i] * profile.error[i];
+  }
+  return std::sqrt(std::max(0.0, squares - expected) / bins);
+}
+
 /// The part of the surface that is plainly it. Beams near the shell blend with it and lift the points, beams near an
 /// outer edge lower them, and the far scanner's wide footprints reach into the middle of a narrow plate: from the bin
-/// where the section runs most nearly parallel to the surface, out to where it is off by what can be told.
+/// where the section runs most nearly parallel to the surface. Where that is a small part of it, the widest there is:
+/// ground about an object may run parallel too.
 Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t last) {
-  const auto level = [&](std::size_t i) { return profile.height[i] - profile.slope * middle(profile, i); };
+  const BinRange surface{first, last};
   const std::size_t reach = std::max<std::size_t>(1, std::min<std::size_t>(3, (last - first) / 4));
   std::size_t flattest = (first + last) / 2;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = first + reach; i + reach <= last; ++i) {
-    const double gradient = std::abs(level(i + reach) - level(i - reach));
-    if (gradient < least && std::isfinite(level(i))) least = gradient, flattest = i;
+    const double gradient = std::abs(levelOf(profile, i + reach) - levelOf(profile, i - reach));
+    if (gradient < least && std::isfinite(levelOf(profile, i))) least = gradient, flattest = i;
   }
-  std::vector<double> around;
-  for (std::size_t i = flattest - reach; i <= flattest + reach; ++i) {
-    if (std::isfinite(level(i))) around.push_back(level(i));
+  Plateau plateau = plateauAbout(profile, flattest, reach, surface);
+  if (2 * (plateau.last - plateau.first) < last - first) {
+    for (std::size_t i = first + reach; i + reach <= last; ++i) {
+      const Plateau other = plateauAbout(profile, i, reach, surface);
+      if (other.last - other.first > plateau.last - plateau.first) plateau = other;
+    }
   }
-  const double height = median(around);
-  const auto lies_on = [&](std::size_t i) {
-    return !(std::abs(level(i) - height) > 3.0 * profile.error[i] + 0.1 * profile.noise);
-  };
-  // one stray bin does not end the surface, two in a row do
-  std::size_t from = flattest, to = flattest;
-  while (from > first && (lies_on(from - 1) || (from > first + 1 && lies_on(from - 2)))) --from;
-  while (to < last && (lies_on(to + 1) || (to + 1 < last && lies_on(to + 2)))) ++to;
-  double squares = 0, expected = 0, bins = 0;
-  for (std::size_t i = first; i <= last; ++i) {
-    if (!std::isfinite(level(i))) continue;
-    bins += 1.0;
-    if (i >= from && i <= to) continue;
-    squares += (level(i) - height) * (level(i) - height);
-    expected += profile.error[i] * profile.error[i];
-  }
-  return {from, to, height, std::sqrt(std::max(0.0, squares - expected) / bins)};
+  plateau.misfit = misfitOf(profile, plateau, surface);
+  return plateau;
 }
 
 /// The first bin that neither weld nor the shell's noise reaches.

@@ -220,6 +220,28 @@ TEST(StackProfile, ABendBesideTheShellIsOutsideTheBandAndTold) {
   EXPECT_GT(profile.misfit, plain.misfit + 0.00005);
 }
 
+/// A rough pad with something on it, beyond which it is even.
+double roughBeforeAnObject(double d) {
+  constexpr double kStep = 0.03;
+  if (d > 0.225) return d < 0.24 ? 0.003 : 0.0;
+  return 0.005 * (std::fmod(d + kStep, kStep) - 0.5 * kStep);
+}
+
+TEST(StackProfile, TheBandIsTheWidestWhereTheFlattestIsASmallPart) {
+  const FootProfile profile = Foot(roughBeforeAnObject, 2000).profile();
+  EXPECT_LT(profile.band_from, 0.03);
+  EXPECT_NEAR(profile.band_to, 0.225, 0.010);
+}
+
+TEST(StackProfile, TheBandLiesAboutTheFlattestWhereThatIsHalfOfTheSurface) {
+  const auto stepped = [](double d) {
+    return d < 0.16 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.17 ? 0.003 : 0.0;
+  };
+  EXPECT_LT(Foot(stepped, 2000).profile().band_to, 0.165);
+  const auto half = [](double d) { return d < 0.13 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.14 ? 0.003 : 0.0; };
+  EXPECT_GT(Foot(half, 2000).profile().band_from, 0.13);
+}
+
 TEST(StackProfile, TheWeldIsKeptOut) {
   const auto weld = [](double d) { return std::max(0.0, 0.010 - std::max(0.0, d)); };
   EXPECT_NEAR(Foot(weld).profile().offset, 0.0, 0.0002);
