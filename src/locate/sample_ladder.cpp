@@ -25,8 +25,7 @@ Points lookAt(const Scan& scan, int threads) {
 double finestVoxel(const Points& points) {
   constexpr double kRung = 0.008;                 // of this and of its halves and doubles are the edges [m]
   constexpr double kHalfRange = double(1 << 19);  // voxels
-  double reach = 1e-9;
-  for (const auto& p : points) reach = std::max(reach, p.cwiseAbs().maxCoeff());
+  const double reach = std::max(1e-9, largestCoordinate(points, 0));
   return kRung * portable::exp2(std::ceil(portable::log2(reach / kHalfRange / kRung)));
 }
 

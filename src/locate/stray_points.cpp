@@ -9,6 +9,7 @@
 #include "core/bucket_sort.h"
 #include "core/cell_number.h"
 #include "core/parallel.h"
+#include "core/parts.h"
 #include "io/point_extent.h"
 
 namespace tank_datum {
@@ -35,9 +36,9 @@ SortedPoints sortedByCell(const Points& points, double edge) {
     }
   });
   const auto by_cell = [](const PointsOfCell& a, const PointsOfCell& b) { return a.cell < b.cell; };
-  const auto [low, high] = std::minmax_element(sorted.begin(), sorted.end(), by_cell);
-  const auto lowest = static_cast<double>(low->cell[0]);
-  const double scale = static_cast<double>(kBuckets) / (static_cast<double>(high->cell[0]) - lowest + 1.0);
+  const auto [low, high] = rangeOf(sorted.size(), 0, [&](std::size_t i) { return sorted[i].cell[0]; });
+  const auto lowest = static_cast<double>(low);
+  const double scale = static_cast<double>(kBuckets) / (static_cast<double>(high) - lowest + 1.0);
   const auto bucket_of = [&](const PointsOfCell& p) {
     return std::min(kBuckets - 1, static_cast<std::size_t>(scale * (static_cast<double>(p.cell[0]) - lowest)));
   };
@@ -145,11 +146,13 @@ std::vector<char> findStrays(const Points& points, double edge) {
 
 Points withoutStrays(const Points& points, double edge) {
   const std::vector<char> is_stray = findStrays(points, edge);
-  Points kept;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!is_stray[i]) kept.push_back(points[i]);
-  }
-  return kept;
+  return concatenated(ofParts(points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    Points of_part;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!is_stray[i]) of_part.push_back(points[i]);
+    }
+    return of_part;
+  }));
 }
 
 }  // namespace tank_datum

@@ -8,6 +8,7 @@
 #include "core/fast_floor.h"
 #include "core/morton_code.h"
 #include "core/parallel.h"
+#include "core/parts.h"
 #include "core/point_hash.h"
 #include "core/portable_math.h"
 
@@ -16,13 +17,6 @@ namespace {
 
 constexpr double kHalfRange = double(1 << 20) - 1;  // voxels on each side of the origin that 21 bits can number
 constexpr std::size_t kMostDoublings = 20;          // then there are the octants about the origin only
-
-/// The largest distance of a point from the origin along an axis.
-double reachOf(const Points& points) {
-  double reach = 0.0;
-  for (const auto& p : points) reach = std::max(reach, p.cwiseAbs().maxCoeff());
-  return reach;
-}
 
 std::uint64_t indexOf(double coordinate, double voxel) {
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(fastFloor(coordinate / voxel)) + (1 << 20));
@@ -47,8 +41,8 @@ Places sortedPlaces(const Points& points, double voxel, int threads) {
     }
   });
   const auto by_code = [](const Place& a, const Place& b) { return a.code < b.code; };
-  const auto [low, high] = std::minmax_element(places.begin(), places.end(), by_code);
-  const std::uint64_t lowest = low->code, span = high->code - lowest;
+  const auto [first, last] = rangeOf(places.size(), threads, [&](std::size_t i) { return places[i].code; });
+  const std::uint64_t lowest = first, span = last - lowest;
   int shift = 0;
   while (span >> shift >= kBuckets) ++shift;
   const auto bucket_of = [&](const Place& p) { return static_cast<std::size_t>((p.code - lowest) >> shift); };
@@ -74,20 +68,38 @@ Meetings meetingsOf(const Places& places, int threads) {
   return meetings;
 }
 
+/// A number for each of so many doublings, and for never.
+using ByDoublings = std::array<std::size_t, kMostDoublings + 2>;
+
+/// How many of some indices have which number of doublings.
+template <typename DoublingsAt>
+ByDoublings countByDoublings(std::size_t count, int threads, const DoublingsAt& doublingsAt) {
+  ByDoublings sum{};
+  for (const ByDoublings& part : ofParts(count, threads, [&](std::size_t begin, std::size_t end) {
+         ByDoublings of_part{};
+         for (std::size_t i = begin; i < end; ++i) ++of_part[doublingsAt(i)];
+         return of_part;
+       }))
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part[k];
+  return sum;
+}
+
 /// How often the voxels must be doubled for at most so many to hold all places; they are counted on all levels at once.
-std::size_t doublingsFor(const Meetings& meetings, std::size_t max_voxels) {
-  std::array<std::size_t, kMostDoublings + 2> parted{};  // how many neighbours so many doublings bring together
-  for (std::size_t i = 1; i + 1 < meetings.size(); ++i) ++parted[meetings[i]];
+std::size_t doublingsFor(const Meetings& meetings, std::size_t max_voxels, int threads) {
+  // how many neighbours so many doublings bring together
+  const ByDoublings parted =
+      countByDoublings(meetings.size() - 2, threads, [&](std::size_t i) { return meetings[i + 1]; });
   std::size_t voxels = 1, doublings = kMostDoublings + 1;
   while (doublings > 0 && voxels + parted[doublings] <= max_voxels) voxels += parted[doublings--];
   return std::min(doublings, kMostDoublings);
 }
 
 /// The share of the places that are alone in their voxel, level by level.
-std::vector<double> sharesAlone(const Meetings& meetings) {
+std::vector<double> sharesAlone(const Meetings& meetings, int threads) {
   const std::size_t places = meetings.size() - 1;
-  std::array<std::size_t, kMostDoublings + 2> met{};  // how many meet their nearer neighbour at a level
-  for (std::size_t i = 0; i < places; ++i) ++met[std::min(meetings[i], meetings[i + 1])];
+  // how many meet their nearer neighbour at a level
+  const ByDoublings met =
+      countByDoublings(places, threads, [&](std::size_t i) { return std::min(meetings[i], meetings[i + 1]); });
   std::vector<double> shares;
   std::size_t left = places;
   for (std::size_t level = 0; level <= kMostDoublings; ++level) {
@@ -99,24 +111,35 @@ std::vector<double> sharesAlone(const Meetings& meetings) {
 
 }  // namespace
 
+double largestCoordinate(const Points& points, int threads) {
+  if (points.empty()) return 0.0;
+  return rangeOf(points.size(), threads, [&](std::size_t i) { return points[i].cwiseAbs().maxCoeff(); }).second;
+}
+
 VoxelSample::VoxelSample(const Points& points, std::size_t max_points, double voxel, int threads)
     : voxel_(voxel), finest_(voxel), doublings_left_(kMostDoublings) {
   if (points.empty()) return;
-  const double reach = reachOf(points);
+  const double reach = largestCoordinate(points, threads);
   while (!(reach / voxel_ < kHalfRange)) voxel_ *= 2.0;
   finest_ = voxel_;
   const Places places = sortedPlaces(points, voxel_, threads);
   const Meetings meetings = meetingsOf(places, threads);
-  const std::size_t doublings = doublingsFor(meetings, max_points), bits = 3 * doublings;
-  for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
-    std::size_t lowest = first;
-    for (end = first + 1; meetings[end] <= doublings; ++end) {
-      if (places[end].rank < places[lowest].rank) lowest = end;
+  const std::size_t doublings = doublingsFor(meetings, max_points, threads), bits = 3 * doublings;
+  const auto begins_voxel = [&](std::size_t i) { return meetings[i] > doublings; };
+  voxels_ = concatenated(ofParts(places.size(), threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<Voxel> of_part;  // that begin in it
+    while (begin < end && !begins_voxel(begin)) ++begin;
+    for (std::size_t first = begin, next = begin; first < end; first = next) {
+      std::size_t lowest = first;
+      for (next = first + 1; !begins_voxel(next); ++next) {
+        if (places[next].rank < places[lowest].rank) lowest = next;
+      }
+      of_part.push_back({places[first].code >> bits, places[lowest].rank, static_cast<std::uint32_t>(next - first),
+                         points[places[lowest].index]});
     }
-    voxels_.push_back({places[first].code >> bits, places[lowest].rank, static_cast<std::uint32_t>(end - first),
-                       points[places[lowest].index]});
-  }
-  alone_ = sharesAlone(meetings);
+    return of_part;
+  }));
+  alone_ = sharesAlone(meetings, threads);
   doublings_left_ -= doublings;
   voxel_ = std::ldexp(voxel_, static_cast<int>(doublings));
 }

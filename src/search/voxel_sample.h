@@ -7,6 +7,9 @@
 
 namespace tank_datum {
 
+/// The largest coordinate of any point along any axis, without its sign; 0 of none [m].
+double largestCoordinate(const Points& points, int threads);
+
 /// Points thinned evenly: one per voxel, in the smallest voxels, of those doubled again and again, that are few enough.
 ///
 /// The points are sorted once along the Morton curve, on which the points of a voxel of any size follow one another.
