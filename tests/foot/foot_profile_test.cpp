@@ -8,35 +8,12 @@
 #include <functional>
 #include <random>
 
-#include "support/made_clouds.h"
+#include "support/made_sections.h"
 
 namespace tank_datum {
 namespace {
 
-using made_clouds::uniform;
-
-constexpr double kNoise = 0.0005;
-const FootScales kScales{0.3, 0.0015, 0.013};
-
-/// The foot of 60 stations with an oval datum, by its height above the datum against the distance from the shell.
-struct Foot {
-  std::vector<std::vector<FootPoint>> stations;
-  std::vector<double> datum;
-
-  explicit Foot(const std::function<double(double)>& section, int points = 400, double noise = kNoise) {
-    std::mt19937_64 random(4);
-    std::normal_distribution<double> normal;
-    for (int s = 0; s < 60; ++s) {
-      datum.push_back(5.0 + 0.02 * std::cos(0.2 * s));
-      stations.emplace_back();
-      for (int i = 0; i < points; ++i) {
-        const double d = -0.02 + 0.34 * uniform(random), t = uniform(random) - 0.5;
-        stations.back().push_back({t, d, datum.back() + section(d) + noise * normal(random)});
-      }
-    }
-  }
-  FootProfile profile(const FootScales& scales = kScales) const { return stackProfile(stations, datum, scales); }
-};
+using namespace made_sections;
 
 double flat(double) { return 0.0; }
 double plateOnRingwall(double d) { return d < 0.065 ? 0.0 : -0.010; }
@@ -218,28 +195,6 @@ TEST(StackProfile, ABendBesideTheShellIsOutsideTheBandAndTold) {
   EXPECT_GT(profile.band_from, plain.band_from);
   EXPECT_NEAR(profile.offset, 0.0, 0.0002);
   EXPECT_GT(profile.misfit, plain.misfit + 0.00005);
-}
-
-/// A rough pad with something on it, beyond which it is even.
-double roughBeforeAnObject(double d) {
-  constexpr double kStep = 0.03;
-  if (d > 0.225) return d < 0.24 ? 0.003 : 0.0;
-  return 0.005 * (std::fmod(d + kStep, kStep) - 0.5 * kStep);
-}
-
-TEST(StackProfile, TheBandIsTheWidestWhereTheFlattestIsASmallPart) {
-  const FootProfile profile = Foot(roughBeforeAnObject, 2000).profile();
-  EXPECT_LT(profile.band_from, 0.03);
-  EXPECT_NEAR(profile.band_to, 0.225, 0.010);
-}
-
-TEST(StackProfile, TheBandLiesAboutTheFlattestWhereThatIsHalfOfTheSurface) {
-  const auto stepped = [](double d) {
-    return d < 0.16 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.17 ? 0.003 : 0.0;
-  };
-  EXPECT_LT(Foot(stepped, 2000).profile().band_to, 0.165);
-  const auto half = [](double d) { return d < 0.13 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.14 ? 0.003 : 0.0; };
-  EXPECT_GT(Foot(half, 2000).profile().band_from, 0.13);
 }
 
 TEST(StackProfile, TheWeldIsKeptOut) {

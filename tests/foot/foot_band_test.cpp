@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/made_sections.h"
+
+namespace tank_datum {
+namespace {
+
+using namespace made_sections;
+
+/// A rough pad with something on it, beyond which it is even.
+double roughBeforeAnObject(double d) {
+  constexpr double kStep = 0.03;
+  if (d > 0.225) return d < 0.24 ? 0.003 : 0.0;
+  return 0.005 * (std::fmod(d + kStep, kStep) - 0.5 * kStep);
+}
+
+TEST(StackProfile, TheBandIsTheWidestWhereTheFlattestIsASmallPart) {
+  const FootProfile profile = Foot(roughBeforeAnObject, 2000).profile();
+  EXPECT_LT(profile.band_from, 0.03);
+  EXPECT_NEAR(profile.band_to, 0.225, 0.010);
+}
+
+TEST(StackProfile, TheBandLiesAboutTheFlattestWhereThatIsHalfOfTheSurface) {
+  const auto stepped = [](double d) {
+    return d < 0.16 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.17 ? 0.003 : 0.0;
+  };
+  EXPECT_LT(Foot(stepped, 2000).profile().band_to, 0.165);
+  const auto half = [](double d) { return d < 0.13 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.14 ? 0.003 : 0.0; };
+  EXPECT_GT(Foot(half, 2000).profile().band_from, 0.13);
+}
+
+}  // namespace
+}  // namespace tank_datum
