@@ -8,6 +8,8 @@
 namespace tank_datum {
 namespace {
 
+constexpr double kHolds = 0.5;  // of a difference: two standard errors hold it
+
 /// What was refused in a gap, straight on from one station to the next and from those beside: the datum, if it is that.
 class RefusedLine {
  public:
@@ -62,8 +64,7 @@ class RefusedLine {
 
 std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations, const std::vector<double>& refused,
                                              const Foot& foot) {
-  constexpr double kHolds = 0.5;   // of the difference: two standard errors hold it
-  constexpr double kBeside = 0.5;  // of it, where a dip begins at the station beside
+  constexpr double kBeside = 0.5;  // of the difference, where a dip begins at the station beside
   const std::size_t count = stations.size();
   std::vector<char> gaps;
   for (const StationDatum& s : stations) gaps.push_back(s.flag == StationFlag::Measured ? 0 : 1);
@@ -84,6 +85,11 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
     doubtBeside(stations[(gap.last + 1) % count], line.at(gap.last - gap.first + 1));
   }
   return stations;
+}
+
+std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover) {
+  for (std::size_t i = 0; i < cover.size(); ++i) fits[i].sigma = std::hypot(fits[i].sigma, kHolds * cover[i]);
+  return fits;
 }
 
 }  // namespace tank_datum

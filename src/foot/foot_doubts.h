@@ -13,4 +13,8 @@ namespace tank_datum {
 std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations, const std::vector<double>& refused,
                                              const Foot& foot);
 
+/// Fits whose standard errors hold what may cover the foot.
+/// @param cover  how thick it may be at every station, else 0; empty: none anywhere [m]
+std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover);
+
 }  // namespace tank_datum

@@ -11,6 +11,7 @@
 #include "foot/foot_roughness.h"
 #include "foot/foot_state.h"
 #include "foot/grazed_arcs.h"
+#include "foot/lip_cover.h"
 #include "foot/shell_below.h"
 #include "foot/slanting_beams.h"
 #include "tank_datum/core/unknown.h"
@@ -120,9 +121,11 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   }
   own = standing(std::move(own), reasons);
   const std::vector<bool> heaped = findHeapedArcs(foot, pass.priors, own);
-  const std::vector<bool> grazed = findGrazedArcs(foot, pass, standing(pass.fits, reasons));
+  const std::vector<FootFit> stand_so_far = standing(pass.fits, reasons);
+  const std::vector<bool> grazed = findGrazedArcs(foot, pass, stand_so_far);
+  LipCover cover = findLipCover(foot, pass, stand_so_far);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (!heaped[i] && !grazed[i]) continue;
+    if (!heaped[i] && !grazed[i] && !cover.covered[i]) continue;
     no_foot[i] = 1;
     reasons[i] = Unmeasured::OtherSurface;
   }
@@ -142,7 +145,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     const bool may_be = !none && no_foot[i] == 0 && !hanging[i] && !islands[i];
     if (reasons[i] == Unmeasured::OtherSurface && may_be) refused[i] = pass.fits[i].z;
   }
-  return {std::move(reasons), std::move(steps.dips), std::move(refused)};
+  return {std::move(reasons), std::move(steps.dips), std::move(refused), std::move(cover.maybe)};
 }
 
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {

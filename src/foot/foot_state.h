@@ -115,6 +115,7 @@ struct FootOutliers {
   std::vector<Unmeasured> reasons;  ///< of each station; None: it stands
   std::vector<bool> dips;           ///< stations that stand, below those beside them by a step
   std::vector<double> refused;      ///< elevations of those that may be the datum nevertheless, else NaN [m]
+  std::vector<double> maybe_cover;  ///< how thick something may be that covers the foot where they stand [m]
 };
 
 /// What one pass found.

@@ -200,7 +200,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const FootPass pass = runPasses(foot, elevations);
   found.refined.profile = pass.sections.whole;
   if (found.refined.profile.unseen > 0.0) return found;
-  const FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
+  FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
+  levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));

@@ -72,5 +72,14 @@ TEST(WithRefusedDoubted, ADipBeginsAtTheStationsBeside) {
 
 TEST(WithRefusedDoubted, WhereNothingWasRefusedNothingIsDoubted) { EXPECT_EQ(doubted(kUnknown)[101].sigma_z, 0.0001); }
 
+TEST(WithCoverDoubted, HoldsHalfOfItInOneStandardError) {
+  FootFit fit;
+  fit.z = 0.0, fit.sigma = 0.003;
+  const std::vector<FootFit> fits = withCoverDoubted({fit, fit}, {0.008, 0.0});
+  EXPECT_NEAR(fits[0].sigma, 0.005, 1e-9);
+  EXPECT_EQ(fits[1].sigma, 0.003);
+  EXPECT_EQ(withCoverDoubted({fit}, {}).front().sigma, 0.003);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -1,0 +1,122 @@
+#include "foot/lip_cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/parallel.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "foot/foot_profile.h"
+#include "foot/foot_roughness.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr std::size_t kParts = 3;  // of what is seen beyond a lip's edge, from there outwards
+
+/// Something of each part.
+template <typename T>
+using OfParts = std::array<T, kParts>;
+
+/// Which part a bin of the section is in; kParts: none, since it has no height of its own, as an upright face.
+struct SectionParts {
+  std::vector<std::size_t> of_bin;
+  double apart = 0.0;  ///< from the middle of the first to that of the last [m]
+
+  bool valid() const { return apart > 0.0; }
+};
+
+SectionParts partsOf(const FootProfile& section) {
+  constexpr double kSpread = 2.0;          // times the surface's noise
+  constexpr std::size_t kFewestBins = 12;  // as wide as a narrow lip
+  SectionParts parts;
+  parts.of_bin.assign(section.height.size(), kParts);
+  std::vector<std::size_t> bins;
+  for (std::size_t bin = 0; bin < section.height.size(); ++bin) {
+    const bool beyond = middle(section, bin) > section.edge + section.blur;
+    if (beyond && std::isfinite(section.height[bin]) && section.spread[bin] <= kSpread * section.noise)
+      bins.push_back(bin);
+  }
+  if (bins.size() < kFewestBins) return parts;
+  for (std::size_t k = 0; k < bins.size(); ++k) parts.of_bin[bins[k]] = k * kParts / bins.size();
+  parts.apart =
+      static_cast<double>(kParts - 1) / kParts * section.bin * static_cast<double>(bins.back() - bins.front());
+  return parts;
+}
+
+/// How high a station's points lie above the ring's section when that lies on the station's fit: in the middle, part by
+/// part, with their number for a weight.
+OfParts<WeightedValue> levelsOf(const std::vector<FootPoint>& points, const FootFit& fit, const FootProfile& section,
+                                const SectionParts& parts, double most) {
+  OfParts<std::vector<double>> heights;
+  for (const FootPoint& p : points) {
+    const auto bin = static_cast<std::size_t>(std::max(0.0, p.d) / section.bin);
+    if (bin >= parts.of_bin.size() || parts.of_bin[bin] == kParts) continue;
+    const double height = offOf(p, fit) + fit.slope * p.d - (section.height[bin] - section.offset);
+    if (std::abs(height) < most) heights[parts.of_bin[bin]].push_back(height);
+  }
+  OfParts<WeightedValue> levels;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const auto weight = static_cast<double>(heights[part].size());
+    levels[part] = {median(std::move(heights[part])), weight};
+  }
+  return levels;
+}
+
+/// The same of an arc; not known where there are few points.
+OfParts<double> levelsIn(const std::vector<OfParts<WeightedValue>>& own, std::size_t first, std::size_t last) {
+  constexpr double kFewest = 10.0;
+  OfParts<double> levels;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    std::vector<WeightedValue> of_arc;
+    double points = 0.0;
+    for (std::size_t k = first; k <= last; ++k) {
+      const WeightedValue& level = own[k % own.size()][part];
+      if (level.weight > 0.0) of_arc.push_back(level), points += level.weight;
+    }
+    levels[part] = points < kFewest ? kUnknown : weightedMedian(std::move(of_arc));
+  }
+  return levels;
+}
+
+}  // namespace
+
+LipCover findLipCover(const Foot& foot, const FootPass& pass, const std::vector<FootFit>& kept) {
+  constexpr double kArc = 5.0 * kDegree;  // to either side, that is looked at together
+  constexpr double kSteeper = 0.02;       // the slope of what a lip lies on varies by less along the shell [m/m]
+  constexpr double kLeast = 0.002;        // of the reach: its level does
+  constexpr double kPlain = 3.0;          // times what arcs differ by, usually
+  constexpr double kMost = 0.1;           // of the reach: what is farther off is an object
+  constexpr double kMiddle = 0.25;        // of the fall, by the middle part
+  const FootProfile& section = pass.sections.whole;
+  const std::size_t count = kept.size(), near = foot.stationsBeside(kArc);
+  LipCover cover{std::vector<bool>(count, false), std::vector<double>(count, 0.0)};
+  const SectionParts parts = partsOf(section);
+  if (!pass.priors.settled || !parts.valid()) return cover;
+  std::vector<OfParts<WeightedValue>> own(count, OfParts<WeightedValue>{});
+  forEachIndex(count, 0, [&](std::size_t i) {
+    if (kept[i].valid()) own[i] = levelsOf(foot.points[i], kept[i], section, parts, kMost * foot.reach);
+  });
+  std::vector<OfParts<double>> levels(count);
+  std::vector<double> falls(count, kUnknown), lows(count, kUnknown);
+  forEachIndex(count, 0, [&](std::size_t i) {
+    if (!kept[i].valid()) return;
+    levels[i] = levelsIn(own, i + count - near, i + count + near);
+    falls[i] = levels[i].front() - levels[i].back();
+    lows[i] = median(finiteOf(std::vector<double>(levels[i].begin(), levels[i].end())));
+  });
+  const double fall = median(finiteOf(falls)), low = median(finiteOf(lows));
+  const double most = fall + kSteeper * parts.apart + kPlain * robustSigma(finiteOf(falls), fall);
+  const double lowest = low - kLeast * foot.reach - kPlain * robustSigma(finiteOf(lows), low);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [inner, between, outer] = levels[i];
+    cover.covered[i] = falls[i] > most && inner < -outer && inner - between > kMiddle * falls[i];
+    if (lows[i] < lowest) cover.maybe[i] = low - lows[i];
+  }
+  return cover;
+}
+
+}  // namespace tank_datum
