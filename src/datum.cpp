@@ -176,7 +176,7 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   datum.lean = evidence.lean;
   datum.tests = testsOfShell(tank, evidence);
   if (worstOf(datum.tests) == TestOutcome::Fail) return judgeTests(std::move(datum), options);
-  FootResult foot = measureFoot(ring, tank, evidence.lean, options, callbacks);
+  FootResult foot = measureFoot(ring, onItsFoot(tank, evidence), evidence.lean, options, callbacks);
   tell(callbacks, "deformation");
   datum = describeFoot(std::move(datum), std::move(foot), ring, evidence, options);
   if (!datum.hasStations()) return datum;
