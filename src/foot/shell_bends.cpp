@@ -103,7 +103,7 @@ std::vector<Bend> nestedBends(const std::vector<OffLine>& points, const ShellLin
 
 /// The first bend, which is of the largest part, that agrees with all others.
 const Bend& largestThatAgrees(const std::vector<Bend>& bends) {
-  constexpr double kAgree = 3.0;  // standard errors
+  constexpr double kAgree = 4.0;  // standard errors
   const auto agrees = [&](const Bend& bend) {
     return std::all_of(bends.begin(), bends.end(), [&](const Bend& other) {
       return other.to >= bend.to ||
