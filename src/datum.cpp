@@ -131,10 +131,10 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
   addClause(datum.message, foot.note);
   if (!datum.usable()) return datum;
   if (options.method == Method::Refined) {  // the paper's curve swings where nothing is seen
-    const auto of_stations = testsOfStations(datum.stations, datum.level, datum.tilt, evidence);
-    datum.tests.insert(datum.tests.end(), of_stations.begin(), of_stations.end());
-    const auto of_gap = testsOfGap(datum.refined.shell_from, ring.reach, evidence);
-    datum.tests.insert(datum.tests.end(), of_gap.begin(), of_gap.end());
+    const auto add = [&](const auto& more) { datum.tests.insert(datum.tests.end(), more.begin(), more.end()); };
+    add(testsOfStations(datum.stations, datum.level, datum.tilt, evidence));
+    add(testsOfGap(datum.refined.shell_from, ring.reach, evidence));
+    add(testsUnderShell(datum.refined.under_shell));
   }
   return judgeTests(std::move(datum), options);
 }
@@ -176,7 +176,7 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   datum.lean = evidence.lean;
   datum.tests = testsOfShell(tank, evidence);
   if (worstOf(datum.tests) == TestOutcome::Fail) return judgeTests(std::move(datum), options);
-  FootResult foot = measureFoot(ring, tank, evidence.lean, options, callbacks);
+  FootResult foot = measureFoot(ring, onItsFoot(tank, evidence), evidence.lean, options, callbacks);
   tell(callbacks, "deformation");
   datum = describeFoot(std::move(datum), std::move(foot), ring, evidence, options);
   if (!datum.hasStations()) return datum;

@@ -47,6 +47,11 @@ Eigen::Matrix3d uprightTurn(const ShellLean& lean) {
   return Eigen::Quaterniond::FromTwoVectors(lean.axis(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
+Tank onItsFoot(Tank tank, const ShellEvidence& evidence) {
+  if (evidence.known() && FootFrame(tank, evidence.lean).isTurned()) tank.circle = evidence.at_foot;
+  return tank;
+}
+
 FootFrame::FootFrame(const Tank& tank, const ShellLean& lean) : unit_(footUnit(tank.circle.radius, tank.resolution)) {
   constexpr double kUpright =
       0.0044;                    // a quarter of a degree: up to there the stages follow the shell's own line [m/m]

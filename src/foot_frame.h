@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tank_datum/datum.h"
+#include "trust/shell_evidence.h"
 
 namespace tank_datum {
 
@@ -12,6 +13,10 @@ DatumOptions inUnits(DatumOptions options, double unit);
 
 /// The turn that puts a shell that leans so upright.
 Eigen::Matrix3d uprightTurn(const ShellLean& lean);
+
+/// The tank with the circle of its foot. That of all its height stands beside it where the shell leans, and stations
+/// about it lie beside their azimuths, on a foundation that climbs there once the shell is turned upright.
+Tank onItsFoot(Tank tank, const ShellEvidence& evidence);
 
 /// What the stages at the foot give.
 struct FootResult {
@@ -32,6 +37,7 @@ class FootFrame {
 
   /// Whether it is the scan's frame.
   bool isScans() const { return unit_ == 1.0 && !turned_; }
+  bool isTurned() const { return turned_; }
 
   Ring into(Ring ring) const;
   Tank into(Tank tank) const;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "datum_status.h"
 #include "foot_frame.h"
 #include "locate/foot_unit.h"
@@ -71,6 +73,21 @@ TEST(FootFrame, AShellThatLeansByMoreThanAQuarterOfADegreeAndFourSigmasIsTurnedU
   EXPECT_TRUE(turned(0.0048, 1e-5));
   EXPECT_TRUE(turned(0.0090, 0.0020));
   EXPECT_FALSE(turned(0.0090, 0.0025));
+}
+
+TEST(FootFrame, ATankThatIsTurnedUprightHasTheCircleOfItsFoot) {
+  const auto moved = [](double slope) {
+    Tank tank;
+    tank.circle = {{0.1, 0.0}, 10.0};
+    tank.foot.coefficients = Eigen::Vector3d::Zero();
+    ShellEvidence evidence;
+    evidence.circle = {{0.02, 0.0}, 10.0};
+    evidence.at_foot = {{0.01, 0.0}, 10.0};
+    evidence.lean = {{slope, 0.0}, 1e-5};
+    return onItsFoot(std::move(tank), evidence).circle.center.x();
+  };
+  EXPECT_EQ(moved(0.03), 0.01);
+  EXPECT_EQ(moved(0.004), 0.1);
 }
 
 TEST(FootUnit, IsAMetreFromADrumToTheLargestTank) {

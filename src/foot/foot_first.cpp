@@ -164,10 +164,7 @@ std::vector<bool> closeTo(const Foot& foot, const std::vector<double>& elevation
   return near;
 }
 
-bool isResolved(const Foot& foot) {
-  constexpr double kResolved = 0.01;  // noise over the reach of the section; a lip and its ringwall are 0.02 apart
-  return foot.scales.shell_noise <= kResolved * foot.reach;
-}
+bool isResolved(const Foot& foot) { return foot.scales.shell_noise <= kResolved * foot.reach; }
 
 FootElevations firstElevations(const Foot& foot, const Tank& tank) {
   if (!isResolved(foot)) return nearestToShell(foot);

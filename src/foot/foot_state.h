@@ -124,6 +124,7 @@ struct FootPass {
   FootPriors priors;
   std::vector<FootFit> fits;
   FootOutliers outliers;
+  double under_shell = kUnknown;  ///< share of the stations under whose wall the foundation goes on, if not a few
 };
 
 /// The stations' elevations as the ring's own covariance lets neighbours help.

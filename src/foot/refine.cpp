@@ -106,6 +106,21 @@ FootElevations whereShellIsSeen(FootElevations elevations, const Foot& foot) {
   return elevations;
 }
 
+/// Leaves out stations under whose wall the foundation is seen to go on, where these are few: that wall is no shell.
+FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<double>& levels) {
+  const UnderShell under = findUnderShell(foot, pass.fits, levels);
+  if (!under.isOfFew()) {
+    pass.under_shell = under.share;
+    return pass;
+  }
+  pass.under_shell = 0.0;
+  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
+    if (under.seen[i]) pass.outliers.reasons[i] = Unmeasured::OffCircle;
+  }
+  pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
+  return pass;
+}
+
 /// A few passes, each with the elevations of the one before; outliers of the last have no fit.
 /// @param elevations  to begin with; those after the last pass
 FootPass runPasses(const Foot& foot, FootElevations& elevations) {
@@ -120,7 +135,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   }
   if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
-  return pass;
+  return isResolved(foot) ? withoutCladding(foot, std::move(pass), elevations.filled) : pass;
 }
 
 /// What the report shows of each station; an outlier's points are shown without the line that was refused.
@@ -203,6 +218,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
+  found.refined.under_shell = pass.under_shell;
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;

@@ -141,4 +141,52 @@ double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits) {
   return median(finiteOf(lowest));
 }
 
+bool UnderShell::isOfFew() const {
+  constexpr double kFew = 0.25;
+  return share <= kFew;
+}
+
+UnderShell findUnderShell(const Foot& foot, const std::vector<FootFit>& fits, const std::vector<double>& levels) {
+  constexpr double kArc = 3.0 * kDegree;          // to either side, that is looked at together
+  constexpr double kBeside = 0.1, kAbout = 0.04;  // of the reach: behind and before the shell; about the foundation
+  constexpr double kFrom = 0.2;                   // of the reach, up to which cladding may leave the shell in sight
+  constexpr double kPart = 0.25;                  // of what is seen before the shell
+  constexpr std::size_t kFewest = 5;              // points before it
+  struct Counts {
+    std::size_t before = 0, behind = 0, through = 0;
+
+    double part() const { return kPart * static_cast<double>(before); }
+    bool tell() const { return before >= kFewest && static_cast<double>(through) < part(); }
+    bool areUnder() const { return tell() && static_cast<double>(behind) >= part(); }
+  };
+  const std::size_t count = fits.size(), near = foot.stationsBeside(kArc);
+  const double clear = foot.scales.nearest(), far = kBeside * foot.reach;
+  std::vector<Counts> own(count);
+  forEachIndex(count, 0, [&](std::size_t i) {
+    foot.ring.visitAround(foot.directions[i], foot.half_step, levels[i], foot.reach, [&](const FootPoint& p) {
+      const double height = p.z - levels[i];
+      const bool low = std::abs(height) < kAbout * foot.reach;
+      own[i].before += low && p.d > clear && p.d < far;
+      own[i].behind += low && p.d < -clear;
+      own[i].through += p.d < -clear && height > kFrom * foot.reach;
+    });
+  });
+  UnderShell found;
+  found.seen.assign(count, false);
+  std::size_t told = 0, under = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Counts arc;
+    for (std::size_t k = i + count - near; k <= i + count + near; ++k) {
+      const Counts& c = own[k % count];
+      arc.before += c.before, arc.behind += c.behind, arc.through += c.through;
+    }
+    if (!fits[i].valid() || !arc.tell()) continue;
+    found.seen[i] = own[i].areUnder() || arc.areUnder();
+    ++told;
+    under += found.seen[i] ? 1 : 0;
+  }
+  if (told > 0) found.share = static_cast<double>(under) / static_cast<double>(told);
+  return found;
+}
+
 }  // namespace tank_datum

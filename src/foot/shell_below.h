@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "foot/foot_state.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 
@@ -43,5 +44,20 @@ std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& f
 /// that is seen to reach it, a bare one is seen from a few points on. What stands before it, a leg or a band, is part
 /// of the wall. NaN where too little is seen.
 double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits);
+
+/// Stations at which the foundation is seen to go on under the wall, as it does under cladding that ends above it: a
+/// shell hides it.
+struct UnderShell {
+  std::vector<bool> seen;   ///< of each station
+  double share = kUnknown;  ///< of the stations that tell; NaN where none does
+
+  /// Whether that is so over a part of the ring only, and the wall elsewhere is the shell.
+  bool isOfFew() const;
+};
+
+/// What is seen behind a wall all the way up is seen through it, and tells nothing.
+/// @param fits    not valid where a station does not stand
+/// @param levels  of the foundation at every station, roughly [m]
+UnderShell findUnderShell(const Foot& foot, const std::vector<FootFit>& fits, const std::vector<double>& levels);
 
 }  // namespace tank_datum

@@ -35,8 +35,9 @@ Observations observationsOf(const std::vector<ShellLine>& lines, const std::vect
     if (!lines[i].seen()) continue;
     const double c = portable::cos(azimuths[i]), s = portable::sin(azimuths[i]);
     for (const double h : {heights.from, heights.to}) {
-      all.rows.push_back((Row() << 1.0, c, s, h * c, h * s).finished());
-      all.radii.push_back(lines[i].at(0.0, h) - radius);
+      const double at = h > lines[i].straight_to ? 0.0 : h;
+      all.rows.push_back((Row() << 1.0, c, s, at * c, at * s).finished());
+      all.radii.push_back(lines[i].at(0.0, at) - radius);
     }
   }
   return all;

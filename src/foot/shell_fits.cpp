@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "foot/shell_bends.h"
 
 namespace tank_datum {
 double ShellFits::noise() const {
@@ -18,19 +19,26 @@ double ShellFits::noise() const {
 ShellFits fitShellLines(const std::vector<double>& directions, const PolarRing& ring, const Tank& tank, double reach) {
   constexpr std::size_t kPlenty = 40;                 // points for four unknowns
   constexpr double kWidestShell = 5.0 * kPi / 180.0;  // half the arc that a sparse station may borrow points from
+  constexpr double kWider = 1.5;
   const ShellOutline outline = outlineShell(ring, tank, reach);
   ShellFits shell;
   shell.heights = {std::max(0.1 * reach, 4.0 * outline.noise), reach};
   shell.lines.resize(directions.size());
   const double step = kTwoPi / static_cast<double>(directions.size());
   auto& lines = shell.lines;
+  std::vector<ShellWindow> windows(directions.size());
   forEachIndex(directions.size(), 0, [&](std::size_t i) {
     const double azimuth = directions[i];
-    for (double half = step; lines[i].points < kPlenty && half < kWidestShell; half *= 1.5) {
-      lines[i] = fitShellLine(ring, outline, {azimuth, half, tank.foot(azimuth), shell.heights});
+    ShellWindow& window = windows[i];
+    window = {azimuth, step, tank.foot(azimuth), shell.heights};
+    lines[i] = fitShellLine(ring, outline, window);
+    while (lines[i].points < kPlenty && kWider * window.half_width < kWidestShell) {
+      window.half_width *= kWider;
+      lines[i] = fitShellLine(ring, outline, window);
     }
     if (!lines[i].isSupportedWithin(step * tank.circle.radius)) lines[i] = {};
   });
+  lines = linesAtFoot(ring, lines, windows);
   return shell;
 }
 

@@ -134,6 +134,7 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   line.turn_slope = solution[2];
   line.bend = solution[3];
   line.sigma_radius = line.noise * std::sqrt(inverse(0, 0));
+  line.straight_to = window.heights.to;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.weights()[i] <= 0.0) continue;
     ++line.points;

@@ -9,6 +9,10 @@
 
 namespace tank_datum {
 
+/// Noise over the reach of the section up to which surfaces at different heights, or a shell's bends, can be told; a
+/// lip and its ringwall are 0.02 apart.
+constexpr double kResolved = 0.01;
+
 /// The shell's surface near its foot at one azimuth: radius = radius + turn_slope * t + lean * h, with the arc t from
 /// the azimuth [m] and the height h above the foot [m].
 struct ShellLine {
@@ -18,6 +22,7 @@ struct ShellLine {
   double bend = 0;                 ///< second-order term in t [1/m]
   double lean = 0;                 ///< [m/m]
   double noise = kUnknown;         ///< standard deviation of the points about the line [m]
+  double straight_to = kUnknown;   ///< height up to which it is the shell; farther up that may bend away [m]
   std::size_t points = 0;          ///< behind it; 0 when the shell is not seen here
   double before = kUnknown;        ///< arc to the nearest of them on the one side [m]
   double after = kUnknown;         ///< and on the other

@@ -41,8 +41,15 @@ Sectors wallPoints(const Ring& ring, const Tank& tank, std::size_t count) {
 /// The middle of a sector's wall: what stands apart from the median is no part of it.
 struct Middle {
   double azimuth, radius, noise;
+  double height = 0.0;     ///< above the foot [m]
   double lean = kUnknown;  ///< outwards [m/m]
 };
+
+double medianHeight(const std::vector<WallPoint>& points) {
+  std::vector<double> heights;
+  for (const WallPoint& p : points) heights.push_back(p.height);
+  return median(heights);
+}
 
 double leanOf(const std::vector<WallPoint>& points, double least_height) {
   double n = 0, h = 0, r = 0, hh = 0, hr = 0;
@@ -70,6 +77,7 @@ Middle middleOf(std::vector<WallPoint> points, double azimuth, double least_heig
   middle.azimuth = azimuth;
   middle.radius = median(radii());
   middle.noise = robustSigma(radii(), middle.radius);
+  middle.height = medianHeight(points);
   middle.lean = leanOf(points, least_height);
   return middle;
 }
@@ -188,6 +196,8 @@ ShellEvidence lookAtShell(const Ring& ring, const Tank& tank) {
   evidence.sigma_radius = sigmaOfRadius(middles, evidence.circle, evidence.off_round);
   lookForCone(middles, evidence);
   fitLean(middles, evidence);
+  evidence.at_foot = evidence.circle;
+  if (evidence.lean.known()) evidence.at_foot.center -= medianOf(middles, &Middle::height) * evidence.lean.slope;
   return evidence;
 }
 

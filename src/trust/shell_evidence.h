@@ -22,6 +22,7 @@ struct ShellEvidence {
   double cone = kUnknown;          ///< of the wall, positive where it widens upwards [m/m]
   double sigma_cone = kUnknown;    ///< its standard error [m/m]
   ShellLean lean;
+  Circle at_foot;  ///< the circle at the foot, from which a shell that leans is away further up [m]
 
   bool known() const { return circle.valid(); }
 };

@@ -41,13 +41,17 @@ struct Bounds {
 // shell_gap  Height over the datum from which on the wall is seen, beyond three spacings of its points, over how far
 //            the section goes. Of bare shells whose foundation is seen beside them it is below 0.05, of tins, cans and
 //            mugs before depth cameras below 0.1; cladding ends at 0.2 to 1. No gap makes a tank none.
+// under_shell  Share of the stations under whose wall the foundation is seen to go on. A shell hides it: there are
+// none.
+//            Up to a quarter are left out, and the share is 0; of cladding that ends 10 to 200 mm above it is 0.6 to 1.
 // low_wall   Of a wall up to two metres high, share of what is seen behind whose top something lies. Of a shell in a
 //            scan that was cut, or that looks no higher, it is 0; of a ringwall's face, with its top or the lowest
 //            centimetres of the shell in view, 0.3 to 1.
 constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3.2},
     kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0},
-    kShellGap{"shell_gap", "1", 0.2, HUGE_VAL}, kLowWall{"low_wall", "1", 0.1, HUGE_VAL};
+    kShellGap{"shell_gap", "1", 0.2, HUGE_VAL}, kLowWall{"low_wall", "1", 0.1, HUGE_VAL},
+    kUnderShell{"under_shell", "1", 0.2, HUGE_VAL};
 
 __attribute__((format(printf, 3, 4))) TankTest judged(const Bounds& bounds, double value, const char* format, ...) {
   TankTest test;
@@ -82,6 +86,13 @@ std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvi
   return {judged(kShellGap, std::max(0.0, shell_from - 3.0 * shell.spacing) / reach,
                  "its wall is seen from %.3g m above the foundation on, as cladding is or a dark foot leaves",
                  shell_from)};
+}
+
+std::vector<TankTest> testsUnderShell(double under_shell) {
+  if (!std::isfinite(under_shell)) return {};
+  return {judged(kUnderShell, under_shell,
+                 "the foundation is seen under its wall over %.0f %% of the foot, as under cladding",
+                 100.0 * under_shell)};
 }
 
 std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell) {

@@ -24,6 +24,10 @@ std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, cons
 /// @param reach       of the section of the foot [m]
 std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvidence& shell);
 
+/// Whether the foundation ends at the shell; none where that is not known.
+/// @param under_shell  share of the stations at which it is seen under the wall
+std::vector<TankTest> testsUnderShell(double under_shell);
+
 /// Numbers of the measured stations that do not lie on their shell, whose elevation is another thing's.
 std::vector<std::size_t> stationsOffCircle(const std::vector<Station>& stations, const Circle& circle,
                                            const ShellEvidence& shell);

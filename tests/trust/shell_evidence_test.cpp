@@ -97,6 +97,15 @@ TEST(ShellEvidence, LeanAndConeAreToldApart) {
   EXPECT_LT((shell.lean.axis() - Eigen::Vector3d(0.02, -0.01, 1.0).normalized()).norm(), 0.005);
 }
 
+TEST(ShellEvidence, OfALeaningShellHasTheCircleOfItsFoot) {
+  const Tank tank = tankOf();
+  const auto leans = [](double a, double h) { return kRadius + 0.03 * h * std::cos(a); };
+  const ShellEvidence shell = lookAtShell(wallOf(tank, leans), tank);
+  EXPECT_LT((shell.at_foot.center - tank.circle.center).norm(), 0.0005);
+  EXPECT_GT((shell.circle.center - tank.circle.center).norm(), 0.006);  // of half a ring's height
+  EXPECT_EQ(shell.at_foot.radius, shell.circle.radius);
+}
+
 TEST(ShellEvidence, DoesNotDependOnTheUnit) {
   const Tank tank = tankOf();
   const auto lobes = [](double a, double) { return kRadius + 0.03 * std::cos(3 * a); };

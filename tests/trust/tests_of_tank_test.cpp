@@ -185,6 +185,15 @@ TEST(TestsOfGap, AFifthOfTheReachBeyondThreeSpacingsIsDoubtfulAndNeverMore) {
   EXPECT_EQ(at(0.5), TestOutcome::Doubtful);
 }
 
+TEST(TestsUnderShell, AFoundationThatGoesOnUnderItsWallIsDoubtfulAndNeverMore) {
+  const auto at = [](double share) { return outcomeOf(testsUnderShell(share), "under_shell"); };
+  EXPECT_EQ(at(0.0), TestOutcome::Pass);
+  EXPECT_EQ(at(0.19), TestOutcome::Pass);
+  EXPECT_EQ(at(0.26), TestOutcome::Doubtful);
+  EXPECT_EQ(at(1.0), TestOutcome::Doubtful);
+  EXPECT_TRUE(testsUnderShell(kUnknown).empty());
+}
+
 TEST(TestsOfGap, ThereIsNoneWhereTheShellIsNotKnown) {
   EXPECT_TRUE(testsOfGap(kUnknown, 0.5, evidence()).empty());
   EXPECT_TRUE(testsOfGap(0.1, 0.5, ShellEvidence()).empty());
