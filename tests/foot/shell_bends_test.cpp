@@ -22,6 +22,7 @@ struct Bent {
   double noise = 0.001;                                            ///< [m]
   double line_noise = 0.005;                                       ///< of the lines, which bends make larger [m]
   double nearest = 0.0;                                            ///< steps to either side that are not seen
+  std::size_t line_points = 100;                                   ///< that each line was fitted to
 
   ShellLine line() const {
     std::mt19937_64 random(3);
@@ -37,7 +38,7 @@ struct Bent {
     for (int i = 0; i < 360; ++i) {
       ShellLine& line = lines[static_cast<std::size_t>(i)];
       line.radius = kRadius, line.sigma_radius = 0.0002, line.noise = line_noise, line.straight_to = kReach;
-      line.points = 100;
+      line.points = line_points;
       windows.push_back({i * kStep, kStep, 0.0, {0.05, kReach}});
     }
     return linesAtFoot(PolarRing(points, {0.0, 0.0}), lines, windows)[kStation];
@@ -130,6 +131,13 @@ TEST(LinesAtFoot, AShellWhoseNoiseHidesBendsKeepsItsLines) {
   };
   EXPECT_LT(noisy(0.0042), -0.025);
   EXPECT_EQ(noisy(0.0060), 0.0);
+}
+
+TEST(LinesAtFoot, AreFittedToSixHundredPoints) {
+  Bent few{bentBelow(0.3, 0.015)}, many = few;
+  few.count = 600;
+  many.count = 40'000, many.line_points = 16'000;
+  EXPECT_NEAR(many.line().sigma_radius, few.line().sigma_radius, 0.2 * few.line().sigma_radius);
 }
 
 }  // namespace
