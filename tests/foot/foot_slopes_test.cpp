@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "support/made_feet.h"
@@ -49,6 +50,33 @@ TEST(LearnPriors, APadMayFallByEightMillimetresAMetreMoreThanElsewhere) {
 }
 
 TEST(LearnPriors, AnUnevenPadMayFallByMore) { EXPECT_LT(padUnderSoil(0.017, 0.010).slope[60], -0.012); }
+
+TEST(LearnPriors, WhatRisesOverAQuarterOfTheRingTiltsNoPad) {
+  const FootPriors priors = padUnderSoil(-0.03);
+  EXPECT_NEAR(priors.slope[60], -0.005, 0.001);
+  EXPECT_NEAR(priors.slope[200], -0.005, 0.001);
+}
+
+/// The slopes of a pad that is tilted so much, and off that by as much to either side over ten degrees each.
+FootPriors tiltedPad(double tilt, double uneven, int last = 360) {
+  MadeFoot made;
+  for (int s = 0; s < last; ++s) {
+    const double slope = tilt * std::cos(toRadians(s)) + ((s + 5) / 10 % 2 == 0 ? uneven : -uneven);
+    made.addStation(s, 40, 0.02, 0.28, [&](double d) { return slope * d; });
+  }
+  return learnt(made, Surface::Foundation, 0.3, 0.3);
+}
+
+TEST(LearnPriors, ATanksTiltMakesFiveThousandthsOfItsPadsSlope) {
+  const auto learntTilt = [](double uneven) { return tiltedPad(0.006, uneven).slope[0] / 0.006; };
+  EXPECT_NEAR(learntTilt(0.0), 1.0 / 1.04, 0.01);  // but for what keeps it quiet across gaps
+  EXPECT_NEAR(learntTilt(0.01), 0.65, 0.05);
+}
+
+TEST(LearnPriors, WhereNoPadIsSeenItsSlopeIsKnownLess) {
+  const FootPriors priors = tiltedPad(0.0, 0.003, 180);
+  EXPECT_GT(priors.sigma_slope[270], 1.25 * priors.sigma_slope[90]);
+}
 
 TEST(LearnPriors, ALipWhoseEdgeACrownHidesIsLevelAmidWhatIsSeenOfIt) {
   MadeFoot made;
