@@ -56,7 +56,7 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   const auto variance = [&](const PeriodicFit& fit) { return std::max(fit.sigma * fit.sigma, count / formal); };
   PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, {1, true, kRidge});
   const double ridge = std::max(kRidge, variance(fit) / (count * kWave * kWave));
-  fit = fitHarmonics(azimuths, slopes, weights, {1, true, ridge});
+  if (isResolved(foot)) fit = fitHarmonics(azimuths, slopes, weights, {1, true, ridge});  // cameras' errors warp more
   const double unit = variance(fit);
   const double among_windows = std::max(kLeastSigma * kLeastSigma, unit - count / formal);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
