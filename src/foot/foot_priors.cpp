@@ -29,8 +29,6 @@ constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looke
 void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
-  constexpr double kWave = 0.005;        // what a tank's tilt makes of its foundation's slope [m/m]
-  constexpr double kRidge = 0.02;
   constexpr std::size_t kFewest = 6;
   const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope, false}, priors.sigma_bend);
   std::vector<WeightedValue> seen;
@@ -53,11 +51,8 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   if (slopes.size() < kFewest) return;
   const auto count = static_cast<double>(slopes.size());
   for (double& w : weights) w *= count / mean;
-  const auto variance = [&](const PeriodicFit& fit) { return std::max(fit.sigma * fit.sigma, count / formal); };
-  PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, {1, true, kRidge});
-  const double ridge = std::max(kRidge, variance(fit) / (count * kWave * kWave));
-  if (isResolved(foot)) fit = fitHarmonics(azimuths, slopes, weights, {1, true, ridge});  // cameras' errors warp more
-  const double unit = variance(fit);
+  const PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, {1, true, 0.02});
+  const double unit = std::max(fit.sigma * fit.sigma, count / formal);  // variance of a window's slope
   const double among_windows = std::max(kLeastSigma * kLeastSigma, unit - count / formal);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const Eigen::RowVectorXd row = harmonicRow(foot.directions[i], 1);
