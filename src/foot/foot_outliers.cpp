@@ -92,7 +92,7 @@ std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmea
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
-  std::vector<char> before(reasons.size(), 0), no_foot(reasons.size(), 0), grazed(reasons.size(), 0);
+  std::vector<char> before(reasons.size(), 0), no_foot(reasons.size(), 0);
   std::vector<FootFit> own(reasons.size());
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     const FootFit& fit = pass.fits[i];
@@ -103,9 +103,8 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     } else {
       before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
       own[i] = ownFit(foot, i, pass, 3.0 * foot.half_step);
-      grazed[i] = isGrazedAt(foot, i, pass) ? 1 : 0;
-      no_foot[i] = before[i] || grazed[i] || isSteep(fit, pass.priors) || isHeap(i, pass.priors, own[i]) ||
-                           isHeapInHalf(foot, i, pass)
+      no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) ||
+                           isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass)
                        ? 1
                        : 0;
       const bool other = no_foot[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
@@ -127,10 +126,8 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   }
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
   const auto kerbs = std::count(before.begin(), before.end(), 1);
-  const auto lines = std::count(grazed.begin(), grazed.end(), 1);  // of beams, as the few others lie on then
-  const bool no_surface = !pass.priors.settled && stand < lines;
-  const bool none = no_surface || static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) ||
-                    areHeaps(own, pass.priors);
+  const bool none =
+      static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) || areHeaps(own, pass.priors);
   const std::vector<FootFit> kept = standing(pass.fits, reasons);
   const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels);

@@ -149,28 +149,6 @@ TEST(FindOutliers, AFewStationsFarFromAllOthersAreNoFoundationWhereTheirSlopeIsN
   EXPECT_EQ(reasonOfIsland(0.0435, 11, 12), Unmeasured::None);
 }
 
-/// Why a station on level ground does not stand where so many others lie on lines along which beams graze a crown.
-Unmeasured reasonBesideLines(int lines, bool lip) {
-  MadeFoot made;
-  for (int s = 0; s < 360; ++s) {
-    made.addStation(s, 40, 0.0155, 0.0545, [](double) { return 0.0; });
-    if (s < 100 || s >= 100 + lines) continue;
-    for (int i = 0; i < 200; ++i) made.add(s * made.step(), 0.0, 0.051 + 0.198 * i / 200);  // one a millimetre
-    for (int i = 0; i < 88; ++i) made.add(s * made.step(), 0.06 + 0.005 * i, 0.008);        // one in five
-  }
-  Foot& foot = made.foot();
-  FootPass pass = levelPass(foot.half_step, 0.055);
-  for (int s = 100; s < 100 + lines; ++s) pass.fits[static_cast<std::size_t>(s)].slope = 0.055;
-  pass.priors.settled = lip;
-  return reasonAt50(foot, pass);
-}
-
-TEST(FindOutliers, WhereMostStationsLieOnLinesOfBeamsTheOthersLieOnNoWideSurface) {
-  EXPECT_EQ(reasonBesideLines(170, false), Unmeasured::None);
-  EXPECT_EQ(reasonBesideLines(190, false), Unmeasured::OtherSurface);
-  EXPECT_EQ(reasonBesideLines(190, true), Unmeasured::None);
-}
-
 TEST(FindOutliers, WhatFallsFromTheShellByMoreThanThreeInTwentyIsNoFoundation) {
   const auto reason = [](double slope) {
     MadeFoot made;
