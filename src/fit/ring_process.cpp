@@ -213,7 +213,9 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
     data.variances.push_back(sigmas[i] * sigmas[i]);
   }
   const double beyond_chance = 1.0 + kChance / std::sqrt(static_cast<double>(known.size()));
-  const Parameters p = likeliest(data, usual, ringScatter(data.values, sigmas) / beyond_chance, least_amplitude);
+  const double scatter = ringScatter(data.values, sigmas);
+  const double ratio = scatter > 0.0 ? scatter / beyond_chance : 1.0;  // errors that cannot be judged stand as given
+  const Parameters p = likeliest(data, usual, ratio, least_amplitude);
   result.amplitude = p.amplitude, result.length = p.length, result.nugget = p.nugget, result.scale = p.scale;
   result.value.resize(values.size());
   result.sigma.resize(values.size());

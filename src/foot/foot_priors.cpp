@@ -2,7 +2,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/parallel.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -14,6 +13,7 @@
 #include "foot/foot_state.h"
 #include "foot/ring_slope.h"
 #include "foot/slanting_beams.h"
+#include "foot/slope_windows.h"
 #include "stations/highest_wave.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/foot/refined.h"
@@ -23,49 +23,9 @@ namespace {
 
 constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looked at [m/m]
 
-/// Fits of the slope in windows a few degrees wide, at every so many stations.
-struct Slopes {
-  std::size_t stride;
-  std::vector<FootFit> fits;
-  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation; none where not looked at
-  std::vector<BandPoints> bands;
-};
-
-/// The windows that slopes are fitted in, and what is known of a slope before.
-struct SlopeWindows {
-  std::size_t count;
-  double half;         ///< of a window [rad]
-  double sigma_slope;  ///< [m/m]
-  bool beams;          ///< whether it is looked at how beams slant, and how points lie across the band
-};
-
-Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
-                 const SlopeWindows& windows, double sigma_bend) {
-  const std::size_t count = foot.directions.size();
-  Slopes slopes;
-  slopes.stride = std::max<std::size_t>(1, count / windows.count);
-  slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
-  slopes.bands.resize(slopes.fits.size());
-  std::vector<RayCounts> rays(slopes.fits.size());
-  FootPrior prior;
-  prior.sigma_slope = windows.sigma_slope;
-  prior.sigma_bend = sigma_bend;
-  forEachIndex(slopes.fits.size(), 0, [&](std::size_t k) {
-    const std::size_t i = k * slopes.stride;
-    if (!elevations.seen[i]) return;
-    const FootProfile& profile = sections.at(i);
-    const double level = elevations.filled[i];
-    const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
-    slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, profile.slope, prior);
-    if (!windows.beams) return;
-    rays[k] = countRays(points, profile, level + profile.offset, foot.reach);
-    slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
-  });
-  if (windows.beams) slopes.steepness = steepnessAlong(rays, foot.reach);
-  return slopes;
-}
-
 /// The slope of a wide foundation surface round the tank, from windows ten degrees wide; soil would tilt its harmonic.
+/// Where one row of the scan creeps out across a window, its curve and the surface's slope cannot be told apart, and
+/// what rays that graze leave of the roughness tilts it by more than the points' scatter says.
 void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
@@ -79,21 +39,25 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   if (seen.size() < kFewest) return;
   priors.seen = weightedMedian(std::move(seen));
   const double scatter = robustSigma(all, priors.seen);
+  double formal = 0, mean = 0;
   for (std::size_t k = 0; k < found.fits.size(); ++k) {
     const FootFit& fit = found.fits[k];
-    if (!fit.valid() || fit.slope < priors.seen - kHeapFalls - 3.0 * std::hypot(fit.sigma_slope, scatter)) continue;
+    const double error = std::hypot(fit.sigma_slope, scatter);
+    if (!fit.valid() || std::abs(fit.slope - priors.seen) > kHeapFalls + 3.0 * error) continue;
     azimuths.push_back(foot.directions[k * found.stride]);
-    slopes.push_back(fit.slope), weights.push_back(1.0 / square(fit.sigma_slope));
+    slopes.push_back(fit.slope), weights.push_back(1.0 / square(error));
+    formal += 1.0 / square(fit.sigma_slope), mean += weights.back();
   }
   if (slopes.size() < kFewest) return;
-  double mean = 0;
-  for (const double w : weights) mean += w / static_cast<double>(weights.size());
-  for (double& w : weights) w /= mean;
+  const auto count = static_cast<double>(slopes.size());
+  for (double& w : weights) w *= count / mean;
   const PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, {1, true, 0.02});
-  const double among_windows = fit.sigma * fit.sigma - 1.0 / mean;
+  const double unit = std::max(fit.sigma * fit.sigma, count / formal);  // variance of a window's slope
+  const double among_windows = std::max(kLeastSigma * kLeastSigma, unit - count / formal);
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
+    const Eigen::RowVectorXd row = harmonicRow(foot.directions[i], 1);
     priors.slope[i] = fit(foot.directions[i]);
-    priors.sigma_slope[i] = std::max(kLeastSigma, std::sqrt(std::max(0.0, among_windows)));
+    priors.sigma_slope[i] = std::sqrt(among_windows + unit * row.dot(row * fit.covariance));
   }
 }
 

@@ -145,16 +145,21 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
 
 /// The last bin of a plate whose edge does not follow the shell and so comes down over many bins, or ends at a step
 /// that first elevations blur, where the band lies on the ringwall beyond; 0 where what is nearest to the shell lies on
-/// the band's line, or comes down to it close to the shell as a blend does, more steeply than a lip.
+/// the band's line, or comes down to it close to the shell as a blend does, more steeply than a lip. A blend comes down
+/// from the shell on; a lip is level there, and its edge alone comes down steeply.
 std::size_t lastOfRaised(const FootProfile& profile, std::size_t first, double reach) {
   constexpr double kFar = 0.2;      // of the reach
   constexpr double kStep = 0.0025;  // as of an edge that is sharp [m]
   const auto begin = static_cast<std::size_t>(std::lround(profile.band_from / profile.bin));
   if (!profile.valid() || begin <= first + 3) return 0;
-  const bool steep = std::abs(robustLine(profile, first + (begin - first) / 3, begin - 1).slope) > kSteepestLip;
-  if (profile.band_from < kFar * reach && steep) return 0;
+  const std::size_t half = (first + begin) / 2;
+  const auto steep = [&](std::size_t from, std::size_t to) {
+    return std::abs(robustLine(profile, from, to).slope) > kSteepestLip;
+  };
+  const bool blend = steep(first + (begin - first) / 3, begin - 1) && steep(first, half);
+  if (profile.band_from < kFar * reach && blend) return 0;
   std::vector<double> above;
-  for (std::size_t i = first; i < (first + begin) / 2; ++i) {
+  for (std::size_t i = first; i < half; ++i) {
     if (std::isfinite(profile.height[i])) {
       above.push_back(profile.height[i] - profile.offset - profile.slope * middle(profile, i));
     }

@@ -12,6 +12,7 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kFewestPoints = 10;  // points that make a bin's median worth looking at
+constexpr double kWidestBin = 0.04;        // of the reach, so that a section has some twenty
 
 /// The heights above their station's datum of all points, by bins of d, with several threads.
 std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<FootPoint>>& stations,
@@ -43,6 +44,14 @@ double widthOfBins(const std::vector<std::vector<FootPoint>>& stations, double r
   return 100.0 * reach / std::max(1.0, points);
 }
 
+/// Whether most points beyond a distance from the shell lie in bins that hold too few of them to be looked at.
+bool isPatchy(const std::vector<std::vector<double>>& heights, double bin, double from) {
+  std::size_t enough = 0, few = 0;
+  for (auto i = static_cast<std::size_t>(std::ceil(from / bin)); i < heights.size(); ++i)
+    (heights[i].size() < kFewestPoints ? few : enough) += heights[i].size();
+  return few > enough;
+}
+
 }  // namespace
 
 void stackBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& stations,
@@ -50,6 +59,11 @@ void stackBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& 
   profile.bin = std::max({scales.reach / 100.0, scales.shell_noise, widthOfBins(stations, scales.reach)});
   const double layer = std::max(2.0 * profile.bin, 6.0 * scales.shell_noise);
   auto heights = heightsByBin(stations, datum, scales.reach, profile.bin);
+  // the shell's points say nothing of how many lie before it
+  while (!scales.arc && profile.bin < kWidestBin * scales.reach && isPatchy(heights, profile.bin, scales.nearest())) {
+    profile.bin *= 2.0;
+    heights = heightsByBin(stations, datum, scales.reach, profile.bin);
+  }
   for (auto* column : {&profile.height, &profile.spread, &profile.error}) column->assign(heights.size(), kUnknown);
   forEachIndex(heights.size(), 0, [&](std::size_t i) {
     std::vector<double>& values = heights[i];

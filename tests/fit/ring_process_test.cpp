@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/statistics.h"
@@ -62,6 +63,19 @@ TEST(RingProcess, ScatterIsNoLessThanDifferencesShowBeyondChance) {
   const RingProcess process = followRing(ring.values, ring.sigmas, 0.2);
   const double shown = ringScatter(ring.values, ring.sigmas) / (1.0 + 2.6 / std::sqrt(360.0));
   EXPECT_NEAR(process.nugget, kSigma * std::sqrt(shown * shown - 1.0), 0.03 * kSigma);
+}
+
+/// Every fifth value on half the ring: they are too few for their differences to tell.
+TEST(RingProcess, ErrorsThatCannotBeJudgedStandAsGiven) {
+  Ring ring(quiet, 0.3 * kSigma);
+  const auto withEvery = [&](std::size_t stride) {
+    Ring some = ring;
+    for (std::size_t i = 0; i < kCount; ++i)
+      if (i % stride != 0 || i > kCount / 2) some.values[i] = std::numeric_limits<double>::quiet_NaN();
+    return some.followed().scale;
+  };
+  EXPECT_LT(withEvery(1), 0.6);
+  EXPECT_EQ(withEvery(5), 1.0);
 }
 
 TEST(RingProcess, AShortDipIsNotSmoothedAway) {

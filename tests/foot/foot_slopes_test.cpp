@@ -50,6 +50,27 @@ TEST(LearnPriors, APadMayFallByEightMillimetresAMetreMoreThanElsewhere) {
 
 TEST(LearnPriors, AnUnevenPadMayFallByMore) { EXPECT_LT(padUnderSoil(0.017, 0.010).slope[60], -0.012); }
 
+TEST(LearnPriors, WhatRisesOverAQuarterOfTheRingTiltsNoPad) {
+  const FootPriors priors = padUnderSoil(-0.03);
+  EXPECT_NEAR(priors.slope[60], -0.005, 0.001);
+  EXPECT_NEAR(priors.slope[200], -0.005, 0.001);
+}
+
+/// The slopes of a pad that is uneven by so much to either side over ten degrees each, of which half is seen.
+FootPriors halfOfPad(double uneven) {
+  MadeFoot made;
+  for (int s = 0; s < 180; ++s) {
+    const double slope = (s + 5) / 10 % 2 == 0 ? uneven : -uneven;
+    made.addStation(s, 40, 0.02, 0.28, [&](double d) { return slope * d; });
+  }
+  return learnt(made, Surface::Foundation, 0.3, 0.3);
+}
+
+TEST(LearnPriors, WhereNoPadIsSeenItsSlopeIsKnownLess) {
+  const FootPriors priors = halfOfPad(0.003);
+  EXPECT_GT(priors.sigma_slope[270], 1.25 * priors.sigma_slope[90]);
+}
+
 TEST(LearnPriors, ALipWhoseEdgeACrownHidesIsLevelAmidWhatIsSeenOfIt) {
   MadeFoot made;
   made.addAll(40, 0.0155, 0.0385, [](double) { return 0.0; });

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "foot/foot_profile.h"
 #include "foot/section_end.h"
@@ -41,6 +42,42 @@ TEST(StackProfile, WhatComesDownByAQuarterCentimetreIsNoPartOfWhatLiesBeyond) {
 TEST(StackProfile, WhatComesDownWithinAFifthOfTheReachIsABlendWithTheShell) {
   EXPECT_NEAR(endOfRamp(0.006, 0.03, 0.05), 0.3, 0.001);
   EXPECT_NEAR(endOfRamp(0.006, 0.06, 0.07), 0.07, 0.003);
+}
+
+/// A lip of 4.5 mm whose edge does not follow the shell's lobes comes down over as little as a blend does.
+TEST(StackProfile, WhatIsLevelBesideTheShellIsNoBlendThoughItComesDownAsSteeply) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0.0, 0.0024);
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 12000; ++i) {
+    const double d = 0.3 * (i + 0.5) / 12000, lip = 0.0045 * std::clamp((0.056 - d) / 0.020, 0.0, 1.0);
+    points.push_back({0.0, d, lip - 0.006 * d + noise(random)});
+  }
+  EXPECT_LT(stackProfile({points}, {0.0}, {0.3, 0.003, 0.013}).band_to, 0.045);
+}
+
+/// The section of a pad without noise, so many points on 3 mm of it, below a shell of 20 000.
+FootProfile sparsePad(int points, bool arc = false) {
+  std::vector<FootPoint> section;
+  for (int i = 0; i < 20000; ++i) section.push_back({0.0, 0.001, 0.25 * (i + 0.5) / 20000});
+  for (int i = 0; i < 95 * points; ++i) {
+    const double d = 0.015 + 0.003 * (i + 0.5) / points;
+    section.push_back({0.0, d, -0.03 * d});
+  }
+  return stackProfile({section}, {0.0}, {0.3, 0.001, 0.013, arc});
+}
+
+TEST(StackProfile, WhereBinsHoldTooFewPointsOfTheGroundTheyAreWiderWhateverTheShellHolds) {
+  EXPECT_NEAR(sparsePad(11).bin, 0.003, 1e-12);
+  const FootProfile wider = sparsePad(6);
+  EXPECT_NEAR(wider.bin, 0.006, 1e-12);
+  EXPECT_NEAR(wider.band_to, 0.3, 0.007);
+  EXPECT_NEAR(wider.slope, -0.03, 1e-4);
+}
+
+TEST(StackProfile, BinsAreWidenedToATwentyFifthOfTheReachAndNotOfAnArc) {
+  EXPECT_NEAR(sparsePad(2).bin, 0.012, 1e-12);
+  EXPECT_NEAR(sparsePad(6, true).bin, 0.003, 1e-12);
 }
 
 /// Which surface the first 20 of 40 bins of 3 mm are, level ones, with the others so much lower.

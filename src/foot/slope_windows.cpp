@@ -1,0 +1,37 @@
+#include "foot/slope_windows.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+#include "foot/foot_fit.h"
+#include "foot/foot_profile.h"
+
+namespace tank_datum {
+
+Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
+                 const SlopeWindows& windows, double sigma_bend) {
+  const std::size_t count = foot.directions.size();
+  Slopes slopes;
+  slopes.stride = std::max<std::size_t>(1, count / windows.count);
+  slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
+  slopes.bands.resize(slopes.fits.size());
+  std::vector<RayCounts> rays(slopes.fits.size());
+  FootPrior prior;
+  prior.sigma_slope = windows.sigma_slope;
+  prior.sigma_bend = sigma_bend;
+  forEachIndex(slopes.fits.size(), 0, [&](std::size_t k) {
+    const std::size_t i = k * slopes.stride;
+    if (!elevations.seen[i]) return;
+    const FootProfile& profile = sections.at(i);
+    const double level = elevations.filled[i];
+    const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
+    slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, profile.slope, prior);
+    if (!windows.beams) return;
+    rays[k] = countRays(points, profile, level + profile.offset, foot.reach);
+    slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
+  });
+  if (windows.beams) slopes.steepness = steepnessAlong(rays, foot.reach);
+  return slopes;
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "foot/foot_state.h"
+#include "foot/slanting_beams.h"
+
+namespace tank_datum {
+
+/// Fits of the slope in windows a few degrees wide, at every so many stations.
+struct Slopes {
+  std::size_t stride;
+  std::vector<FootFit> fits;
+  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation; none where not looked at
+  std::vector<BandPoints> bands;
+};
+
+/// The windows that slopes are fitted in, and what is known of a slope before.
+struct SlopeWindows {
+  std::size_t count;
+  double half;         ///< of a window [rad]
+  double sigma_slope;  ///< [m/m]
+  bool beams;          ///< whether it is looked at how beams slant, and how points lie across the band
+};
+
+/// The slopes that windows at equal steps show, of those where a surface was seen.
+/// @param sigma_bend  of the datum's second-order term along the shell [1/m]
+Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
+                 const SlopeWindows& windows, double sigma_bend);
+
+}  // namespace tank_datum
