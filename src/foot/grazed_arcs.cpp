@@ -97,7 +97,7 @@ bool rises(const StripsSeen& strips, std::size_t edge) {
   return before.slope() > std::max(kAlong * line, kChance * before.sigmaSlope());
 }
 
-bool isGrazed(const StripsSeen& strips) {
+bool isGrazedArc(const StripsSeen& strips) {
   const double usual = usualPoints(strips);
   const std::size_t edge = edgeOf(strips, usual);
   return edge < kStrips && areThin(strips, edge, usual) && rises(strips, edge);
@@ -122,7 +122,7 @@ std::vector<bool> findGrazedArcs(const Foot& foot, const FootPass& pass, const s
     for (std::size_t k = i + count - near; k <= i + count + near; ++k) {
       for (std::size_t strip = 0; strip < kStrips; ++strip) arc[strip].add(own[k % count][strip]);
     }
-    grazed[i] = isGrazed(arc);
+    grazed[i] = isGrazedArc(arc);
   });
   return {grazed.begin(), grazed.end()};
 }
