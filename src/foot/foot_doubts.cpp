@@ -87,8 +87,25 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
   return stations;
 }
 
-std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover) {
-  for (std::size_t i = 0; i < cover.size(); ++i) fits[i].sigma = std::hypot(fits[i].sigma, kHolds * cover[i]);
+std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover, std::size_t fades) {
+  const std::size_t count = cover.size();
+  std::vector<char> covered;
+  for (const double thick : cover) covered.push_back(thick > 0.0 ? 1 : 0);
+  for (const RingRun& run : runsRound(covered)) {
+    std::size_t before = fades, after = fades;  // stations off the run
+    const auto at = [&](std::size_t i) { return fits[i % count]; };
+    while (before < count && !at(run.first + count - before).valid()) ++before;
+    while (after < count && !at(run.last + after).valid()) ++after;
+    const FootFit a = at(run.first + count - before), b = at(run.last + after);
+    const bool beside = before < count && after < count;
+    const auto length = static_cast<double>(run.last - run.first + before + after);
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      FootFit& fit = fits[k % count];
+      const double along = static_cast<double>(k - run.first + before) / length;
+      const double rise = fit.z - a.z - along * (b.z - a.z), thick = cover[k % count];
+      fit.sigma = std::hypot(fit.sigma, kHolds * (beside ? std::clamp(rise, 0.0, thick) : thick));
+    }
+  }
   return fits;
 }
 

@@ -12,25 +12,30 @@
 
 namespace tank_datum {
 
-FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach) {
+FootRing::Entries FootRing::entriesIn(const PolarRing& ring, const ShellModel& shell, double side, double from,
+                                      double to) {
   const auto& points = ring.points();
   constexpr std::size_t kParts = 64;
   std::array<std::vector<Entry>, kParts> parts;
   const auto beginOf = [&](std::size_t part) { return points.size() * part / kParts; };
   forEachIndex(kParts, 0, [&](std::size_t part) {
-    parts[part].reserve(beginOf(part + 1) - beginOf(part));
     for (std::size_t i = beginOf(part); i < beginOf(part + 1); ++i) {
       const double radius = shell.at(points[i].azimuth), d = side * (points[i].radius - radius);
-      if (d > -0.1 * reach && d < reach) parts[part].push_back({points[i].azimuth, radius, d, points[i].z});
+      if (d > from && d < to) parts[part].push_back({points[i].azimuth, radius, d, points[i].z});
     }
   });
   std::array<std::size_t, kParts + 1> starts{};
   for (std::size_t part = 0; part < kParts; ++part) starts[part + 1] = starts[part] + parts[part].size();
-  entries_.resize(starts.back());
+  Entries entries(starts.back());
   forEachIndex(kParts, 0, [&](std::size_t part) {
-    std::copy(parts[part].begin(), parts[part].end(), entries_.begin() + static_cast<std::ptrdiff_t>(starts[part]));
+    std::copy(parts[part].begin(), parts[part].end(), entries.begin() + static_cast<std::ptrdiff_t>(starts[part]));
   });
+  return entries;
 }
+
+FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach)
+    : entries_(entriesIn(ring, shell, side, -0.1 * reach, reach)),
+      behind_(entriesIn(ring, shell, side, -reach, -0.1 * reach)) {}
 
 std::vector<FootPoint> FootRing::around(double azimuth, double half_width, double z, double height) const {
   std::vector<FootPoint> points;
@@ -38,12 +43,12 @@ std::vector<FootPoint> FootRing::around(double azimuth, double half_width, doubl
   return points;
 }
 
-std::pair<std::size_t, std::size_t> FootRing::between(double from, double to) const {
-  const auto first = std::lower_bound(entries_.begin(), entries_.end(), from,
+std::pair<std::size_t, std::size_t> FootRing::between(const Entries& entries, double from, double to) {
+  const auto first = std::lower_bound(entries.begin(), entries.end(), from,
                                       [](const Entry& e, double value) { return e.azimuth < value; });
   const auto last =
-      std::upper_bound(first, entries_.end(), to, [](double value, const Entry& e) { return value < e.azimuth; });
-  return {static_cast<std::size_t>(first - entries_.begin()), static_cast<std::size_t>(last - entries_.begin())};
+      std::upper_bound(first, entries.end(), to, [](double value, const Entry& e) { return value < e.azimuth; });
+  return {static_cast<std::size_t>(first - entries.begin()), static_cast<std::size_t>(last - entries.begin())};
 }
 
 namespace {

@@ -55,23 +55,39 @@ class FootRing {
   /// Calls visit(point) for each of them.
   template <typename Visit>
   void visitAround(double azimuth, double half_width, double z, double height, Visit&& visit) const {
-    for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
-      const auto [begin, end] = between(azimuth + shift - half_width, azimuth + shift + half_width);
-      for (std::size_t i = begin; i < end; ++i) {
-        const Entry& e = entries_[i];
-        if (std::abs(e.z - z) < height) visit(FootPoint{(e.azimuth - azimuth - shift) * e.radius, e.d, e.z});
-      }
-    }
+    visitIn(entries_, azimuth, half_width, z, height, visit);
+  }
+
+  /// The same of those farther behind the shell than its noise and what stands against it reach.
+  template <typename Visit>
+  void visitBehind(double azimuth, double half_width, double z, double height, Visit&& visit) const {
+    visitIn(behind_, azimuth, half_width, z, height, visit);
   }
 
  private:
   struct Entry {
     double azimuth, radius, d, z;
   };
-  /// Indices of the first entry from an azimuth on, and of the first beyond another.
-  std::pair<std::size_t, std::size_t> between(double from, double to) const;
+  using Entries = std::vector<Entry, DefaultInitAllocator<Entry>>;
 
-  std::vector<Entry, DefaultInitAllocator<Entry>> entries_;
+  /// Those in a range of distances from the shell.
+  static Entries entriesIn(const PolarRing& ring, const ShellModel& shell, double side, double from, double to);
+  /// Indices of the first entry from an azimuth on, and of the first beyond another.
+  static std::pair<std::size_t, std::size_t> between(const Entries& entries, double from, double to);
+
+  template <typename Visit>
+  static void visitIn(const Entries& entries, double azimuth, double half_width, double z, double height,
+                      Visit&& visit) {
+    for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
+      const auto [begin, end] = between(entries, azimuth + shift - half_width, azimuth + shift + half_width);
+      for (std::size_t i = begin; i < end; ++i) {
+        const Entry& e = entries[i];
+        if (std::abs(e.z - z) < height) visit(FootPoint{(e.azimuth - azimuth - shift) * e.radius, e.d, e.z});
+      }
+    }
+  }
+
+  Entries entries_, behind_;
 };
 
 /// A robust plane z = z0 + slope d + along t + bend t^2 through the points in the profile's band, in which what is

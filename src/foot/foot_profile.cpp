@@ -58,8 +58,8 @@ double misfitOf(const FootProfile& profile, const Plateau& plateau, BinRange sur
 
 /// The part of the surface that is plainly it. Beams near the shell blend with it and lift the points, beams near an
 /// outer edge lower them, and the far scanner's wide footprints reach into the middle of a narrow plate: from the bin
-/// where the section runs most nearly parallel to the surface. Where that is a small part of it, the widest there is:
-/// ground about an object may run parallel too.
+/// where the section runs most nearly parallel to the surface. Where that is a small part of it, the widest that begins
+/// no farther out: ground about an object may run parallel too.
 Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t last) {
   const BinRange surface{first, last};
   const std::size_t reach = std::max<std::size_t>(1, std::min<std::size_t>(3, (last - first) / 4));
@@ -73,7 +73,7 @@ Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t l
   if (2 * (plateau.last - plateau.first) < last - first) {
     for (std::size_t i = first + reach; i + reach <= last; ++i) {
       const Plateau other = plateauAbout(profile, i, reach, surface);
-      if (other.last - other.first > plateau.last - plateau.first) plateau = other;
+      if (other.first <= plateau.first && other.last - other.first > plateau.last - plateau.first) plateau = other;
     }
   }
   plateau.misfit = misfitOf(profile, plateau, surface);

@@ -150,6 +150,7 @@ UnderShell findUnderShell(const Foot& foot, const std::vector<FootFit>& fits, co
   constexpr double kArc = 3.0 * kDegree;          // to either side, that is looked at together
   constexpr double kBeside = 0.1, kAbout = 0.04;  // of the reach: behind and before the shell; about the foundation
   constexpr double kFrom = 0.2;                   // of the reach, up to which cladding may leave the shell in sight
+  constexpr double kThick = 0.4;                  // of the reach: farther in than that there is a floor
   constexpr double kPart = 0.25;                  // of what is seen before the shell
   constexpr std::size_t kFewest = 5;              // points before it
   struct Counts {
@@ -170,6 +171,9 @@ UnderShell findUnderShell(const Foot& foot, const std::vector<FootFit>& fits, co
       own[i].behind += low && p.d < -clear;
       own[i].through += p.d < -clear && height > kFrom * foot.reach;
     });
+    const double low = kAbout * foot.reach, thick = kThick * foot.reach;
+    foot.ring.visitBehind(foot.directions[i], foot.half_step, levels[i], low,
+                          [&](const FootPoint& p) { own[i].through += p.d < -thick; });
   });
   UnderShell found;
   found.seen.assign(count, false);

@@ -72,13 +72,32 @@ TEST(WithRefusedDoubted, ADipBeginsAtTheStationsBeside) {
 
 TEST(WithRefusedDoubted, WhereNothingWasRefusedNothingIsDoubted) { EXPECT_EQ(doubted(kUnknown)[101].sigma_z, 0.0001); }
 
+/// The standard error in the middle of five stations, of which the three inner ones may be covered, that rise so much.
+double sigmaAt(double rise, double cover, double slope = 0.0) {
+  std::vector<FootFit> fits(5);
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    fits[i].z = slope * static_cast<double>(i) + (i > 0 && i < 4 ? rise : 0.0), fits[i].sigma = 0.003;
+  }
+  return withCoverDoubted(fits, {0.0, cover, cover, cover, 0.0}, 1)[2].sigma;
+}
+
 TEST(WithCoverDoubted, HoldsHalfOfItInOneStandardError) {
+  EXPECT_NEAR(sigmaAt(0.010, 0.008), 0.005, 1e-9);
+  EXPECT_EQ(sigmaAt(0.010, 0.0), 0.003);
+  EXPECT_EQ(withCoverDoubted(std::vector<FootFit>(1), {}, 1).size(), 1U);
+}
+
+TEST(WithCoverDoubted, IsNoMoreThanStationsRiseAboveThoseBeside) {
+  EXPECT_NEAR(sigmaAt(0.008, 0.020), 0.005, 1e-9);
+  EXPECT_NEAR(sigmaAt(0.008, 0.020, 0.01), 0.005, 1e-9);
+  EXPECT_EQ(sigmaAt(0.0, 0.020), 0.003);
+  EXPECT_EQ(sigmaAt(-0.010, 0.020), 0.003);
+}
+
+TEST(WithCoverDoubted, IsAllOfItWhereNoneStandsBeside) {
   FootFit fit;
   fit.z = 0.0, fit.sigma = 0.003;
-  const std::vector<FootFit> fits = withCoverDoubted({fit, fit}, {0.008, 0.0});
-  EXPECT_NEAR(fits[0].sigma, 0.005, 1e-9);
-  EXPECT_EQ(fits[1].sigma, 0.003);
-  EXPECT_EQ(withCoverDoubted({fit}, {}).front().sigma, 0.003);
+  EXPECT_NEAR(withCoverDoubted({fit, {}}, {0.008, 0.0}, 1)[0].sigma, 0.005, 1e-9);
 }
 
 }  // namespace

@@ -64,6 +64,18 @@ TEST(UnderShell, WhatIsSeenThroughAWallFromAFifthOfTheReachOnTellsNothing) {
   EXPECT_TRUE(std::isnan(under({20, 20, 20, 0.030, 0.0, 0.115}).share));
 }
 
+TEST(UnderShell, AFloorFartherInThanCladdingIsThickTellsNothing) {
+  const auto with_floor = [](double at) {
+    MadeFoot made;
+    made.addAll(20, 0.029, 0.031, [](double) { return 0.0; });
+    made.addAll(20, -0.031, -0.029, [](double) { return 0.0; });
+    made.addAll(20, at - 0.001, at + 0.001, [](double) { return 0.0; });
+    return findUnderShell(made.foot(), std::vector<FootFit>(360, standing()), std::vector<double>(360, 0.0)).share;
+  };
+  EXPECT_EQ(with_floor(-0.190), 1.0);
+  EXPECT_TRUE(std::isnan(with_floor(-0.210)));
+}
+
 TEST(UnderShell, StationsWithinThreeDegreesAreAskedTogether) {
   const UnderShell found = under({4, 4}, 100, 100, {0, 0});
   EXPECT_TRUE(std::isnan(found.share)) << "five points are the fewest";
