@@ -58,9 +58,11 @@ double misfitOf(const FootProfile& profile, const Plateau& plateau, BinRange sur
 
 /// The part of the surface that is plainly it. Beams near the shell blend with it and lift the points, beams near an
 /// outer edge lower them, and the far scanner's wide footprints reach into the middle of a narrow plate: from the bin
-/// where the section runs most nearly parallel to the surface. Where that is a small part of it, the widest that begins
-/// no farther out: ground about an object may run parallel too.
+/// where the section runs most nearly parallel to the surface. Where that is a small part of a foundation, the widest
+/// that begins no farther out: ground about an object may run parallel too. (What slopes more may be a lip and a
+/// crown.)
 Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t last) {
+  constexpr double kUsualSlope = 0.05;  // [m/m]
   const BinRange surface{first, last};
   const std::size_t reach = std::max<std::size_t>(1, std::min<std::size_t>(3, (last - first) / 4));
   std::size_t flattest = (first + last) / 2;
@@ -70,7 +72,7 @@ Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t l
     if (gradient < least && std::isfinite(levelOf(profile, i))) least = gradient, flattest = i;
   }
   Plateau plateau = plateauAbout(profile, flattest, reach, surface);
-  if (2 * (plateau.last - plateau.first) < last - first) {
+  if (std::abs(profile.slope) < kUsualSlope && 2 * (plateau.last - plateau.first) < last - first) {
     for (std::size_t i = first + reach; i + reach <= last; ++i) {
       const Plateau other = plateauAbout(profile, i, reach, surface);
       if (other.first <= plateau.first && other.last - other.first > plateau.last - plateau.first) plateau = other;

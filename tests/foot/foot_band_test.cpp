@@ -12,14 +12,22 @@ using namespace made_sections;
 /// A rough pad with something on it, beyond which it is even.
 double roughBeforeAnObject(double d) {
   constexpr double kStep = 0.03;
-  if (d > 0.225) return d < 0.24 ? 0.003 : 0.0;
+  if (d > 0.225) return d < 0.231 ? 0.003 : 0.0;
   return 0.005 * (std::fmod(d + kStep, kStep) - 0.5 * kStep);
 }
 
 TEST(StackProfile, TheBandIsTheWidestWhereTheFlattestIsASmallPart) {
   const FootProfile profile = Foot(roughBeforeAnObject, 2000).profile();
   EXPECT_LT(profile.band_from, 0.03);
-  EXPECT_NEAR(profile.band_to, 0.225, 0.010);
+  EXPECT_GT(profile.band_to, 0.21);
+}
+
+TEST(StackProfile, TheBandIsTheWidestOfAFoundationOnly) {
+  const auto band = [](double slope) {
+    return Foot([=](double d) { return roughBeforeAnObject(d) + slope * d; }, 2000).profile();
+  };
+  EXPECT_LT(band(-0.04).band_from, 0.05);
+  EXPECT_GT(band(-0.06).band_from, 0.05);
 }
 
 TEST(StackProfile, TheBandLiesAboutTheFlattestWhereThatIsHalfOfTheSurface) {
