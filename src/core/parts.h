@@ -39,11 +39,11 @@ auto rangeOf(std::size_t count, int threads, const ValueAt& valueAt) {
 }
 
 /// The values of all parts, one after the other.
-template <typename T>
-std::vector<T> concatenated(const std::vector<std::vector<T>>& parts) {
+template <typename Values>
+Values concatenated(const std::vector<Values>& parts) {
   std::vector<std::size_t> starts(1);
-  for (const std::vector<T>& part : parts) starts.push_back(starts.back() + part.size());
-  std::vector<T> all(starts.back());
+  for (const Values& part : parts) starts.push_back(starts.back() + part.size());
+  Values all(starts.back());
   forEachIndex(parts.size(), 0, [&](std::size_t part) {
     std::copy(parts[part].begin(), parts[part].end(), all.begin() + static_cast<std::ptrdiff_t>(starts[part]));
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/ring_runs.h"
+#include "core/units.h"
 
 namespace tank_datum {
 namespace {
@@ -87,8 +88,9 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
   return stations;
 }
 
-std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover, std::size_t fades) {
-  const std::size_t count = cover.size();
+std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover, const Foot& foot) {
+  constexpr double kFades = 8.0 * kDegree;  // to either side of an arc: over which it may fade out
+  const std::size_t count = cover.size(), fades = foot.stationsIn(kFades);
   std::vector<char> covered;
   for (const double thick : cover) covered.push_back(thick > 0.0 ? 1 : 0);
   for (const RingRun& run : runsRound(covered)) {

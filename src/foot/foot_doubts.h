@@ -16,7 +16,6 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
 /// Fits whose standard errors hold what may cover the foot: no more than they rise above those beside the arc, since
 /// soil does not lie on a foot that goes straight on.
 /// @param cover  how thick it may be at every station, else 0; empty: none anywhere [m]
-/// @param fades  stations on either side of an arc over which it may fade out, one at least
-std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover, std::size_t fades);
+std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover, const Foot& foot);
 
 }  // namespace tank_datum

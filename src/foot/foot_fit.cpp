@@ -2,40 +2,35 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
-#include "core/parallel.h"
+#include "core/parts.h"
 #include "core/portable_math.h"
 #include "fit/surface_rows.h"
 #include "foot/foot_profile.h"
 
 namespace tank_datum {
 
-FootRing::Entries FootRing::entriesIn(const PolarRing& ring, const ShellModel& shell, double side, double from,
-                                      double to) {
+FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach) {
+  struct Sides {
+    Entries around, behind;
+  };
   const auto& points = ring.points();
-  constexpr std::size_t kParts = 64;
-  std::array<std::vector<Entry>, kParts> parts;
-  const auto beginOf = [&](std::size_t part) { return points.size() * part / kParts; };
-  forEachIndex(kParts, 0, [&](std::size_t part) {
-    for (std::size_t i = beginOf(part); i < beginOf(part + 1); ++i) {
+  auto parts = ofParts(points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    Sides part;
+    for (std::size_t i = begin; i < end; ++i) {
       const double radius = shell.at(points[i].azimuth), d = side * (points[i].radius - radius);
-      if (d > from && d < to) parts[part].push_back({points[i].azimuth, radius, d, points[i].z});
+      if (!(std::abs(d) < reach)) continue;
+      (d > -0.1 * reach ? part.around : part.behind).push_back({points[i].azimuth, radius, d, points[i].z});
     }
+    return part;
   });
-  std::array<std::size_t, kParts + 1> starts{};
-  for (std::size_t part = 0; part < kParts; ++part) starts[part + 1] = starts[part] + parts[part].size();
-  Entries entries(starts.back());
-  forEachIndex(kParts, 0, [&](std::size_t part) {
-    std::copy(parts[part].begin(), parts[part].end(), entries.begin() + static_cast<std::ptrdiff_t>(starts[part]));
-  });
-  return entries;
+  std::vector<Entries> around, behind;
+  for (Sides& part : parts) around.push_back(std::move(part.around)), behind.push_back(std::move(part.behind));
+  entries_ = concatenated(around);
+  behind_ = concatenated(behind);
 }
-
-FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach)
-    : entries_(entriesIn(ring, shell, side, -0.1 * reach, reach)),
-      behind_(entriesIn(ring, shell, side, -reach, -0.1 * reach)) {}
 
 std::vector<FootPoint> FootRing::around(double azimuth, double half_width, double z, double height) const {
   std::vector<FootPoint> points;

@@ -70,8 +70,6 @@ class FootRing {
   };
   using Entries = std::vector<Entry, DefaultInitAllocator<Entry>>;
 
-  /// Those in a range of distances from the shell.
-  static Entries entriesIn(const PolarRing& ring, const ShellModel& shell, double side, double from, double to);
   /// Indices of the first entry from an azimuth on, and of the first beyond another.
   static std::pair<std::size_t, std::size_t> between(const Entries& entries, double from, double to);
 

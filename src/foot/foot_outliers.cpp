@@ -113,22 +113,24 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
       if (other) reasons[i] = Unmeasured::OtherSurface;
     }
   });
+  const auto refuse = [&](const std::vector<bool>& found) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i]) no_foot[i] = 1, reasons[i] = Unmeasured::OtherSurface;
+    }
+  };
   const std::vector<bool> shell_below = findShellBelow(foot, standing(pass.fits, reasons));
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (!shell_below[i]) continue;
-    before[i] = no_foot[i] = 1;
-    reasons[i] = Unmeasured::OtherSurface;
+  refuse(shell_below);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (shell_below[i]) before[i] = 1;
   }
   own = standing(std::move(own), reasons);
   const std::vector<bool> heaped = findHeapedArcs(foot, pass.priors, own);
   const std::vector<FootFit> stand_so_far = standing(pass.fits, reasons);
   const std::vector<bool> grazed = findGrazedArcs(foot, pass, stand_so_far);
   LipCover cover = findLipCover(foot, pass, stand_so_far);
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (!heaped[i] && !grazed[i] && !cover.covered[i]) continue;
-    no_foot[i] = 1;
-    reasons[i] = Unmeasured::OtherSurface;
-  }
+  refuse(heaped);
+  refuse(grazed);
+  refuse(cover.covered);
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
   const auto kerbs = std::count(before.begin(), before.end(), 1);
   const bool none =

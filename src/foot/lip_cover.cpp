@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
@@ -19,7 +18,7 @@ constexpr std::size_t kParts = 3;  // of what is seen beyond a lip's edge, from 
 
 /// Something of each part.
 template <typename T>
-using OfParts = std::array<T, kParts>;
+using PerPart = std::array<T, kParts>;
 
 /// Which part a bin of the section is in; kParts: none, since it has no height of its own, as an upright face.
 struct SectionParts {
@@ -49,16 +48,16 @@ SectionParts partsOf(const FootProfile& section) {
 
 /// How high a station's points lie above the ring's section when that lies on the station's fit: in the middle, part by
 /// part, with their number for a weight.
-OfParts<WeightedValue> levelsOf(const std::vector<FootPoint>& points, const FootFit& fit, const FootProfile& section,
+PerPart<WeightedValue> levelsOf(const std::vector<FootPoint>& points, const FootFit& fit, const FootProfile& section,
                                 const SectionParts& parts, double most) {
-  OfParts<std::vector<double>> heights;
+  PerPart<std::vector<double>> heights;
   for (const FootPoint& p : points) {
     const auto bin = static_cast<std::size_t>(std::max(0.0, p.d) / section.bin);
     if (bin >= parts.of_bin.size() || parts.of_bin[bin] == kParts) continue;
     const double height = offOf(p, fit) + fit.slope * p.d - (section.height[bin] - section.offset);
     if (std::abs(height) < most) heights[parts.of_bin[bin]].push_back(height);
   }
-  OfParts<WeightedValue> levels;
+  PerPart<WeightedValue> levels;
   for (std::size_t part = 0; part < kParts; ++part) {
     const auto weight = static_cast<double>(heights[part].size());
     levels[part] = {median(std::move(heights[part])), weight};
@@ -67,9 +66,9 @@ OfParts<WeightedValue> levelsOf(const std::vector<FootPoint>& points, const Foot
 }
 
 /// The same of an arc; not known where there are few points.
-OfParts<double> levelsIn(const std::vector<OfParts<WeightedValue>>& own, std::size_t first, std::size_t last) {
+PerPart<double> levelsIn(const std::vector<PerPart<WeightedValue>>& own, std::size_t first, std::size_t last) {
   constexpr double kFewest = 10.0;
-  OfParts<double> levels;
+  PerPart<double> levels;
   for (std::size_t part = 0; part < kParts; ++part) {
     std::vector<WeightedValue> of_arc;
     double points = 0.0;
@@ -96,11 +95,11 @@ LipCover findLipCover(const Foot& foot, const FootPass& pass, const std::vector<
   LipCover cover{std::vector<bool>(count, false), std::vector<double>(count, 0.0)};
   const SectionParts parts = partsOf(section);
   if (!pass.priors.settled || !parts.valid()) return cover;
-  std::vector<OfParts<WeightedValue>> own(count, OfParts<WeightedValue>{});
+  std::vector<PerPart<WeightedValue>> own(count, PerPart<WeightedValue>{});
   forEachIndex(count, 0, [&](std::size_t i) {
     if (kept[i].valid()) own[i] = levelsOf(foot.points[i], kept[i], section, parts, kMost * foot.reach);
   });
-  std::vector<OfParts<double>> levels(count);
+  std::vector<PerPart<double>> levels(count);
   std::vector<double> falls(count, kUnknown), lows(count, kUnknown);
   forEachIndex(count, 0, [&](std::size_t i) {
     if (!kept[i].valid()) return;
@@ -108,9 +107,10 @@ LipCover findLipCover(const Foot& foot, const FootPass& pass, const std::vector<
     falls[i] = levels[i].front() - levels[i].back();
     lows[i] = median(finiteOf(std::vector<double>(levels[i].begin(), levels[i].end())));
   });
-  const double fall = median(finiteOf(falls)), low = median(finiteOf(lows));
-  const double most = fall + kSteeper * parts.apart + kPlain * robustSigma(finiteOf(falls), fall);
-  const double lowest = low - kLeast * foot.reach - kPlain * robustSigma(finiteOf(lows), low);
+  const std::vector<double> known_falls = finiteOf(falls), known_lows = finiteOf(lows);
+  const double fall = median(known_falls), low = median(known_lows);
+  const double most = fall + kSteeper * parts.apart + kPlain * robustSigma(known_falls, fall);
+  const double lowest = low - kLeast * foot.reach - kPlain * robustSigma(known_lows, low);
   for (std::size_t i = 0; i < count; ++i) {
     const auto [inner, between, outer] = levels[i];
     cover.covered[i] = falls[i] > most && inner < -outer && inner - between > kMiddle * falls[i];

@@ -215,9 +215,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const FootPass pass = runPasses(foot, elevations);
   found.refined.profile = pass.sections.whole;
   if (found.refined.profile.unseen > 0.0) return found;
-  constexpr double kCoverFades = 8.0 * kDegree;
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
-  levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover, foot.stationsIn(kCoverFades));
+  levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover, foot);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};

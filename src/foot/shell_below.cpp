@@ -161,19 +161,18 @@ UnderShell findUnderShell(const Foot& foot, const std::vector<FootFit>& fits, co
     bool areUnder() const { return tell() && static_cast<double>(behind) >= part(); }
   };
   const std::size_t count = fits.size(), near = foot.stationsBeside(kArc);
-  const double clear = foot.scales.nearest(), far = kBeside * foot.reach;
+  const double clear = foot.scales.nearest(), far = kBeside * foot.reach, about = kAbout * foot.reach;
   std::vector<Counts> own(count);
   forEachIndex(count, 0, [&](std::size_t i) {
     foot.ring.visitAround(foot.directions[i], foot.half_step, levels[i], foot.reach, [&](const FootPoint& p) {
       const double height = p.z - levels[i];
-      const bool low = std::abs(height) < kAbout * foot.reach;
+      const bool low = std::abs(height) < about;
       own[i].before += low && p.d > clear && p.d < far;
       own[i].behind += low && p.d < -clear;
       own[i].through += p.d < -clear && height > kFrom * foot.reach;
     });
-    const double low = kAbout * foot.reach, thick = kThick * foot.reach;
-    foot.ring.visitBehind(foot.directions[i], foot.half_step, levels[i], low,
-                          [&](const FootPoint& p) { own[i].through += p.d < -thick; });
+    foot.ring.visitBehind(foot.directions[i], foot.half_step, levels[i], about,
+                          [&](const FootPoint& p) { own[i].through += p.d < -kThick * foot.reach; });
   });
   UnderShell found;
   found.seen.assign(count, false);

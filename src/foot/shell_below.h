@@ -55,7 +55,8 @@ struct UnderShell {
   bool isOfFew() const;
 };
 
-/// What is seen behind a wall all the way up is seen through it, and tells nothing.
+/// What is seen behind a wall all the way up, or as a floor farther in than cladding is thick, is seen through it or
+/// from inside, and tells nothing.
 /// @param fits    not valid where a station does not stand
 /// @param levels  of the foundation at every station, roughly [m]
 UnderShell findUnderShell(const Foot& foot, const std::vector<FootFit>& fits, const std::vector<double>& levels);

@@ -41,8 +41,8 @@ struct Bounds {
 // shell_gap  Height over the datum from which on the wall is seen, beyond three spacings of its points, over how far
 //            the section goes. Of bare shells whose foundation is seen beside them it is below 0.05, of tins, cans and
 //            mugs before depth cameras below 0.1; cladding ends at 0.2 to 1. No gap makes a tank none.
-// under_shell  Share of the stations under whose wall the foundation is seen to go on. A shell hides it: there are
-// none.
+// under_shell
+//            Share of the stations under whose wall the foundation is seen to go on. A shell hides it: there are none.
 //            Up to a quarter are left out, and the share is 0; of cladding that ends 10 to 200 mm above it is 0.6 to 1.
 // low_wall   Of a wall up to two metres high, share of what is seen behind whose top something lies. Of a shell in a
 //            scan that was cut, or that looks no higher, it is 0; of a ringwall's face, with its top or the lowest

@@ -78,13 +78,15 @@ double sigmaAt(double rise, double cover, double slope = 0.0) {
   for (std::size_t i = 0; i < fits.size(); ++i) {
     fits[i].z = slope * static_cast<double>(i) + (i > 0 && i < 4 ? rise : 0.0), fits[i].sigma = 0.003;
   }
-  return withCoverDoubted(fits, {0.0, cover, cover, cover, 0.0}, 1)[2].sigma;
+  MadeFoot made(5);
+  return withCoverDoubted(fits, {0.0, cover, cover, cover, 0.0}, made.foot())[2].sigma;
 }
 
 TEST(WithCoverDoubted, HoldsHalfOfItInOneStandardError) {
   EXPECT_NEAR(sigmaAt(0.010, 0.008), 0.005, 1e-9);
   EXPECT_EQ(sigmaAt(0.010, 0.0), 0.003);
-  EXPECT_EQ(withCoverDoubted(std::vector<FootFit>(1), {}, 1).size(), 1U);
+  MadeFoot made;
+  EXPECT_EQ(withCoverDoubted(std::vector<FootFit>(1), {}, made.foot()).size(), 1U);
 }
 
 TEST(WithCoverDoubted, IsNoMoreThanStationsRiseAboveThoseBeside) {
@@ -97,7 +99,25 @@ TEST(WithCoverDoubted, IsNoMoreThanStationsRiseAboveThoseBeside) {
 TEST(WithCoverDoubted, IsAllOfItWhereNoneStandsBeside) {
   FootFit fit;
   fit.z = 0.0, fit.sigma = 0.003;
-  EXPECT_NEAR(withCoverDoubted({fit, {}}, {0.008, 0.0}, 1)[0].sigma, 0.005, 1e-9);
+  MadeFoot made(2);
+  EXPECT_NEAR(withCoverDoubted({fit, {}}, {0.008, 0.0}, made.foot())[0].sigma, 0.005, 1e-9);
+}
+
+TEST(WithCoverDoubted, LooksAtStationsEightDegreesBeside) {
+  MadeFoot made;
+  const auto doubtedWhereLevelFrom = [&](std::size_t from, std::size_t to) {
+    std::vector<FootFit> fits(360);
+    std::vector<double> cover(360, 0.0);
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+      const std::size_t away = i > 100 ? i - 100 : 100 - i;
+      fits[i].z = away < from || away >= to ? 0.008 : 0.0, fits[i].sigma = 0.003;
+    }
+    cover[100] = 0.020;
+    return withCoverDoubted(fits, cover, made.foot())[100].sigma;
+  };
+  EXPECT_NEAR(doubtedWhereLevelFrom(7, 10), 0.005, 1e-9);  // it fades out up to there
+  EXPECT_EQ(doubtedWhereLevelFrom(10, 30), 0.003);
+  EXPECT_EQ(doubtedWhereLevelFrom(2, 6), 0.003);
 }
 
 }  // namespace
