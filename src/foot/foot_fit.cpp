@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -48,14 +49,61 @@ std::pair<std::size_t, std::size_t> FootRing::between(const Entries& entries, do
 
 namespace {
 
-double meanDistance(const SurfaceRows& rows) {
-  double sum = 0, weights = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    sum += rows.weights()[i] * rows.a()[i];
-    weights += rows.weights()[i];
+/// Mean and variance of what is known of each point.
+struct Spread {
+  double mean = 0, variance = 0;
+};
+
+Spread spreadOf(const std::vector<double>& values, const std::vector<double>& weights) {
+  double sum = 0, squares = 0, total = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sum += weights[i] * values[i];
+    squares += weights[i] * values[i] * values[i];
+    total += weights[i];
   }
-  return sum / weights;
+  const double mean = sum / total;
+  return {mean, std::max(0.0, squares / total - mean * mean)};
 }
+
+/// The share of the variance of one term of a fit that some others explain, less what they explain by chance (adjusted
+/// coefficient of determination).
+template <std::size_t kOthers>
+double shareExplained(const SurfaceRows::Equations& sums, int term, const std::array<int, kOthers>& others) {
+  constexpr auto kCount = static_cast<int>(kOthers);
+  const auto centred = [&m = sums.matrix](int i, int j) { return m(i, j) - m(i, 0) * m(0, j) / m(0, 0); };
+  Eigen::Matrix<double, kCount, kCount> among;
+  Eigen::Matrix<double, kCount, 1> with;
+  for (int i = 0; i < kCount; ++i) {
+    with[i] = centred(others[static_cast<std::size_t>(i)], term);
+    for (int j = 0; j < kCount; ++j)
+      among(i, j) = centred(others[static_cast<std::size_t>(i)], others[static_cast<std::size_t>(j)]);
+  }
+  const double all = centred(term, term), free = sums.weight - 1.0 - kCount;
+  if (!(all > 0.0) || !(free > 0.0)) return 1.0;
+  return std::max(0.0, 1.0 - (1.0 - with.dot(among.ldlt().solve(with)) / all) * (sums.weight - 1.0) / free);
+}
+
+/// Slopes that one row of a scan may feign, about the middle of its points. Its rays meet the bumps of a rough surface
+/// farther out: all its points lie in the rays' own plane, and a fit through them is as good as that plane is steep.
+struct FeignedSlopes {
+  Eigen::Matrix<double, 4, 2> terms;  ///< of the fit, for one across the shell and one along it
+  double across = 0.0, along = 0.0;   ///< standard deviations [m/m]
+
+  /// @param hidden  variance of points about the surface that the fit does not show [m^2]
+  FeignedSlopes(const SurfaceRows& rows, const SurfaceRows::Equations& sums, double hidden) {
+    const Spread d = spreadOf(rows.a(), rows.weights()), t = spreadOf(rows.t(), rows.weights());
+    terms << -d.mean, -t.mean, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0;
+    across = feigned(hidden, d.variance, shareExplained<2>(sums, 1, {2, 3}));
+    along = feigned(hidden, t.variance, shareExplained<1>(sums, 2, {1}));
+  }
+
+ private:
+  /// @param explained  share of the variance by which the points are one row
+  static double feigned(double hidden, double variance, double explained) {
+    constexpr double kNone = 1e-9;
+    return std::max(kNone, std::sqrt(hidden * explained / (variance * (1.0 - explained))));
+  }
+};
 
 /// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
 /// both err together, and a row of the scan close to an end of the band is cut on that side alone.
@@ -111,20 +159,29 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   if (rows.size() < 4) return fit;
   rows.close();
   double noise = profile.noise, alike = 1.0;  // so many points whose errors are alike count for one
-  Eigen::Vector4d solution(start, slope, 0.0, 0.0);
-  Eigen::Matrix4d inverse;
+  double own = profile.noise;
+  Eigen::Matrix<double, 6, 1> solution;
+  Eigen::Matrix<double, 6, 6> inverse;
   for (int iteration = 0; iteration < 8; ++iteration) {
-    auto [normal, rhs, used] = rows.equations();
+    const SurfaceRows::Equations seen = rows.equations();
+    const double used = seen.weight, hidden = std::max(0.0, prior.scatter * prior.scatter - own * own);
+    const FeignedSlopes feigned(rows, seen, hidden);
     alike = 1.0 + used * prior.shared / (noise * noise);
     const auto priorWeight = [&](double sigma) { return noise * noise / (sigma * sigma); };
+    Eigen::Matrix<double, 4, 6> terms;
+    terms << Eigen::Matrix4d::Identity(), feigned.terms;
+    Eigen::Matrix<double, 6, 6> normal = terms.transpose() * seen.matrix * terms;
+    Eigen::Matrix<double, 6, 1> right = terms.transpose() * seen.right;
     normal(1, 1) += alike * priorWeight(prior.sigma_slope);
-    rhs[1] += alike * priorWeight(prior.sigma_slope) * slope;
+    right[1] += alike * priorWeight(prior.sigma_slope) * slope;
     normal(2, 2) += priorWeight(kSteepestSettlement);
     normal(3, 3) += priorWeight(prior.sigma_bend);
+    normal(4, 4) += alike * priorWeight(feigned.across);
+    normal(5, 5) += alike * priorWeight(feigned.along);
     if (used < 3.0) return fit;
     inverse = normal.inverse();
-    solution = inverse * rhs;
-    const double own = std::max(rows.residualsFrom(solution), 1e-7);
+    solution = inverse * right;
+    own = std::max(rows.residualsFrom(terms * solution), 1e-7);
     noise = std::sqrt((kPooled * profile.noise * profile.noise + used * own * own) / (kPooled + used));
     rows.weigh(noise);
   }
@@ -136,7 +193,7 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
   fit.sigma_slope = error * std::sqrt(inverse(1, 1));
   fit.noise = noise;
-  fit.middle = meanDistance(rows);
+  fit.middle = spreadOf(rows.a(), rows.weights()).mean;
   return fit;
 }
 

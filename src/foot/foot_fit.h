@@ -23,6 +23,7 @@ struct FootPrior {
   double sigma_slope = 0;  ///< how far stations differ from it [m/m]
   double sigma_bend = 0;   ///< of the datum's second-order term along the shell [1/m]
   double shared = 0;       ///< variance that the points' errors have in common, the surface's own roughness [m^2]
+  double scatter = 0;      ///< of points about the surface, as the whole ring shows it: one row of a scan hides it [m]
 };
 
 /// The foundation surface at one station: z at the shell, with its slope outwards.

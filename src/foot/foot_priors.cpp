@@ -197,6 +197,7 @@ FootPrior FootPriors::at(std::size_t station) const {
   prior.slope.coefficients = Eigen::VectorXd::Constant(1, slope[station]);
   prior.sigma_slope = sigma_slope[station];
   prior.sigma_bend = sigma_bend;
+  prior.scatter = scatter;
   return prior;
 }
 
@@ -207,6 +208,7 @@ FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const
   priors.sigma_slope.assign(foot.directions.size(), narrow ? kLipSlope : kWideSlope);
   priors.sigma_bend = kHighestWave / foot.radius;
   priors.settled = narrow;
+  priors.scatter = narrow ? 0.0 : sections.whole.noise;
   narrow ? learnNarrow(foot, elevations, sections, priors) : learnWide(foot, elevations, sections, priors);
   return priors;
 }

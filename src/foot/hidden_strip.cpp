@@ -18,7 +18,8 @@ double pointsIn(const FootStrip& strip) { return static_cast<double>(strip.size(
 /// How many strips beside the shell have less than two thirds of the points of those beyond, all together and each; 0:
 /// none.
 /// @param all  what those beyond have
-std::size_t thinStrips(const std::vector<FootStrip>& strips, const std::vector<FootStrip>& all) {
+/// @param of_shell  how many of those in the first strip are the shell's
+std::size_t thinStrips(const std::vector<FootStrip>& strips, const std::vector<FootStrip>& all, double of_shell) {
   constexpr std::size_t kFewest = 3;
   constexpr double kThin = 0.65;
   constexpr double kChance = 2.0;  // standard deviations of a number of points
@@ -29,7 +30,8 @@ std::size_t thinStrips(const std::vector<FootStrip>& strips, const std::vector<F
     for (std::size_t j = k; j < k + kBeyond; ++j) beyond.push_back(pointsIn(all[j]));
     const double usual = kThin * median(std::move(beyond)), most = inner + kChance * std::sqrt(inner);
     if (k >= kFewest && densest < usual && most < usual * static_cast<double>(k)) thin = k;
-    inner += pointsIn(strips[k]), densest = std::max(densest, pointsIn(strips[k]));
+    const double points = pointsIn(strips[k]) - (k == 0 ? of_shell : 0.0);
+    inner += points, densest = std::max(densest, points);
   }
   return thin;
 }
@@ -103,11 +105,11 @@ bool rises(const std::vector<FootStrip>& strips, std::size_t count, double width
 
 std::size_t hiddenStrips(const FootStrips& seen, double bend) {
   const std::vector<FootStrip>& strips = seen.surface;
-  const std::size_t thin = thinStrips(strips, strips);
+  const std::size_t thin = thinStrips(strips, strips, seen.of_shell);
   if (thin > 0 &&
       (areOff(strips, thin, bend) || areScattered(strips, thin) || goesBelow(seen.shell, strips, thin, bend)))
     return thin;
-  const std::size_t thinner = thinStrips(strips, seen.all);
+  const std::size_t thinner = thinStrips(strips, seen.all, seen.of_shell);
   return thinner > 0 && rises(strips, thinner, seen.width, bend) ? thinner : 0;
 }
 
@@ -122,7 +124,7 @@ StripScales stripScales(const Foot& foot, const FootPass& pass) {
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels) {
   constexpr double kShell = 2.0;  // of the shell's noise, within which its points lie
   const StripScales scales = stripScales(foot, pass);
-  FootStrips seen{scales.width, std::vector<FootStrip>(kStrips), std::vector<FootStrip>(kStrips), {}};
+  FootStrips seen{scales.width, std::vector<FootStrip>(kStrips), std::vector<FootStrip>(kStrips), {}, 0.0};
   // a station that has points of what is mostly hidden stands, its neighbours that have none do not
   const std::vector<bool> about = closeTo(foot, elevationsOf(standing(pass.fits, pass.outliers.reasons)));
   for (std::size_t i = 0; i < about.size(); ++i) {
@@ -133,9 +135,11 @@ double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vect
       if (at < 0.0 || at >= static_cast<double>(kStrips)) continue;
       const auto strip = static_cast<std::size_t>(at);
       if (std::abs(height) < scales.within) seen.surface[strip].push_back(height);
+      if (strip == 0 && height >= scales.within && height < 3.0 * scales.within) seen.of_shell += 1.0;
       seen.all[strip].push_back(height);
     }
   }
+  seen.of_shell = std::min(seen.of_shell, pointsIn(seen.surface[0]));
   const std::size_t hidden = hiddenStrips(seen, scales.bend);
   return hidden == 0 ? 0.0 : scales.near + static_cast<double>(hidden) * scales.width;
 }

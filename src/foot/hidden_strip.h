@@ -25,6 +25,8 @@ struct FootStrips {
   std::vector<FootStrip> surface;  ///< what lies on it, from the shell outwards
   std::vector<FootStrip> all;      ///< with what lies above and below
   FootStrip shell;
+  /// Points in the first strip that are the shell's, which err towards it: as many as lie as far above the surface.
+  double of_shell = 0.0;
 };
 
 /// How many strips beside the shell do not show a surface that is seen farther out: points there are fewer, and lie off

@@ -14,7 +14,6 @@
 namespace tank_datum {
 namespace {
 
-using made_clouds::kTurn;
 using made_clouds::uniform;
 
 constexpr double kNoise = 0.0005;
@@ -79,6 +78,41 @@ TEST(FitFoot, PointsThatShareAnErrorDoNotTellASlopeOrALevelBetterThanThat) {
   EXPECT_NEAR(fitted(sloped, prior).slope, 0.0, 0.002);
   prior.sigma_slope = prior.sigma_bend = 1e-6;
   EXPECT_NEAR(fitted(sloped, prior).sigma, 0.001, 0.0001);
+}
+
+/// What one row of a scan meets that crosses a rough pad, which falls by 0.03 m/m: rays that fall inwards by 0.1 m/m
+/// meet its bumps farther out.
+std::vector<FootPoint> rowAcross(double first_t, double last_t) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<FootPoint> points;
+  for (double t = first_t; t < last_t; t += 0.05) {
+    const double bump = 0.001 * normal(random), d = 0.15 + 0.1 * t + bump / 0.13;
+    points.push_back({t, d, 2.0 - 0.03 * d + bump});
+  }
+  return points;
+}
+
+FootFit fittedAcross(const std::vector<FootPoint>& row, double scatter) {
+  FootPrior prior = priorOf(-0.03, 0.005);
+  prior.scatter = scatter;
+  return fitted(row, prior, -0.03);
+}
+
+TEST(FitFoot, OneRowDoesNotTellTheSlopeOfARoughSurface) {
+  const auto across = rowAcross(-1.2, 1.2), aside = rowAcross(0.2, 1.4);
+  EXPECT_GT(std::abs(fittedAcross(across, 0.0).z - 2.0), 0.001);
+  EXPECT_NEAR(fittedAcross(across, 0.001).z, 2.0, 0.0004);
+  EXPECT_NEAR(fittedAcross(across, 0.001).slope, -0.03, 0.002);
+  EXPECT_LT(std::abs(fittedAcross(aside, 0.001).z - 2.0), 2.0 * fittedAcross(aside, 0.001).sigma);
+}
+
+TEST(FitFoot, PointsAllOverABandTellItsSlope) {
+  FootPrior prior = priorOf();
+  prior.scatter = 2.0 * kNoise;
+  const FootFit fit = fitted(pointsOn([](double d, double t) { return 2.0 + 0.01 * d + 0.001 * t; }, 200), prior);
+  EXPECT_NEAR(fit.slope, 0.01, 1e-4);
+  EXPECT_LT(fit.sigma, 2e-4);
 }
 
 TEST(FitFoot, FewerThanFourPointsAreNotEnough) {
@@ -158,66 +192,6 @@ TEST(FitFoot, SigmaIsTheSpreadOfRepeatedScans) {
     EXPECT_NEAR(std::sqrt(squares) / median(sigmas), 1.0, 0.15) << count;
     EXPECT_NEAR(std::sqrt(slope_squares) / median(slope_sigmas), 1.0, 0.15) << count;
   }
-}
-
-/// A shell of 10 m radius and points at given azimuth, distance outside and elevation.
-struct RingOf {
-  ShellModel shell{std::vector<ShellLine>(360, line()), 0.0};
-  Points points;
-
-  static ShellLine line() {
-    ShellLine one;
-    one.radius = 10.0;
-    one.points = 1;
-    return one;
-  }
-  RingOf& add(double azimuth, double off, double z) {
-    points.emplace_back((10.0 + off) * std::cos(azimuth), (10.0 + off) * std::sin(azimuth), z);
-    return *this;
-  }
-  FootRing ring(double side = 1.0, double reach = 0.5) const { return {PolarRing(points, {0, 0}), shell, side, reach}; }
-};
-
-TEST(FootRing, SeesArcDistanceAndElevation) {
-  const auto points = RingOf().add(1.02, 0.2, 3.0).ring().around(1.0, 0.05, 3.1, 0.5);
-  ASSERT_EQ(points.size(), 1U);
-  EXPECT_NEAR(points[0].t, 0.2, 1e-9);
-  EXPECT_NEAR(points[0].d, 0.2, 1e-9);
-  EXPECT_NEAR(points[0].z, 3.0, 1e-12);
-}
-
-TEST(FootRing, LooksOutwardsOrInwards) {
-  RingOf both;
-  both.add(1.0, 0.2, 3.0).add(1.0, -0.3, 3.0);
-  ASSERT_EQ(both.ring(1.0).around(1.0, 0.05, 3.0, 0.5).size(), 1U);
-  EXPECT_NEAR(both.ring(1.0).around(1.0, 0.05, 3.0, 0.5)[0].d, 0.2, 1e-9);
-  ASSERT_EQ(both.ring(-1.0).around(1.0, 0.05, 3.0, 0.5).size(), 1U);
-  EXPECT_NEAR(both.ring(-1.0).around(1.0, 0.05, 3.0, 0.5)[0].d, 0.3, 1e-9);
-}
-
-TEST(FootRing, EndsAtTheReachTheWindowAndTheHeight) {
-  RingOf ring;
-  ring.add(1.0, 0.4, 3.0).add(1.04, 0.1, 3.0).add(1.0, 0.1, 3.3).add(1.0, -0.01, 3.0);
-  EXPECT_EQ(ring.ring().around(1.0, 0.05, 3.0, 0.5).size(), 4U);
-  EXPECT_EQ(ring.ring(1.0, 0.3).around(1.0, 0.05, 3.0, 0.5).size(), 3U);
-  EXPECT_EQ(ring.ring().around(1.0, 0.03, 3.0, 0.5).size(), 3U);
-  EXPECT_EQ(ring.ring().around(1.0, 0.05, 3.0, 0.2).size(), 3U);
-}
-
-TEST(FootRing, WindowsGoRoundTheSeam) {
-  RingOf ring;
-  ring.add(0.02, 0.1, 3.0).add(-0.02, 0.1, 3.0);
-  for (const double azimuth : {0.0, kTurn - 0.01, 0.01}) {
-    const auto points = ring.ring().around(azimuth, 0.05, 3.0, 0.5);
-    ASSERT_EQ(points.size(), 2U) << azimuth;
-    EXPECT_NEAR(std::abs(points[0].t - points[1].t), 0.4, 1e-9);
-  }
-}
-
-TEST(FootRing, LeavesOutWhereTheShellIsUnknown) {
-  RingOf ring;
-  ring.shell = ShellModel(std::vector<ShellLine>(360), 0.0);
-  EXPECT_TRUE(ring.add(1.0, 0.1, 3.0).ring().around(1.0, 0.1, 3.0, 0.5).empty());
 }
 
 /// One row of a grazing scan at a distance from the shell: range noise moves its points along the beam.

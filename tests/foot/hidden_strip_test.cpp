@@ -124,6 +124,12 @@ TEST(HiddenStrips, AreNoneWhereOneOfThemIsDense) {
   EXPECT_EQ(hidden({{1, 600, kOff}, {4, 0}, {15, 1000}}), 5U);
 }
 
+TEST(HiddenStrips, HoldPointsOfTheShellThatDoNotCount) {
+  const std::vector<FootStrip> strips = stripsOf({{1, 700, kOff}, {4, 500, kOff}, {15, 1000}});
+  EXPECT_EQ(hiddenStrips({kWidth, strips, strips, {}, 40.0}, kBend), 0U);
+  EXPECT_EQ(hiddenStrips({kWidth, strips, strips, {}, 60.0}, kBend), 5U);
+}
+
 TEST(HiddenStrips, AreSoBeyondTwoStandardDeviations) {
   EXPECT_EQ(hidden({{3, 4, kOff}, {17, 10}}), 3U);
   EXPECT_EQ(hidden({{1, 5, kOff}, {2, 4, kOff}, {17, 10}}), 0U);
@@ -177,6 +183,24 @@ TEST(HiddenBesideShell, IsLookedForAsFarAsThreeTenthsOfTheReach) {
 TEST(HiddenBesideShell, IsOfTheSurfaceThatStationsLieOn) {
   EXPECT_GT(hiddenBefore(0.093, 0.0022), 0.0);
   EXPECT_EQ(hiddenBefore(0.093, 0.0030), 0.0);
+}
+
+/// Whether a surface is hidden of which little is seen but for points close to the shell, as many of which lie so much
+/// higher.
+bool isHiddenBesideNoise(double height) {
+  MadeFoot made;
+  made.addAll(30, 0.013, 0.093, [](double) { return -0.001; });
+  made.addAll(160, 0.093, 0.253, [](double) { return 0.001; });
+  made.addAll(8, 0.013, 0.023, level);
+  made.addAll(8, 0.013, 0.023, [height](double) { return height; });
+  return hiddenBesideShell(made.foot(), passUpon(), std::vector<double>(360, 0.0)) > 0.0;
+}
+
+TEST(HiddenBesideShell, ShowsWhatIsTheShellsByWhatLiesAsFarAboveTheSurface) {
+  EXPECT_TRUE(isHiddenBesideNoise(0.0028));
+  EXPECT_TRUE(isHiddenBesideNoise(0.0076));
+  EXPECT_FALSE(isHiddenBesideNoise(0.0080));
+  EXPECT_FALSE(isHiddenBesideNoise(-0.0040));
 }
 
 /// Whether a surface half of whose points beside the shell are lost is hidden, where the shell goes on below it.
