@@ -45,9 +45,10 @@ using StripsSeen = std::array<StripSeen, kStrips>;
 StripsSeen stripsAt(const std::vector<FootPoint>& points, double level, double slope, const StripScales& scales) {
   StripsSeen strips{};
   for (const FootPoint& p : points) {
-    const double at = (p.d - scales.near) / scales.width, height = p.z - level - slope * p.d;
-    if (at < 0.0 || at >= static_cast<double>(kStrips)) continue;
-    StripSeen& strip = strips[static_cast<std::size_t>(at)];
+    const double height = p.z - level - slope * p.d;
+    const std::size_t number = scales.stripAt(p.d, kStrips);
+    if (number == kStrips) continue;
+    StripSeen& strip = strips[number];
     strip.points += 1.0;
     if (std::abs(height) < scales.within) strip.surface.add(p.d, height);
     if (height > scales.higher) strip.higher.add(p.d, height);

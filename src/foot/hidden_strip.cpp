@@ -130,10 +130,10 @@ double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vect
   for (std::size_t i = 0; i < about.size(); ++i) {
     if (!about[i]) continue;
     for (const FootPoint& p : foot.points[i]) {
-      const double at = (p.d - scales.near) / scales.width, height = p.z - levels[i] - pass.priors.slope[i] * p.d;
+      const double height = p.z - levels[i] - pass.priors.slope[i] * p.d;
       if (std::abs(p.d) <= kShell * foot.scales.shell_noise) seen.shell.push_back(height);
-      if (at < 0.0 || at >= static_cast<double>(kStrips)) continue;
-      const auto strip = static_cast<std::size_t>(at);
+      const std::size_t strip = scales.stripAt(p.d, kStrips);
+      if (strip == kStrips) continue;
       if (std::abs(height) < scales.within) seen.surface[strip].push_back(height);
       if (strip == 0 && height >= scales.within && height < 3.0 * scales.within) seen.of_shell += 1.0;
       seen.all[strip].push_back(height);

@@ -16,6 +16,12 @@ struct StripScales {
   double bend;         ///< what a surface may be bent by from strip to strip
   double within;       ///< of the surface that stations lie on, for points of it
   double higher;       ///< above it, for points of something else
+
+  /// The number of the strip at a distance from the shell, of so many; that many: it lies in none.
+  std::size_t stripAt(double d, std::size_t strips) const {
+    const double at = (d - near) / width;
+    return at >= 0.0 && at < static_cast<double>(strips) ? static_cast<std::size_t>(at) : strips;
+  }
 };
 StripScales stripScales(const Foot& foot, const FootPass& pass);
 
