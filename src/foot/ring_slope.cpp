@@ -56,6 +56,25 @@ struct KnownSlopes {
   }
 };
 
+/// Variance that windows share with the next one, as errors of their own do not: the mean product of how far both lie off
+/// the middle, less its standard error.
+double sharedByNeighbours(const std::vector<SeriesValue>& series) {
+  std::vector<WeightedValue> known;
+  for (const SeriesValue& v : series) {
+    if (std::isfinite(v.value)) known.push_back({v.value, 1.0 / square(v.sigma)});
+  }
+  if (known.empty()) return 0.0;
+  const double middle = weightedMedian(std::move(known));
+  double sum = 0.0, squares = 0.0, weights = 0.0;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const SeriesValue &a = series[k], &b = series[(k + 1) % series.size()];
+    if (!std::isfinite(a.value) || !std::isfinite(b.value)) continue;
+    const double weight = 1.0 / square(a.sigma * b.sigma), product = (a.value - middle) * (b.value - middle);
+    sum += weight * product, squares += square(weight * product), weights += weight;
+  }
+  return weights > 0.0 ? (sum - std::sqrt(squares)) / weights : 0.0;
+}
+
 }  // namespace
 
 MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
@@ -71,7 +90,8 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
   double own = kLipSlope * kLipSlope;
   if (best.values.size() >= kFewest) {
     const KnownSlopes all(seen, std::numeric_limits<double>::infinity());
-    own = std::clamp(std::min(best.amongThem(), all.amongThem()), 1e-12, own);
+    const double differ = std::max(std::min(best.amongThem(), all.amongThem()), sharedByNeighbours(series));
+    own = std::clamp(differ, 1e-12, own);
     const auto count = static_cast<double>(best.values.size());
     const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);
     ring = ringSlope(median(best.values), mean, expected);
