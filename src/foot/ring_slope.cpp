@@ -56,8 +56,8 @@ struct KnownSlopes {
   }
 };
 
-/// Variance that windows share with the next one, as errors of their own do not: the mean product of how far both lie off
-/// the middle, less its standard error.
+/// Variance that windows share with the next one, as errors of their own do not: the mean product of how far both lie
+/// off the middle, less its standard error.
 double sharedByNeighbours(const std::vector<SeriesValue>& series) {
   std::vector<WeightedValue> known;
   for (const SeriesValue& v : series) {

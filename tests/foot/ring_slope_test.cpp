@@ -48,7 +48,9 @@ double weightOfWave(int waves, std::size_t known, double errors) {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
   std::vector<SeriesValue> seen, smooth;
-  const auto wave = [waves](std::size_t k) { return kError * std::cos(waves * kTwoPi * static_cast<double>(k) / 72.0); };
+  const auto wave = [waves](std::size_t k) {
+    return kError * std::cos(waves * kTwoPi * static_cast<double>(k) / 72.0);
+  };
   for (std::size_t k = 0; k < 72; ++k) {
     const bool is_known = k < known;
     seen.push_back({is_known ? wave(k) + errors * kError * normal(random) : NAN, is_known ? kError : NAN, 1.0});
