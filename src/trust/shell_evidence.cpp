@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/parts.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -17,24 +18,32 @@ constexpr std::size_t kFewestOfSector = 5;  // points of a sector that have a mi
 
 /// A point of the wall: its height above the foot, and its distance from the axis.
 struct WallPoint {
-  double height, radius;
+  double azimuth, height, radius;
 };
 
-using Sectors = std::vector<std::vector<WallPoint>>;
+using Wall = std::vector<WallPoint>;
 
 /// What stands within a tenth of the radius of the shell, clear of the foot.
-Sectors wallPoints(const Ring& ring, const Tank& tank, std::size_t count) {
+Wall wallOf(const Ring& ring, const Tank& tank) {
   constexpr double kBeside = 0.1, kClear = 0.15;  // of the radius; of the ring's reach
   const double band = std::min(kBeside * tank.circle.radius, ring.reach);
-  Sectors sectors(count);
-  for (const Eigen::Vector3d& p : ring.points) {
-    const double radius = (p.head<2>() - tank.circle.center).norm();
-    if (std::abs(radius - tank.circle.radius) > band) continue;
-    const double azimuth = tank.azimuthOf(p.head<2>()), height = p.z() - tank.foot(azimuth);
-    if (height < kClear * ring.reach || height > ring.reach) continue;
-    sectors[static_cast<std::size_t>(azimuth / kTwoPi * static_cast<double>(count)) % count].push_back(
-        {height, radius});
-  }
+  return concatenated(ofParts(ring.points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    Wall part;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d& p = ring.points[i];
+      const double radius = (p.head<2>() - tank.circle.center).norm();
+      if (std::abs(radius - tank.circle.radius) > band) continue;
+      const double azimuth = tank.azimuthOf(p.head<2>()), height = p.z() - tank.foot(azimuth);
+      if (height >= kClear * ring.reach && height <= ring.reach) part.push_back({azimuth, height, radius});
+    }
+    return part;
+  }));
+}
+
+std::vector<Wall> inSectors(const Wall& wall, std::size_t count) {
+  std::vector<Wall> sectors(count);
+  for (const WallPoint& p : wall)
+    sectors[static_cast<std::size_t>(p.azimuth / kTwoPi * static_cast<double>(count)) % count].push_back(p);
   return sectors;
 }
 
@@ -45,13 +54,13 @@ struct Middle {
   double lean = kUnknown;  ///< outwards [m/m]
 };
 
-double medianHeight(const std::vector<WallPoint>& points) {
+double medianHeight(const Wall& points) {
   std::vector<double> heights;
   for (const WallPoint& p : points) heights.push_back(p.height);
   return median(heights);
 }
 
-double leanOf(const std::vector<WallPoint>& points, double least_height) {
+double leanOf(const Wall& points, double least_height) {
   double n = 0, h = 0, r = 0, hh = 0, hr = 0;
   double low = points.front().height, high = low;
   for (const WallPoint& p : points) {
@@ -62,7 +71,7 @@ double leanOf(const std::vector<WallPoint>& points, double least_height) {
   return n >= 8 && high - low >= least_height && spread > 0.0 ? (hr - h * r / n) / spread : kUnknown;
 }
 
-Middle middleOf(std::vector<WallPoint> points, double azimuth, double least_height) {
+Middle middleOf(Wall points, double azimuth, double least_height) {
   constexpr double kApart = 5.0;  // sigmas
   const auto radii = [&points] {
     std::vector<double> values;
@@ -83,7 +92,7 @@ Middle middleOf(std::vector<WallPoint> points, double azimuth, double least_heig
 }
 
 /// Spacing of the points on the wall, from the sectors of a first, coarse look.
-double spacingOf(const Sectors& sectors, double width) {
+double spacingOf(const std::vector<Wall>& sectors, double width) {
   std::vector<double> spacings;
   for (const auto& points : sectors) {
     if (points.size() < kFewestOfSector) continue;
@@ -98,17 +107,20 @@ double spacingOf(const Sectors& sectors, double width) {
 std::vector<Middle> middlesOf(const Ring& ring, const Tank& tank, double& spacing) {
   constexpr std::size_t kCoarse = 48, kFinest = 360;
   const double round = kTwoPi * tank.circle.radius;
-  spacing = spacingOf(wallPoints(ring, tank, kCoarse), round / double(kCoarse));
+  const Wall wall = wallOf(ring, tank);
+  spacing = spacingOf(inSectors(wall, kCoarse), round / double(kCoarse));
   if (!(spacing > 0.0)) return {};
   const auto count = static_cast<std::size_t>(std::clamp(round / (3.0 * spacing), 24.0, double(kFinest)));
-  const Sectors sectors = wallPoints(ring, tank, count);
+  const std::vector<Wall> sectors = inSectors(wall, count);
   const double width = kTwoPi / static_cast<double>(count);
-  std::vector<Middle> middles;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (sectors[i].size() < kFewestOfSector) continue;
-    middles.push_back(middleOf(sectors[i], (static_cast<double>(i) + 0.5) * width, 0.3 * ring.reach));
-  }
-  return middles;
+  return concatenated(ofParts(count, 0, [&](std::size_t begin, std::size_t end) {
+    std::vector<Middle> middles;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (sectors[i].size() < kFewestOfSector) continue;
+      middles.push_back(middleOf(sectors[i], (static_cast<double>(i) + 0.5) * width, 0.3 * ring.reach));
+    }
+    return middles;
+  }));
 }
 
 double medianOf(const std::vector<Middle>& middles, double Middle::*value) {
