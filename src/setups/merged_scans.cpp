@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parts.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -13,8 +14,15 @@
 namespace tank_datum {
 namespace {
 
+/// The arc of the ring that a point lies in.
+std::size_t arcOf(const Eigen::Vector3d& point, const Tank& tank) {
+  const Eigen::Vector2d arm = point.head<2>() - tank.circle.center;
+  const double turn = portable::atan2(arm.y(), arm.x()) / kTwoPi;
+  return std::min(SetupRing::kArcs - 1, static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs));
+}
+
 /// A share of the ring's points in their order, each with the number of its visit to its arc as the setup.
-Ring visitsOf(const Ring& ring, const Tank& tank) {
+Ring visitsOf(const Ring& ring, const Tank& tank, int threads) {
   constexpr std::size_t kLookedAt = 800'000;
   constexpr double kApart = 0.005;         // of all points between two visits of an arc
   constexpr std::size_t kMostVisits = 12;  // more are rows of one scan, not scans
@@ -25,11 +33,13 @@ Ring visitsOf(const Ring& ring, const Tank& tank) {
   const auto apart = static_cast<std::size_t>(kApart * static_cast<double>(visits.points.size()));
   std::vector<std::size_t> last(SetupRing::kArcs, 0), number(SetupRing::kArcs, 0);
   std::vector<bool> seen(SetupRing::kArcs, false);
+  const auto arcs = concatenated(ofParts(visits.points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> part;
+    for (std::size_t i = begin; i < end; ++i) part.push_back(arcOf(visits.points[i], tank));
+    return part;
+  }));
   for (std::size_t i = 0; i < visits.points.size(); ++i) {
-    const Eigen::Vector2d arm = visits.points[i].head<2>() - tank.circle.center;
-    const double turn = portable::atan2(arm.y(), arm.x()) / kTwoPi;
-    const auto arc =
-        std::min(SetupRing::kArcs - 1, static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs));
+    const std::size_t arc = arcs[i];
     if (seen[arc] && i - last[arc] > apart) ++number[arc];
     seen[arc] = true;
     last[arc] = i;
@@ -102,7 +112,7 @@ double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
   constexpr double kOther = 25.0;         // times the median: an arc where something else is seen
   constexpr double kBank = 0.15;          // fall of a surface that looks another from each place [m/m]
   if (ring.points.size() < 1000 || ring.setupCount() > 1) return 0.0;
-  const Ring visits = visitsOf(ring, tank);
+  const Ring visits = visitsOf(ring, tank, threads);
   if (visits.setups.size() < 2) return 0.0;
   const SetupRing polar(visits, tank, threads);
   const std::vector<Eigen::Vector3d> origins(visits.setups.size(), Eigen::Vector3d::Zero());
