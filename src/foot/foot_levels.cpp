@@ -93,7 +93,7 @@ struct OwnFits {
   std::vector<FootFit> fits;
   std::vector<const FootFit*> of_station;
   std::vector<double> levels, sigmas;  ///< of the stations that stretches are fitted at, else NaN [m]
-  LevelRoughness rough;                ///< of a wide surface
+  LevelRoughness rough;
 
   /// Takes the fits of stations away, and of those whose stretch is fitted at one of them.
   void leaveOut(const std::vector<bool>& stations) {
@@ -109,7 +109,7 @@ struct OwnFits {
 };
 
 /// Fits of stretches, and the roughness that they share. A wide surface is fitted again with it, as it draws slopes to
-/// its patches, twice: fits that follow patches show less of them.
+/// its patches.
 std::vector<FittedPoints> fittedStretches(const Foot& foot, const FootPass& pass,
                                           const std::vector<StationStretch>& stretches, LevelRoughness& rough) {
   std::vector<FittedPoints> fitted(stretches.size());
@@ -120,12 +120,9 @@ std::vector<FittedPoints> fittedStretches(const Foot& foot, const FootPass& pass
   };
   fitAll(0.0);
   const FootProfile& section = pass.sections.whole;
-  const double least = sharedRoughness(fitted, section);
-  rough = {least, 0.0, foot.arc()};
-  for (int times = 0; !pass.priors.settled && times < 2; ++times) {
-    rough = levelRoughness(patchesOf(fitted, section, foot.arc()), section, foot.arc(), least);
-    fitAll(rough.variance);
-  }
+  const Roughness patches = patchesOf(patchWindows(foot, pass), section);
+  rough = levelRoughness(patches, section, foot.arc(), sharedRoughness(fitted, section));
+  if (!pass.priors.settled) fitAll(rough.variance);
   return fitted;
 }
 

@@ -1,103 +1,141 @@
 #include "foot/foot_patches.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <utility>
 
+#include "core/parallel.h"
 #include "core/portable_math.h"
+#include "core/units.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kParts = 15;  // of a band, across it
-constexpr double kStrip = 0.05;     // along the shell, in which points lie beside each other [m]
+// Lengths that patches may have, each the next one times the root of the root of two.
+constexpr std::size_t kLengths = 14;
+constexpr double kLongest = 0.1;                   // [m]
+constexpr Eigen::Index kFewest = 10, kMost = 120;  // points of a window
 
-using Lags = std::array<double, kParts>;  // by how many parts of the band two points are apart
+/// The points of a window's band, and what a fit leaves of their heights.
+struct BandResiduals {
+  Eigen::MatrixXd places;  ///< d and t of each point [m]
+  Eigen::MatrixX4d fit;    ///< what it takes away, orthonormal
+  Eigen::VectorXd off;     ///< what it leaves [m]
+};
 
-/// What pairs of points share that lie beside each other along the shell.
-struct SharedAcross {
-  Lags products{}, pairs{};
+BandResiduals residualsOf(const FittedPoints& fitted, const FootProfile& profile) {
+  std::vector<FootPoint> points;
+  for (const FootPoint& p : fitted.points) {
+    const double off = offOf(p, fitted.fit);
+    if (isOfBand(p, off, fitted.fit, profile)) points.push_back({p.t, p.d, off});
+  }
+  const auto all = static_cast<Eigen::Index>(points.size()), count = std::min(all, kMost);
+  if (count < kFewest) return {};
+  BandResiduals left{Eigen::MatrixXd(count, 2), Eigen::MatrixX4d(count, 4), Eigen::VectorXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const FootPoint& p = points[static_cast<std::size_t>(i * all / count)];
+    left.places.row(i) << p.d, p.t;
+    left.fit.row(i) << 1.0, p.d, p.t, p.t * p.t;
+    left.off[i] = p.z;
+  }
+  left.fit = Eigen::MatrixX4d(left.fit.householderQr().householderQ() * Eigen::MatrixX4d::Identity(count, 4));
+  left.off -= left.fit * (left.fit.transpose() * left.off);
+  return left;
+}
 
-  void add(const FittedPoints& fitted, const FootProfile& profile) {
-    struct Part {
-      double sum = 0, squares = 0, count = 0;
-    };
-    const double width = (profile.band_to - profile.band_from) / static_cast<double>(kParts);
-    std::map<long, std::array<Part, kParts>> strips;
-    for (const FootPoint& p : fitted.points) {
-      const double off = offOf(p, fitted.fit);
-      if (!isOfBand(p, off, fitted.fit, profile)) continue;
-      const auto at = std::min(kParts - 1, static_cast<std::size_t>((p.d - profile.band_from) / width));
-      Part& part = strips[std::lround(p.t / kStrip)][at];
-      part.sum += off, part.squares += off * off, part.count += 1.0;
+/// What each two points have in common of patches of a length and unit variance.
+Eigen::MatrixXd alikeOf(const Eigen::MatrixXd& places, double length) {
+  Eigen::MatrixXd alike(places.rows(), places.rows());
+  for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const double apart = (places.row(i) - places.row(j)).squaredNorm();
+      alike(i, j) = alike(j, i) = portable::exp(-0.5 * apart / (length * length));
     }
-    for (const auto& [place, parts] : strips) {
-      for (std::size_t j = 0; j < kParts; ++j) {
-        products[0] += parts[j].sum * parts[j].sum - parts[j].squares;
-        pairs[0] += parts[j].count * (parts[j].count - 1.0);
-        for (std::size_t k = j + 1; k < kParts; ++k) {
-          products[k - j] += parts[j].sum * parts[k].sum;
-          pairs[k - j] += parts[j].count * parts[k].count;
-        }
+  }
+  return alike;
+}
+
+/// Products of residuals two by two, and what patches and noise of each point alone would make of them: the fits'
+/// covariance is known, so that both variances follow by least squares (Rao's minimum norm quadratic estimation).
+class PairProducts {
+ public:
+  /// @param noise  what points of the window scatter by: noisy windows tell less [m]
+  void add(const BandResiduals& left, double noise) {
+    const double weight = 1.0 / square(noise * noise);
+    squares_ += weight * left.off.squaredNorm();
+    free_ += weight * static_cast<double>(left.off.size() - left.fit.cols());
+    for (std::size_t first : {0, 1}) {
+      Eigen::MatrixXd alike = alikeOf(left.places, kLongest * portable::exp2(-0.25 * static_cast<double>(first)));
+      for (std::size_t k = first; k < kLengths; k += 2) {
+        const Eigen::MatrixXd taken = alike * left.fit, twice = left.fit.transpose() * taken;
+        of_[k].products += weight * left.off.dot(alike * left.off);
+        of_[k].with_noise += weight * (alike.trace() - twice.trace());
+        of_[k].squares += weight * (alike.squaredNorm() - 2.0 * taken.squaredNorm() + twice.squaredNorm());
+        alike = alike.array().square().matrix();  // of a length shorter by the root of two
       }
     }
   }
+
+  /// Of all lengths together, each by how likely it is; that there are no patches is as likely before as that there
+  /// are.
+  Roughness likely() const {
+    if (!(free_ > 0.0)) return {};
+    std::array<double, kLengths> variances{}, explained{};
+    for (std::size_t k = 0; k < kLengths; ++k) {
+      const double products = of_[k].products - of_[k].with_noise * squares_ / free_;
+      const double expected = of_[k].squares - square(of_[k].with_noise) / free_;
+      if (!(products > 0.0) || !(expected > 0.0)) continue;
+      variances[k] = products / expected;
+      explained[k] = 0.25 * products * products / expected;  // of the logarithm: by chance products vary by 2 expected
+    }
+    const double most = *std::max_element(explained.begin(), explained.end());
+    const double none = static_cast<double>(kLengths) * portable::exp(-most);
+    double sum = 0, variance = 0, steps = 0;
+    for (std::size_t k = 0; k < kLengths; ++k) {
+      const double weight = portable::exp(explained[k] - most);
+      sum += weight, variance += weight * variances[k], steps += weight * static_cast<double>(k);
+    }
+    if (!(variance > 0.0)) return {};
+    return {std::sqrt(variance / (sum + none)), kLongest * portable::exp2(-0.25 * steps / sum)};
+  }
+
+ private:
+  struct OfLength {
+    double products = 0, with_noise = 0, squares = 0;
+  };
+  double squares_ = 0, free_ = 0;
+  std::array<OfLength, kLengths> of_{};
 };
-
-/// What points so far apart share of a process of unit variance and a length, on the average over a part's width.
-Lags sharedAcross(double length, double width) {
-  Lags shared{};
-  shared[0] = sharedAlong(width, length);
-  const double wide = length * length + width * width / 6.0;
-  for (std::size_t apart = 1; apart < kParts; ++apart) {
-    const double d = static_cast<double>(apart) * width;
-    shared[apart] = length / std::sqrt(wide) * portable::exp(-0.5 * d * d / wide);
-  }
-  return shared;
-}
-
-/// The same in a strip, less the mean over band and arc, which a fit takes away.
-Lags expectedAcross(double length, double band, double arc) {
-  const Lags shared = sharedAcross(length, band / static_cast<double>(kParts));
-  Lags of_part{}, expected{};
-  double all = 0;
-  for (std::size_t j = 0; j < kParts; ++j) {
-    for (std::size_t k = 0; k < kParts; ++k) of_part[j] += shared[j < k ? k - j : j - k] / static_cast<double>(kParts);
-    all += of_part[j] / static_cast<double>(kParts);
-  }
-  const double strip = sharedAlong(std::min(kStrip, arc), length), mean = sharedAlong(arc, length);
-  for (std::size_t apart = 0; apart < kParts; ++apart) {
-    double taken = 0;
-    for (std::size_t j = 0; j + apart < kParts; ++j) taken += of_part[j] + of_part[j + apart] - all;
-    expected[apart] = strip * shared[apart] - mean * taken / static_cast<double>(kParts - apart);
-  }
-  return expected;
-}
 
 }  // namespace
 
-Roughness patchesOf(const std::vector<FittedPoints>& fits, const FootProfile& profile, double arc) {
-  constexpr std::size_t kFewest = 40;                               // points of a fit
-  constexpr double kShortest = 0.01, kLongest = 0.1, kStep = 1.15;  // a fifth of a strip to a third of the band [m]
-  SharedAcross seen;
-  for (const FittedPoints& fitted : fits) {
-    if (fitted.fit.valid() && fitted.fit.points >= kFewest) seen.add(fitted, profile);
+std::vector<FittedPoints> patchWindows(const Foot& foot, const FootPass& pass) {
+  constexpr double kLong = 0.4;  // [m]
+  constexpr double kWidest = 5.0 * kPi / 180.0;
+  const std::size_t count = pass.fits.size(), stations = foot.stationsIn(std::min(kLong / foot.radius, kWidest));
+  std::vector<FittedPoints> windows(count / stations);
+  forEachIndex(windows.size(), 0, [&](std::size_t k) {
+    const std::size_t at = k * stations + stations / 2;
+    if (!pass.fits[at].valid()) return;
+    const FootProfile& profile = pass.sections.at(at);
+    const double half = static_cast<double>(stations) * foot.half_step, z = pass.fits[at].z;
+    std::vector<FootPoint> points = foot.ring.around(foot.directions[at], half, z, foot.reach);
+    const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], pass.priors.at(at));
+    windows[k] = {std::move(points), fit};
+  });
+  return windows;
+}
+
+Roughness patchesOf(const std::vector<FittedPoints>& windows, const FootProfile& profile) {
+  PairProducts products;
+  for (const FittedPoints& w : windows) {
+    if (!w.fit.valid()) continue;
+    const BandResiduals left = residualsOf(w, profile);
+    if (left.off.size() > 0) products.add(left, std::max(w.fit.noise, profile.noise));
   }
-  Roughness best;
-  double most = 0.0;  // that is explained of the products' squares
-  for (double length = kShortest; length < kLongest; length *= kStep) {
-    const Lags expected = expectedAcross(length, profile.band_to - profile.band_from, arc);
-    double products = 0, squares = 0;
-    for (std::size_t k = 0; k < kParts; ++k) {
-      products += seen.products[k] * expected[k];
-      squares += seen.pairs[k] * expected[k] * expected[k];
-    }
-    if (!(products > 0.0) || square(products) / squares <= most) continue;
-    most = square(products) / squares;
-    best = {std::sqrt(products / squares), length};
-  }
-  return best;
+  return products.likely();
 }
 
 double LevelRoughness::over(double longer) const {

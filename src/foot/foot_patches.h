@@ -5,13 +5,17 @@
 #include "fit/ring_process.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_roughness.h"
+#include "foot/foot_state.h"
 
 namespace tank_datum {
 
-/// Roughness of a wide surface from what points share across its band, which neither range noise nor the datum moves.
-/// @param fits  each of one station's points; those of few tell nothing
-/// @param arc   of a station [m]
-Roughness patchesOf(const std::vector<FittedPoints>& fits, const FootProfile& profile, double arc);
+/// Windows round the ring, a few patches long, fitted: over longer ones the datum bends as patches do.
+std::vector<FittedPoints> patchWindows(const Foot& foot, const FootPass& pass);
+
+/// Roughness of the band from what points share that lie near each other, along the shell and across, which range noise
+/// does not make alike; what windows' fits take away is known. Patches may be longer than a lip is wide.
+/// @return nothing where windows of ten points or more tell of none
+Roughness patchesOf(const std::vector<FittedPoints>& windows, const FootProfile& profile);
 
 /// What the patches of a rough surface do to the levels of stations.
 struct LevelRoughness {

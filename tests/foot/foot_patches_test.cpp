@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/made_feet.h"
 #include "support/rough_surface.h"
 
 namespace tank_datum {
@@ -47,7 +48,7 @@ std::vector<FittedPoints> stationsOn(const RoughSurface& rough, double noise, in
 TEST(PatchesOf, AreThoseOfTheSurfaceWhateverItsLevelsAndTheNoiseAre) {
   for (const double length : {0.016, 0.025, 0.05, 0.07}) {
     for (const double noise : {0.0, 0.001}) {
-      const Roughness found = patchesOf(stationsOn(RoughSurface(kRough, length), noise), pad(), kArc);
+      const Roughness found = patchesOf(stationsOn(RoughSurface(kRough, length), noise), pad());
       EXPECT_NEAR(found.length, length, 0.15 * length) << noise;
       EXPECT_NEAR(found.heights, kRough, 0.12 * kRough) << length;
     }
@@ -55,15 +56,99 @@ TEST(PatchesOf, AreThoseOfTheSurfaceWhateverItsLevelsAndTheNoiseAre) {
 }
 
 TEST(PatchesOf, ShorterThanAPartOrLongerThanAThirdOfTheBandAreNotTold) {
-  EXPECT_GE(patchesOf(stationsOn(RoughSurface(kRough, 0.004), 0.0), pad(), kArc).length, 0.0099);
-  EXPECT_LE(patchesOf(stationsOn(RoughSurface(kRough, 0.2), 0.0), pad(), kArc).length, 0.1);
+  EXPECT_GE(patchesOf(stationsOn(RoughSurface(kRough, 0.004), 0.0), pad()).length, 0.0099);
+  EXPECT_LE(patchesOf(stationsOn(RoughSurface(kRough, 0.2), 0.0), pad()).length, 0.1);
 }
 
-TEST(PatchesOf, AreToldByStationsOfFortyPoints) {
+TEST(PatchesOf, AreToldByWindowsOfTenPoints) {
   const RoughSurface surface(kRough, 0.05);
-  EXPECT_EQ(patchesOf(stationsOn(surface, 0.0, 39), pad(), kArc).heights, 0.0);
-  EXPECT_GT(patchesOf(stationsOn(surface, 0.0, 40), pad(), kArc).heights, 0.0);
-  EXPECT_EQ(patchesOf({}, pad(), kArc).heights, 0.0);
+  EXPECT_EQ(patchesOf(stationsOn(surface, 0.0, 9), pad()).heights, 0.0);
+  EXPECT_NEAR(patchesOf(stationsOn(surface, 0.0, 10), pad()).heights, kRough, 0.2 * kRough);
+  EXPECT_EQ(patchesOf({}, pad()).heights, 0.0);
+}
+
+TEST(PatchesOf, LongerThanALipIsWideAreToldAlongIt) {
+  FootProfile lip = pad();
+  lip.band_to = lip.edge = 0.04;
+  const RoughSurface surface(kRough, 0.05);
+  std::vector<FittedPoints> windows;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> along(-0.2, 0.2), across(0.0, 0.04);
+  FootPrior prior;
+  prior.sigma_slope = prior.sigma_bend = 1.0;
+  for (int k = 0; k < 400; ++k) {
+    std::vector<FootPoint> points;
+    for (int i = 0; i < 30; ++i) {
+      const double t = along(random), d = across(random);
+      points.push_back({t, d, surface(k + t, d) + 0.001 * normal(random)});
+    }
+    const FootFit fit = fitFoundation(points, lip, 0.0, 0.0, prior);
+    windows.push_back({std::move(points), fit});
+  }
+  const Roughness found = patchesOf(windows, lip);
+  EXPECT_NEAR(found.heights, kRough, 0.15 * kRough);
+  EXPECT_NEAR(found.length, 0.05, 0.2 * 0.05);
+}
+
+TEST(PatchesOf, NoMoreThanAHundredAndTwentyPointsOfAWindowAreLookedAtEvenly) {
+  const auto some = stationsOn(RoughSurface(kRough, 0.05), 0.0, 120, 20);
+  auto more = some, fewer = some;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    more[k].points.clear(), fewer[k].points.clear();
+    for (std::size_t i = 0; i < some[k].points.size(); ++i) {
+      more[k].points.insert(more[k].points.end(), {some[k].points[i], {0.0, 0.1, some[k].fit.z}});
+      if (i % 2 == 0) fewer[k].points.push_back(some[k].points[i]);
+    }
+  }
+  EXPECT_EQ(patchesOf(more, pad()).heights, patchesOf(some, pad()).heights);
+  EXPECT_NE(patchesOf(fewer, pad()).heights, patchesOf(some, pad()).heights);
+}
+
+TEST(PatchesOf, NoisyWindowsTellLess) {
+  auto windows = stationsOn(RoughSurface(kRough, 0.03), 0.0);
+  const double before = patchesOf(windows, pad()).heights;
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  for (std::size_t k = 0; k < windows.size(); k += 20) {
+    double level = 0.0;
+    for (std::size_t i = 0; i < windows[k].points.size(); ++i) {
+      if (i % 12 == 0) level = 10.0 * kRough * normal(random);
+      windows[k].points[i].z += level;
+    }
+    windows[k].fit.noise *= 10.0;
+  }
+  EXPECT_NEAR(patchesOf(windows, pad()).heights, before, 0.1 * before);
+}
+
+TEST(PatchesOf, OfPointsThatErrAloneAreHardlyAny) {
+  auto windows = stationsOn(RoughSurface(0.0, 0.05), 0.001);
+  EXPECT_LT(patchesOf(windows, pad()).heights, 0.0001);
+}
+
+TEST(PatchWindows, AreFortyCentimetresLongAndFiveDegreesAtMost) {
+  made_feet::MadeFoot made;
+  made.addAll(12, 0.02, 0.28, [](double) { return 0.0; });
+  Foot& foot = made.foot();
+  FootPass pass;
+  pass.sections.whole = pad();
+  pass.sections.stations = 360;
+  pass.priors.slope.assign(360, 0.0);
+  pass.priors.sigma_slope.assign(360, 0.003);
+  pass.priors.sigma_bend = 0.003;
+  FootFit fit;
+  fit.z = 0.0, fit.sigma = 0.001;
+  pass.fits.assign(360, fit);
+  const auto windows = patchWindows(foot, pass);  // of two stations 0.17 m long
+  ASSERT_EQ(windows.size(), 180U);
+  EXPECT_EQ(windows[20].points.size(), 24U);
+  EXPECT_TRUE(windows[20].fit.valid());
+  foot.radius = 2.0;
+  ASSERT_EQ(patchWindows(foot, pass).size(), 72U);
+  pass.fits[2] = {};
+  EXPECT_FALSE(patchWindows(foot, pass)[0].fit.valid());
+  foot.radius = 100.0;
+  EXPECT_EQ(patchWindows(foot, pass).size(), 360U);
 }
 
 /// Variance of the mean of a rough surface over a band and an arc.
