@@ -137,7 +137,7 @@ Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<
   constexpr std::size_t kFewest = 3;  // stations whose shell is seen
   constexpr double kAllowed = 0.01;   // of the reach
   const std::size_t count = levels.size(), near = foot.stationsIn(kNear);
-  constexpr double kDepth = 0.02;     // of the reach: how much of it is looked at
+  constexpr double kDepth = 0.02;  // of the reach: how much of it is looked at
   std::size_t seen = 0, below = 0;
   ShellCounts together;
   for (std::size_t away = 1; away <= near; ++away) {
