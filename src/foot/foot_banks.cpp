@@ -136,14 +136,16 @@ enum class Says { Nothing, GoesOn, Ends };
 Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<double>& levels) {
   constexpr std::size_t kFewest = 3;  // stations whose shell is seen
   constexpr double kAllowed = 0.01;   // of the reach
+  constexpr double kDepth = 0.02;     // of the reach: how much of it is looked at
+  constexpr double kFalls = 0.005;    // along the shell, twice what the codes allow: a dip beside [m/m]
   const std::size_t count = levels.size(), near = foot.stationsIn(kNear);
-  constexpr double kDepth = 0.02;  // of the reach: how much of it is looked at
   std::size_t seen = 0, below = 0;
   ShellCounts together;
   for (std::size_t away = 1; away <= near; ++away) {
     const std::size_t i = (end + (step > 0 ? away : count - away)) % count;
     if (!foot.shell_seen[i] || std::isfinite(levels[i])) continue;
-    const FootFit level = levelAt(foot, levels[end] - kAllowed * foot.reach, 0.0);
+    const double lower = kAllowed * foot.reach + kFalls * static_cast<double>(away) * foot.arc();
+    const FootFit level = levelAt(foot, levels[end] - lower, 0.0);
     const ShellCounts counts = countShell(foot, i, level, leastBelow(foot, level) + kDepth * foot.reach);
     ++seen;
     below += counts.isGoodPart() ? 1 : 0;

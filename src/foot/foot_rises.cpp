@@ -74,6 +74,8 @@ std::vector<double> withoutSides(std::vector<double> levels, const std::vector<s
   return levels;
 }
 
+double knownOf(const std::vector<double>& levels) { return static_cast<double>(finiteOf(levels).size()); }
+
 /// Levels that are compared with what those farther away say of them.
 struct Compared {
   const std::vector<double>&levels, &sigmas;
@@ -113,21 +115,21 @@ struct Compared {
 
 std::vector<bool> findRises(const Foot& foot, const FootOutliers& outliers, const std::vector<double>& levels,
                             const std::vector<double>& sigmas) {
-  constexpr double kLittle = 0.002;  // of the reach: what the datum itself does beside an arc at least
-  constexpr double kMost = 0.5;      // of the levels: islands that are more are the ring
+  constexpr double kLittle = 0.002, kDip = 0.01;  // of the reach: what the datum itself does at least, beside an arc
+                                                  // and over islands
+  constexpr double kMost = 0.5;                   // of the levels: islands that are more are the ring
   const std::vector<RingRun> arcs = coveredArcs(outliers);
   std::vector<bool> rises(levels.size(), false);
   if (arcs.empty()) return rises;
-  const auto known = [](const std::vector<double>& some) { return static_cast<double>(finiteOf(some).size()); };
-  std::vector<std::vector<std::size_t>> sides = besideArcs(foot, arcs, levels, true);
-  std::vector<double> far = withoutSides(levels, sides);
-  if (known(far) < kMost * known(levels)) {
-    sides = besideArcs(foot, arcs, levels, false);
-    far = withoutSides(levels, sides);
-  }
-  const RingProcess expected = followRing(far, sigmas, kLittle * foot.reach);
-  if (!expected.valid()) return rises;
-  for (const auto& side : sides) Compared{levels, sigmas, expected}.mark(side, rises);
+  const auto compare = [&](const std::vector<std::vector<std::size_t>>& sides, double least, double most) {
+    const std::vector<double> far = withoutSides(levels, sides);
+    if (knownOf(far) < (1.0 - most) * knownOf(levels)) return;
+    const RingProcess expected = followRing(far, sigmas, least * foot.reach);
+    if (!expected.valid()) return;
+    for (const auto& side : sides) Compared{levels, sigmas, expected}.mark(side, rises);
+  };
+  compare(besideArcs(foot, arcs, levels, false), kLittle, 1.0);
+  compare(besideArcs(foot, arcs, levels, true), kDip, kMost);
   return rises;
 }
 

@@ -173,8 +173,26 @@ TEST(FindHangingRuns, AHundredthOfTheReachAndTheNoiseAreAllowed) {
 }
 
 TEST(FindHangingRuns, AFootThatLiesNotMuchLowerMayEndTheShell) {
-  EXPECT_TRUE(hangs(0.0130, 0.0130));  // a quarter of a fiftieth of the reach
+  EXPECT_TRUE(hangs(0.0145, 0.0145));  // a quarter of a fiftieth of the reach
   EXPECT_FALSE(hangs(0.0107, 0.0107));
+}
+
+TEST(FindHangingRuns, ADatumMayDipBesideARunByFiveThousandths) {
+  const auto hangs_over = [](double falls) -> bool {  // so much from station to station, each 0.17 m wide
+    MadeFoot made;
+    std::vector<double> levels(360, kUnknown);
+    for (int s = kFirst; s <= kLast; ++s) levels[static_cast<std::size_t>(s)] = 0.030;
+    for (int k = 1; k <= 10; ++k) {
+      for (int i = 0; i < 40; ++i) {
+        const double height = 0.050 - (0.020 + falls * k) * (i + 0.5) / 40;
+        for (const int station : {kFirst - k, kLast + k})
+          made.add((station + 0.01 * (i - 20)) * made.step(), 0.0, height);
+      }
+    }
+    return findHangingRuns(made.foot(), levels)[kFirst + 1];
+  };
+  EXPECT_FALSE(hangs_over(0.0044));
+  EXPECT_TRUE(hangs_over(0.0052));
 }
 
 TEST(FindHangingRuns, StationsBesideTellTogetherWhereEachSeesFewPoints) {

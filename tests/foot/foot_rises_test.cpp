@@ -78,9 +78,9 @@ TEST(FindRises, SoilFadesOverTwiceTheReach) {
 }
 
 /// How many stations are left out of an island beside the arc that rises all alike, with nothing near beyond.
-std::ptrdiff_t leftOfIsland(std::size_t stations, std::size_t nothing) {
+std::ptrdiff_t leftOfIsland(std::size_t stations, std::size_t nothing, double height = 0.02) {
   Ring ring;
-  ring.raise(1, stations, 0.02).raise(1 + stations, nothing, kUnknown);
+  ring.raise(1, stations, height).raise(1 + stations, nothing, kUnknown);
   const std::vector<bool> rises = ring.rises();
   return std::count(rises.begin(), rises.end(), true);
 }
@@ -89,6 +89,8 @@ TEST(FindRises, AnIslandBesideAnArcIsNoMeasureOfItself) {
   EXPECT_EQ(leftOfIsland(10, 7), 10);
   EXPECT_LT(leftOfIsland(10, 3), 10);  // with those beyond, it is none
   EXPECT_LT(leftOfIsland(13, 12), 13);
+  EXPECT_EQ(leftOfIsland(10, 7, 0.010), 10);
+  EXPECT_EQ(leftOfIsland(10, 7, 0.005), 0);  // a datum may dip by a hundredth of the reach
 }
 
 TEST(FindRises, IslandsThatAreMostOfTheRingAreTheRing) {
