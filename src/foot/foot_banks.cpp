@@ -129,21 +129,29 @@ double riseOf(const RingRun& run, const std::vector<double>& levels, const std::
   return rise;
 }
 
-/// What the shell beside the end of a run says: whether it is seen to go on below the run's elevation.
+/// What the shell beside the end of a run says: whether it is seen to go on below the run's elevation. Where it is seen
+/// by few points at each station, all tell it together; a foot that lies not much lower ends what there is of it.
 enum class Says { Nothing, GoesOn, Ends };
 
 Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<double>& levels) {
   constexpr std::size_t kFewest = 3;  // stations whose shell is seen
   constexpr double kAllowed = 0.01;   // of the reach
+  constexpr double kDepth = 0.02;     // of the reach: how much of it is looked at
+  constexpr double kFalls = 0.005;    // along the shell, twice what the codes allow: a dip beside [m/m]
   const std::size_t count = levels.size(), near = foot.stationsIn(kNear);
   std::size_t seen = 0, below = 0;
+  ShellCounts together;
   for (std::size_t away = 1; away <= near; ++away) {
     const std::size_t i = (end + (step > 0 ? away : count - away)) % count;
     if (!foot.shell_seen[i] || std::isfinite(levels[i])) continue;
+    const double lower = kAllowed * foot.reach + kFalls * static_cast<double>(away) * foot.arc();
+    const FootFit level = levelAt(foot, levels[end] - lower, 0.0);
+    const ShellCounts counts = countShell(foot, i, level, leastBelow(foot, level) + kDepth * foot.reach);
     ++seen;
-    below += countShell(foot, i, levelAt(foot, levels[end] - kAllowed * foot.reach, 0.0)).goOn() ? 1 : 0;
+    below += counts.isGoodPart() ? 1 : 0;
+    together.add(counts);
   }
-  return seen < kFewest ? Says::Nothing : 2 * below > seen ? Says::GoesOn : Says::Ends;
+  return seen < kFewest ? Says::Nothing : 2 * below > seen && together.goOn() ? Says::GoesOn : Says::Ends;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/ring_runs.h"
+#include "core/statistics.h"
 #include "core/units.h"
 #include "fit/ring_process.h"
 #include "tank_datum/core/unknown.h"
@@ -34,13 +35,46 @@ std::vector<RingRun> coveredArcs(const FootOutliers& outliers) {
   return arcs;
 }
 
-/// The stations beside one end of an arc, the nearest first.
-std::vector<std::size_t> besideEnd(const RingRun& arc, bool ahead, std::size_t stations, std::size_t count) {
-  std::vector<std::size_t> beside;
-  for (std::size_t away = 1; away <= stations; ++away)
-    beside.push_back((ahead ? arc.last + away : arc.first + count - away) % count);
-  return beside;
+/// How many stations on from an end of an arc an island ends that begins near it, with nothing near beyond; 0: none.
+/// @param at  the stations on from there
+template <typename At>
+std::size_t endOfIsland(const Foot& foot, const std::vector<double>& levels, std::size_t fading, const At& at) {
+  constexpr double kFar = 5.0 * kDegree;  // beyond where soil fades: of its end, and what is not near
+  const std::size_t far = foot.stationsIn(kFar), most = std::min(levels.size() / 2, fading + far);
+  std::size_t last = 0;
+  for (std::size_t away = 1; away <= std::max(last, fading) + far; ++away) {
+    if (std::isfinite(levels[at(away)])) last = away;
+    if (last > most) return 0;
+  }
+  return last;
 }
+
+/// The stations beside the ends of arcs, the nearest to it first, that may lie on what fades into it.
+/// @param islands  with all of islands among them, which would say themselves that they do not rise
+std::vector<std::vector<std::size_t>> besideArcs(const Foot& foot, const std::vector<RingRun>& arcs,
+                                                 const std::vector<double>& levels, bool islands) {
+  const std::size_t count = levels.size(), fading = std::min(count / 2, fadingStations(foot));
+  std::vector<std::vector<std::size_t>> sides;
+  for (const RingRun& arc : arcs) {
+    for (const bool ahead : {false, true}) {
+      const auto at = [&](std::size_t away) { return (ahead ? arc.last + away : arc.first + count - away) % count; };
+      const std::size_t stations = islands ? std::max(fading, endOfIsland(foot, levels, fading, at)) : fading;
+      sides.emplace_back();
+      for (std::size_t away = 1; away <= stations; ++away) sides.back().push_back(at(away));
+    }
+  }
+  return sides;
+}
+
+/// Levels without those beside arcs.
+std::vector<double> withoutSides(std::vector<double> levels, const std::vector<std::vector<std::size_t>>& sides) {
+  for (const auto& side : sides) {
+    for (const std::size_t i : side) levels[i] = kUnknown;
+  }
+  return levels;
+}
+
+double knownOf(const std::vector<double>& levels) { return static_cast<double>(finiteOf(levels).size()); }
 
 /// Levels that are compared with what those farther away say of them.
 struct Compared {
@@ -81,21 +115,21 @@ struct Compared {
 
 std::vector<bool> findRises(const Foot& foot, const FootOutliers& outliers, const std::vector<double>& levels,
                             const std::vector<double>& sigmas) {
-  constexpr double kLittle = 0.002;  // of the reach: what the datum itself does beside an arc at least
-  const std::size_t count = levels.size(), stations = std::min(count / 2, fadingStations(foot));
-  std::vector<bool> rises(count, false);
-  std::vector<std::vector<std::size_t>> sides;
-  for (const RingRun& arc : coveredArcs(outliers)) {
-    for (const bool ahead : {false, true}) sides.push_back(besideEnd(arc, ahead, stations, count));
-  }
-  if (sides.empty()) return rises;
-  std::vector<double> far = levels;
-  for (const auto& side : sides) {
-    for (const std::size_t i : side) far[i] = kUnknown;
-  }
-  const RingProcess expected = followRing(far, sigmas, kLittle * foot.reach);
-  if (!expected.valid()) return rises;
-  for (const auto& side : sides) Compared{levels, sigmas, expected}.mark(side, rises);
+  constexpr double kLittle = 0.002, kDip = 0.01;  // of the reach: what the datum itself does at least, beside an arc
+                                                  // and over islands
+  constexpr double kMost = 0.5;                   // of the levels: islands that are more are the ring
+  const std::vector<RingRun> arcs = coveredArcs(outliers);
+  std::vector<bool> rises(levels.size(), false);
+  if (arcs.empty()) return rises;
+  const auto compare = [&](const std::vector<std::vector<std::size_t>>& sides, double least, double most) {
+    const std::vector<double> far = withoutSides(levels, sides);
+    if (knownOf(far) < (1.0 - most) * knownOf(levels)) return;
+    const RingProcess expected = followRing(far, sigmas, least * foot.reach);
+    if (!expected.valid()) return;
+    for (const auto& side : sides) Compared{levels, sigmas, expected}.mark(side, rises);
+  };
+  compare(besideArcs(foot, arcs, levels, false), kLittle, 1.0);
+  compare(besideArcs(foot, arcs, levels, true), kDip, kMost);
   return rises;
 }
 

@@ -11,6 +11,7 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kStrips = 20;
+constexpr std::size_t kFewest = 3;  // beside the shell that may be hidden
 constexpr std::size_t kBeyond = 6;  // strips that those beside the shell are compared with
 
 double pointsIn(const FootStrip& strip) { return static_cast<double>(strip.size()); }
@@ -20,7 +21,6 @@ double pointsIn(const FootStrip& strip) { return static_cast<double>(strip.size(
 /// @param all  what those beyond have
 /// @param of_shell  how many of those in the first strip are the shell's
 std::size_t thinStrips(const std::vector<FootStrip>& strips, const std::vector<FootStrip>& all, double of_shell) {
-  constexpr std::size_t kFewest = 3;
   constexpr double kThin = 0.65;
   constexpr double kChance = 2.0;  // standard deviations of a number of points
   std::size_t thin = 0;
@@ -101,6 +101,34 @@ bool rises(const std::vector<FootStrip>& strips, std::size_t count, double width
   return inner.slope > kSteepestLip * width + 3.0 * std::sqrt(inner.variance_slope);
 }
 
+/// Whether the medians of strips lie on a line.
+bool areStraight(const std::vector<FootStrip>& strips, const SectionLine& line, std::size_t count, double bend) {
+  for (std::size_t k = 0; k < count; ++k) {
+    if (std::abs(median(strips[k]) - line.at(static_cast<double>(k))) > bend) return false;
+  }
+  return true;
+}
+
+/// Whether what is seen beside the shell, as densely as in the strips beyond some, is a surface that meets the one in
+/// these at a crest, and the shell lower than that drawn on to it: a bank's shoulder, with the foundation behind.
+bool isShoulder(const FootStrips& seen, std::size_t count, double bend) {
+  constexpr double kSeen = 0.65;  // of the points beyond, and of those there on the surface
+  constexpr double kLower = 2.0;  // times what the surface may be bent by
+  double beside = 0.0, on_surface = 0.0, all = 0.0;
+  for (std::size_t k = 0; k < count; ++k) beside += pointsIn(seen.all[k]);
+  for (std::size_t k = count; k < count + kBeyond; ++k) {
+    on_surface += pointsIn(seen.surface[k]), all += pointsIn(seen.all[k]);
+    if (pointsIn(seen.surface[k]) < kSeen * pointsIn(seen.all[k])) return false;
+  }
+  if (beside * static_cast<double>(kBeyond) < kSeen * all * static_cast<double>(count)) return false;
+  const SectionLine inner = lineOf(seen.all, {0, count}, bend),
+                    outer = lineOf(seen.surface, {count, count + kBeyond}, bend);
+  const double error = std::sqrt(inner.variance + outer.varianceAt(inner.middle));
+  const double crest = static_cast<double>(count) - 0.5, apart = std::abs(outer.at(crest) - inner.at(crest));
+  return outer.at(inner.middle) - inner.height > kLower * bend + 3.0 * error && apart < kLower * bend &&
+         areStraight(seen.all, inner, count, bend);
+}
+
 }  // namespace
 
 std::size_t hiddenStrips(const FootStrips& seen, double bend) {
@@ -109,6 +137,9 @@ std::size_t hiddenStrips(const FootStrips& seen, double bend) {
   if (thin > 0 &&
       (areOff(strips, thin, bend) || areScattered(strips, thin) || goesBelow(seen.shell, strips, thin, bend)))
     return thin;
+  for (std::size_t count = kFewest; count + kBeyond <= strips.size(); ++count) {
+    if (isShoulder(seen, count, bend)) return count;
+  }
   const std::size_t thinner = thinStrips(strips, seen.all, seen.of_shell);
   return thinner > 0 && rises(strips, thinner, seen.width, bend) ? thinner : 0;
 }

@@ -36,7 +36,8 @@ struct FootStrips {
 };
 
 /// How many strips beside the shell do not show a surface that is seen farther out: points there are fewer, and lie off
-/// it, or the shell goes on below it; or they rise steeply to what lies higher farther out. 0: none.
+/// it, or the shell goes on below it; or they rise steeply to what lies higher farther out; or as many lie below it, on
+/// a surface that meets it at a crest. 0: none.
 /// @param bend  what a surface may be bent by from strip to strip [m]
 std::size_t hiddenStrips(const FootStrips& seen, double bend);
 

@@ -15,11 +15,6 @@ namespace {
 
 constexpr double kLeast = 0.002;  // of the reach: what is lower by less is no other surface
 
-/// What a shell has to be seen below a level for that not to be an error of either [m].
-double leastBelow(const Foot& foot, const FootFit& level) {
-  return kLeast * foot.reach + 3.0 * std::hypot(level.sigma, level.noise);
-}
-
 /// Visits the points of the shell near a level with their heights above it.
 template <typename Visit>
 void visitShell(const Foot& foot, std::size_t station, const FootFit& level, double depth, Visit&& visit) {
@@ -52,6 +47,10 @@ ShellCounts withoutDeepest(std::vector<ShellCounts> arc) {
 }
 
 }  // namespace
+
+double leastBelow(const Foot& foot, const FootFit& level) {
+  return kLeast * foot.reach + 3.0 * std::hypot(level.sigma, level.noise);
+}
 
 bool ShellCounts::isGoodPart() const {
   constexpr double kShare = 0.25;

@@ -23,6 +23,9 @@ struct ShellCounts {
   bool goOn() const;
 };
 
+/// What a shell has to be seen below a level for that not to be an error of either [m].
+double leastBelow(const Foot& foot, const FootFit& level);
+
 /// Counts them at a station.
 /// @param level  with what is known of its errors and its course along the shell
 /// @param depth  how far below and above [m]

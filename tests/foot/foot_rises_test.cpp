@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
@@ -73,6 +75,35 @@ TEST(FindRises, CloseToTheArcTheDatumItselfMayDoALittle) {
 TEST(FindRises, SoilFadesOverTwiceTheReach) {
   EXPECT_TRUE(leavesOut({}, 6, 1, 0.003));
   EXPECT_FALSE(leavesOut({}, 7, 1, 0.003));
+}
+
+/// How many stations are left out of an island beside the arc that rises all alike, with nothing near beyond.
+std::ptrdiff_t leftOfIsland(std::size_t stations, std::size_t nothing, double height = 0.02) {
+  Ring ring;
+  ring.raise(1, stations, height).raise(1 + stations, nothing, kUnknown);
+  const std::vector<bool> rises = ring.rises();
+  return std::count(rises.begin(), rises.end(), true);
+}
+
+TEST(FindRises, AnIslandBesideAnArcIsNoMeasureOfItself) {
+  EXPECT_EQ(leftOfIsland(10, 7), 10);
+  EXPECT_LT(leftOfIsland(10, 3), 10);  // with those beyond, it is none
+  EXPECT_LT(leftOfIsland(13, 12), 13);
+  EXPECT_EQ(leftOfIsland(10, 7, 0.010), 10);
+  EXPECT_EQ(leftOfIsland(10, 7, 0.005), 0);  // a datum may dip by a hundredth of the reach
+}
+
+TEST(FindRises, IslandsThatAreMostOfTheRingAreTheRing) {
+  const auto left = [](std::size_t others) {
+    Ring ring;
+    ring.raise(1, 254, kUnknown).raise(1, 10, 0.02).raise(40, others, 0.0);
+    std::fill_n(ring.levels.begin(), 100, kUnknown);
+    std::fill_n(ring.levels.begin() + 90, 10, 0.02);
+    const std::vector<bool> rises = ring.rises();
+    return std::count(rises.begin(), rises.end(), true);
+  };
+  EXPECT_EQ(left(30), 20);
+  EXPECT_LT(left(15), 20);
 }
 
 TEST(FindRises, OverTwentyDegreesAtMost) {

@@ -105,6 +105,35 @@ TEST(HiddenStrips, OrTheyRiseMoreSteeplyThanALipToWhatLiesHigher) {
   EXPECT_EQ(hiddenRising(0.0011, 60, 100, 0.0020), 0U);  // three standard errors of 0.06 mm
 }
 
+/// Strips beside the shell that rise by so much from strip to strip, to a level surface.
+std::vector<StripRun> shoulder(double rise, double step = 0.0) {
+  return {{6, 1000, -6.0 * rise - step, 0.0005, rise}, {14, 1000}};
+}
+
+TEST(HiddenStrips, OrLieOnASurfaceThatMeetsThoseBeyondAtACrest) {
+  EXPECT_NE(hidden(shoulder(0.0010)), 0U);  // 3.5 mm lower in the middle
+  EXPECT_EQ(hidden(shoulder(0.0005)) + hidden(shoulder(-0.0010)), 0U);
+  EXPECT_EQ(hidden(shoulder(0.0010), 2.0 * kBend), 0U);
+  EXPECT_EQ(hidden(shoulder(0.0010, 0.0030)), 0U);                                              // a step, and no crest
+  EXPECT_EQ(hidden({{2, 1000, -0.0060}, {2, 1000, 0.0}, {2, 1000, -0.0060}, {14, 1000}}), 0U);  // nor a surface
+}
+
+TEST(HiddenStrips, OfAShoulderAreAsDenseAsThoseBeyond) {
+  const auto beside = [](std::size_t points) {
+    return hidden({{1, 900, -0.0060}, {5, points, -0.0050, 0.0005, 0.0010}, {14, 1000}});
+  };
+  EXPECT_NE(beside(700), 0U);
+  EXPECT_EQ(beside(450), 0U);
+}
+
+TEST(HiddenStrips, BesideAShoulderAreOfTheSurfaceThatStationsLieOn) {
+  const auto beyond = [inner = shoulder(0.0010)](std::size_t points) {
+    return hiddenStrips({kWidth, stripsOf({inner[0], {14, points}}), stripsOf(inner), {}}, kBend);
+  };
+  EXPECT_NE(beyond(700), 0U);
+  EXPECT_EQ(beyond(600), 0U);
+}
+
 TEST(HiddenStrips, AreToldByTheShellAsFarBelowAsAbove) {
   FootStrip shell = shellSeen(0.0, 0.015, 150);
   const FootStrip lower = shellSeen(-0.0145, -0.008, 65), lowest = shellSeen(-0.030, -0.016, 140);
