@@ -161,8 +161,8 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   std::vector<SeriesValue> smooth = smoothed(lips.series, kWidest);
   const FootProfile& whole = sections.whole;
   const BlendLean lean = blendLean(whole, lips.usualLean());
-  const MeanSlope ring =
-      drawTogether(lips.seen, lips.series, {whole.slope_beyond, lips.doubt, lean.surely, lean.maybe}, smooth);
+  const MeanSlope ring = drawTogether(
+      lips.seen, lips.series, {whole.slope_beyond, lips.doubt, lean.surely, lean.maybe + crownRise(whole)}, smooth);
   priors.seen = ring.seen;
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);

@@ -166,6 +166,20 @@ BlendLean blendLean(const FootProfile& profile, double most) {
   return {surely, std::max(0.0, std::min(seen, most) - surely)};
 }
 
+double crownRise(const FootProfile& lip) {
+  constexpr double kShare = 0.25;   // of the line's slope, as lips before crowns rise on simulated scans
+  constexpr double kBeyond = 0.03;  // [m]
+  const double end = seenTo(lip);
+  std::vector<double> heights, distances;
+  for (std::size_t i = 0; i < lip.height.size(); ++i) {
+    const double d = middle(lip, i);
+    if (d <= end || d > end + kBeyond || !std::isfinite(lip.height[i])) continue;
+    heights.push_back(lip.height[i] - lip.offset - lip.slope * d), distances.push_back(d);
+  }
+  if (heights.empty() || !(median(heights) > 2.0 * lip.noise)) return 0.0;
+  return kShare * median(heights) / (median(distances) - lip.band_to);
+}
+
 SeriesValue blendedSlope(const SeriesValue& seen, double lip, double lean) {
   if (!std::isfinite(seen.value) || !std::isfinite(lip) || !(lean > 0.0)) return {0.0, 0.0, 1.0};
   const double known = lean / std::hypot(lean, seen.sigma);  // a normal distribution before and one of the errors

@@ -91,6 +91,12 @@ struct BlendLean {
 /// @param most  that beams can feign, as they slant [m/m]
 BlendLean blendLean(const FootProfile& profile, double most);
 
+/// The most that a lip may seem to rise before a crown: beams that meet the crown's edge too leave points on the line
+/// from the lip's end to there, and lift the lip's, the more the nearer its end. Zero where what lies just beyond what
+/// is seen of the lip is lower, or hidden.
+/// @return [m/m]
+double crownRise(const FootProfile& lip);
+
 /// The slope that beams feign which meet shell or edge too, where a lip is seen to lean otherwise than it does: no more
 /// than they can, and downwards only.
 /// @param seen  with the standard error of what is seen

@@ -78,5 +78,13 @@ TEST(LearnPriors, ALipWhoseEdgeACrownHidesIsLevelAmidWhatIsSeenOfIt) {
   EXPECT_NEAR(priors.blends.level_at, 0.5 * (kScales.weld + 0.039), 1e-9);
 }
 
+TEST(LearnPriors, BeamsThatMeetACrownBesideALipMayHaveRaisedItsEnd) {
+  MadeFoot made;
+  made.addAll(40, 0.0155, 0.0585, [](double) { return 0.0; });
+  const FootPriors beside = learnt(made, Surface::AnnularPlate, 0.060, 0.060);
+  const FootPriors apart = learnt(made, Surface::AnnularPlate, 0.165, 0.060);
+  EXPECT_GT(beside.sigma_slope[7], 2.0 * apart.sigma_slope[7]);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -105,6 +105,21 @@ TEST(BlendBeyond, IsNoneWhereTheEdgeIsSharpOrNotSeen) {
   EXPECT_EQ(blendBeyond(hidden), 0.0);
 }
 
+TEST(CrownRise, IsAQuarterOfTheLineFromTheLipsEndToWhatIsHigherThreeCentimetresBeyond) {
+  FootProfile crown = edgeWith(0.0, -0.02, -0.006);
+  EXPECT_NEAR(crownRise(crown), 0.25 * 0.006 / (0.060 + 0.015 - 0.055), 0.006);
+  EXPECT_EQ(crownRise(edgeWith(0.0, -0.02, 0.006)), 0.0);
+  crown.noise = 0.0031;
+  EXPECT_EQ(crownRise(crown), 0.0) << "as uneven";
+}
+
+TEST(CrownRise, IsNoneWhereACrownHidesTheLipsEnd) {
+  FootProfile hidden = edgeWith(0.0, 0.0, -0.006);
+  hidden.band_to = 0.020;
+  for (std::size_t i = 8; i < 20; ++i) hidden.height[i] = kUnknown;
+  EXPECT_EQ(crownRise(hidden), 0.0);
+}
+
 TEST(BlendBeyond, IsWhatStandsOutOfAnUnevenGround) {
   const double even = blendBeyond(edgeWith(0.003, 0.0));
   EXPECT_NEAR(blendBeyond(edgeWith(0.003, 0.0, 0.010, 0.00005)), even - 2.0 * 1.4826 * 0.00005, 0.00006);
