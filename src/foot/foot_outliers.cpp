@@ -60,10 +60,12 @@ std::vector<bool> findSupport(const Foot& foot, const FootPass& pass) {
   return supported;
 }
 
-/// Whether a surface falls outwards or rises as no foundation does at its shell, here or all round: a bank.
+/// Whether a surface falls outwards or rises as no foundation does at its shell, here or all round: a bank, or what
+/// beams leave that graze a crown before it. Rising all round, water would stand against the shell.
 bool isSteep(const FootFit& fit, const FootPriors& priors) {
   constexpr double kSteepest = 0.15;  // shoulders fall more steeply, but not at the shell [m/m]
-  return std::abs(fit.slope) > kSteepest + 3.0 * fit.sigma_slope || std::abs(priors.seen) > kSteepest;
+  constexpr double kRises = 0.05;     // all round [m/m]
+  return std::abs(fit.slope) > kSteepest + 3.0 * fit.sigma_slope || priors.seen < -kSteepest || priors.seen > kRises;
 }
 
 /// isGrazed() of what a station's window shows.

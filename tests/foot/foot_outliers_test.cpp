@@ -109,6 +109,14 @@ TEST(FindOutliers, WhatRisesToTheShellByOneInTenIsAHeap) {
   EXPECT_EQ(reasonOfSlope(0.15), Unmeasured::None);          // few rows
 }
 
+TEST(FindOutliers, NoFoundationRisesOutwardsByATwentiethAllRoundNorFallsByThreeTimesThat) {
+  const auto stands = [](double seen) { return reasonOfSlope(0.0, seen) == Unmeasured::None; };
+  EXPECT_TRUE(stands(0.045));
+  EXPECT_FALSE(stands(0.055));
+  EXPECT_TRUE(stands(-0.14));
+  EXPECT_FALSE(stands(-0.16));
+}
+
 TEST(FindOutliers, WhatRisesToTheShellMoreThanWideSurfacesAreKnownToIsAHeap) {
   const auto reason = [](double slope) {
     MadeFoot made;
