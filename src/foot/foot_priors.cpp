@@ -39,6 +39,7 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   if (seen.size() < kFewest) return;
   priors.seen = weightedMedian(std::move(seen));
   const double scatter = robustSigma(all, priors.seen);
+  priors.sigma_seen = kMedianOverMean * scatter / std::sqrt(static_cast<double>(all.size()));
   double formal = 0, mean = 0;
   for (std::size_t k = 0; k < found.fits.size(); ++k) {
     const FootFit& fit = found.fits[k];
@@ -163,7 +164,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   const BlendLean lean = blendLean(whole, lips.usualLean());
   const MeanSlope ring = drawTogether(
       lips.seen, lips.series, {whole.slope_beyond, lips.doubt, lean.surely, lean.maybe + crownRise(whole)}, smooth);
-  priors.seen = ring.seen;
+  priors.seen = ring.seen, priors.sigma_seen = ring.sigma_seen;
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);
   }

@@ -96,6 +96,7 @@ struct FootPriors {
   double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
   bool settled = false;                    ///< a station's own points have no more to say about its slope
   double seen = 0;                         ///< as the ring's windows show it, feigned or not [m/m]
+  double sigma_seen = 0;
   BlendedLip blends;                       ///< where it is settled
   double scatter = 0;                      ///< of points about a wide surface [m]
 

@@ -57,7 +57,7 @@ struct KnownSlopes {
 };
 
 /// Variance that windows share with the next one, as errors of their own do not: the mean product of how far both lie
-/// off the middle, less its standard error.
+/// off the middle, less its standard error. Windows that are steeper than a lip do not count: soil is shared too.
 double sharedByNeighbours(const std::vector<SeriesValue>& series) {
   std::vector<WeightedValue> known;
   for (const SeriesValue& v : series) {
@@ -68,9 +68,10 @@ double sharedByNeighbours(const std::vector<SeriesValue>& series) {
   double sum = 0.0, squares = 0.0, weights = 0.0;
   for (std::size_t k = 0; k < series.size(); ++k) {
     const SeriesValue &a = series[k], &b = series[(k + 1) % series.size()];
-    if (!std::isfinite(a.value) || !std::isfinite(b.value)) continue;
-    const double weight = 1.0 / square(a.sigma * b.sigma), product = (a.value - middle) * (b.value - middle);
-    sum += weight * product, squares += square(weight * product), weights += weight;
+    const double off = a.value - middle, off_next = b.value - middle, weight = 1.0 / square(a.sigma * b.sigma);
+    const bool seen = std::isfinite(off) && std::isfinite(off_next);
+    if (!seen || std::max(std::abs(off), std::abs(off_next)) > kSteepestLip) continue;
+    sum += weight * off * off_next, squares += square(weight * off * off_next), weights += weight;
   }
   return weights > 0.0 ? (sum - std::sqrt(squares)) / weights : 0.0;
 }
@@ -95,6 +96,7 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
     const auto count = static_cast<double>(best.values.size());
     const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);
     ring = ringSlope(median(best.values), mean, expected);
+    ring.sigma_seen = mean;
   }
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;

@@ -21,6 +21,7 @@ struct ExpectedSlope {
 struct MeanSlope {
   double seen = 0, slope = 0;  ///< as the windows show it, and as it is
   double sigma = 0;
+  double sigma_seen = 0;  ///< of what the windows show
 };
 
 /// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no

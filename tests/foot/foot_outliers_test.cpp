@@ -63,7 +63,7 @@ TEST(FindOutliers, PointsFourNoisesOffTheSurfaceAreNoSupport) {
 
 /// Why a station does not stand that lies with its neighbours on points that slope, on a ring of level lips.
 /// @param seen  slope of lips as the scan shows them all
-Unmeasured reasonOfSlope(double slope, double seen = 0.0) {
+Unmeasured reasonOfSlope(double slope, double seen = 0.0, double sigma_seen = 0.0) {
   MadeFoot made;
   for (int s = 0; s < 360; ++s) {
     const bool heap = s >= 49 && s <= 51;
@@ -71,7 +71,7 @@ Unmeasured reasonOfSlope(double slope, double seen = 0.0) {
   }
   Foot& foot = made.foot();
   FootPass pass = levelPass(foot.half_step, 0.06);
-  pass.priors.settled = true, pass.priors.seen = seen;
+  pass.priors.settled = true, pass.priors.seen = seen, pass.priors.sigma_seen = sigma_seen;
   return reasonAt50(foot, pass);
 }
 
@@ -115,6 +115,14 @@ TEST(FindOutliers, NoFoundationRisesOutwardsByATwentiethAllRoundNorFallsByThreeT
   EXPECT_FALSE(stands(0.055));
   EXPECT_TRUE(stands(-0.14));
   EXPECT_FALSE(stands(-0.16));
+}
+
+TEST(FindOutliers, WhatRisesAllRoundDoesSoBeyondThreeStandardErrorsOfASlopeThatIsKnown) {
+  const auto stands = [](double seen, double sigma) { return reasonOfSlope(0.0, seen, sigma) == Unmeasured::None; };
+  EXPECT_TRUE(stands(0.064, 0.005));
+  EXPECT_FALSE(stands(0.066, 0.005));
+  EXPECT_TRUE(stands(0.055, 0.045));
+  EXPECT_FALSE(stands(0.055, 0.055));
 }
 
 TEST(FindOutliers, WhatRisesToTheShellMoreThanWideSurfacesAreKnownToIsAHeap) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -60,6 +61,24 @@ double weightOfWave(int waves, std::size_t known, double errors) {
   double sum = 0.0, all = 0.0;
   for (std::size_t k = 0; k < 72; ++k) sum += smooth[k].value * wave(k), all += wave(k) * wave(k);
   return sum / all;
+}
+
+/// Weight of the slopes of 72 windows of a level lip, a quarter of which seem as steep as that, by soil.
+double weightBesideSoil(double steep) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  std::vector<SeriesValue> seen, smooth;
+  for (int k = 0; k < 72; ++k) {
+    seen.push_back({kError * normal(random) - (k % 36 < 9 ? steep : 0.0), kError, 1.0});
+    smooth.push_back({kError, 0.3 * kError, 1.0});
+  }
+  drawTogether(seen, seen, kLevel, smooth);
+  return square(smooth.front().sigma / (0.3 * kError));
+}
+
+TEST(DrawTogether, SoilThatNeighboursShareIsNoSlopeOfALip) {
+  EXPECT_LT(weightBesideSoil(0.12), 0.95);
+  EXPECT_GT(weightBesideSoil(0.08), 0.97);
 }
 
 TEST(DrawTogether, SlopesDifferByWhatNeighboursShare) {
