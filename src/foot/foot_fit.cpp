@@ -87,13 +87,15 @@ double shareExplained(const SurfaceRows::Equations& sums, int term, const std::a
 /// farther out: all its points lie in the rays' own plane, and a fit through them is as good as that plane is steep.
 struct FeignedSlopes {
   Eigen::Matrix<double, 4, 2> terms;  ///< of the fit, for one across the shell and one along it
+  double row = 0.0;                   ///< share by which the points are one row
   double across = 0.0, along = 0.0;   ///< standard deviations [m/m]
 
   /// @param hidden  variance of points about the surface that the fit does not show [m^2]
   FeignedSlopes(const SurfaceRows& rows, const SurfaceRows::Equations& sums, double hidden) {
     const Spread d = spreadOf(rows.a(), rows.weights()), t = spreadOf(rows.t(), rows.weights());
     terms << -d.mean, -t.mean, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0;
-    across = feigned(hidden, d.variance, shareExplained<2>(sums, 1, {2, 3}));
+    row = shareExplained<2>(sums, 1, {2, 3});
+    across = feigned(hidden, d.variance, row);
     along = feigned(hidden, t.variance, shareExplained<1>(sums, 2, {1}));
   }
 
@@ -182,6 +184,7 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
     inverse = normal.inverse();
     solution = inverse * right;
     own = std::max(rows.residualsFrom(terms * solution), 1e-7);
+    fit.row = feigned.row;
     noise = std::sqrt((kPooled * profile.noise * profile.noise + used * own * own) / (kPooled + used));
     rows.weigh(noise);
   }
@@ -193,6 +196,7 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
   fit.sigma_slope = error * std::sqrt(inverse(1, 1));
   fit.noise = noise;
+  fit.own = own;
   fit.middle = spreadOf(rows.a(), rows.weights()).mean;
   return fit;
 }

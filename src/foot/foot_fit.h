@@ -23,7 +23,7 @@ struct FootPrior {
   double sigma_slope = 0;  ///< how far stations differ from it [m/m]
   double sigma_bend = 0;   ///< of the datum's second-order term along the shell [1/m]
   double shared = 0;       ///< variance that the points' errors have in common, the surface's own roughness [m^2]
-  double scatter = 0;      ///< of points about the surface, as the whole ring shows it: one row of a scan hides it [m]
+  double scatter = 0;      ///< of points about the surface where many rows show it: one row of a scan hides it [m]
 };
 
 /// The foundation surface at one station: z at the shell, with its slope outwards.
@@ -33,6 +33,8 @@ struct FootFit {
   double along = kUnknown, bend = kUnknown;         ///< of z along the shell: along t + bend t^2 [m/m], [1/m]
   double middle = kUnknown;                         ///< mean distance of the points from the shell [m]
   double noise = kUnknown;                          ///< standard deviation of the points about it [m]
+  double own = kUnknown;                            ///< the same of these points alone [m]
+  double row = kUnknown;                            ///< share by which they are one row of a scan, 0 to 1
   double half_width = kUnknown;                     ///< half the angle of the window the points come from [rad]
   std::size_t points = 0;                           ///< within the band of the profile
 

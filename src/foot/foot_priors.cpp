@@ -23,6 +23,15 @@ namespace {
 
 constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looked at [m/m]
 
+/// What points scatter by about a wide surface, where many rows of the scan show it [m].
+double scatterOf(const std::vector<FootFit>& fits) {
+  std::vector<WeightedValue> own;
+  for (const FootFit& fit : fits) {
+    if (fit.valid()) own.push_back({fit.own, static_cast<double>(fit.points) * (1.0 - fit.row)});
+  }
+  return own.empty() ? 0.0 : weightedMedian(std::move(own));
+}
+
 /// The slope of a wide foundation surface round the tank, from windows ten degrees wide; soil would tilt its harmonic.
 /// Where one row of the scan creeps out across a window, its curve and the surface's slope cannot be told apart, and
 /// what rays that graze leave of the roughness tilts it by more than the points' scatter says.
@@ -30,7 +39,9 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   constexpr double kHalfWindow = 5.0 * kPi / 180.0;
   constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
   constexpr std::size_t kFewest = 6;
-  const Slopes found = fitSlopes(foot, elevations, sections, {36, kHalfWindow, kWideSlope, false}, priors.sigma_bend);
+  SlopeWindows windows{36, kHalfWindow, kWideSlope, false};
+  windows.scatter = priors.scatter = scatterOf(fitSlopes(foot, elevations, sections, windows, priors.sigma_bend).fits);
+  const Slopes found = fitSlopes(foot, elevations, sections, windows, priors.sigma_bend);
   std::vector<WeightedValue> seen;
   std::vector<double> all, azimuths, slopes, weights;
   for (const FootFit& fit : found.fits) {
@@ -209,7 +220,6 @@ FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const
   priors.sigma_slope.assign(foot.directions.size(), narrow ? kLipSlope : kWideSlope);
   priors.sigma_bend = kHighestWave / foot.radius;
   priors.settled = narrow;
-  priors.scatter = narrow ? 0.0 : sections.whole.noise;
   narrow ? learnNarrow(foot, elevations, sections, priors) : learnWide(foot, elevations, sections, priors);
   return priors;
 }

@@ -97,8 +97,8 @@ struct FootPriors {
   bool settled = false;                    ///< a station's own points have no more to say about its slope
   double seen = 0;                         ///< as the ring's windows show it, feigned or not [m/m]
   double sigma_seen = 0;
-  BlendedLip blends;                       ///< where it is settled
-  double scatter = 0;                      ///< of points about a wide surface [m]
+  BlendedLip blends;   ///< where it is settled
+  double scatter = 0;  ///< of points about a wide surface [m]
 
   FootPrior at(std::size_t station) const;
 };

@@ -19,7 +19,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   FootPrior prior;
   prior.sigma_slope = windows.sigma_slope;
   prior.sigma_bend = sigma_bend;
-  if (!windows.beams) prior.scatter = sections.whole.noise;
+  prior.scatter = windows.scatter;
   forEachIndex(slopes.fits.size(), 0, [&](std::size_t k) {
     const std::size_t i = k * slopes.stride;
     if (!elevations.seen[i]) return;

@@ -22,6 +22,7 @@ struct SlopeWindows {
   double half;         ///< of a window [rad]
   double sigma_slope;  ///< [m/m]
   bool beams;          ///< whether it is looked at how beams slant, and how points lie across the band
+  double scatter = 0;  ///< of points about the surface: what single rows hide of it is no slope [m]
 };
 
 /// The slopes that windows at equal steps show, of those where a surface was seen.
