@@ -54,7 +54,7 @@ def test_settlement_tilt_and_their_rates() -> None:
     worst = history.trends["station"]
     assert worst.azimuth_deg is not None and abs(worst.azimuth_deg - 180.0) < 45.0
     tilted = 0.002 * math.cos(math.radians(worst.azimuth_deg - 180.0))
-    assert worst.rate == pytest.approx(-0.003 - tilted, abs=1e-4)  # 3 mm, and of 2 mm the part there
+    assert worst.rate == pytest.approx(-0.003 - tilted, abs=1e-4)
 
 
 def test_a_station_that_sinks_is_the_worst_in_its_place() -> None:
