@@ -56,26 +56,6 @@ struct KnownSlopes {
   }
 };
 
-/// Variance that windows share with the next one, as errors of their own do not: the mean product of how far both lie
-/// off the middle, less its standard error. Windows that are steeper than a lip do not count: soil is shared too.
-double sharedByNeighbours(const std::vector<SeriesValue>& series) {
-  std::vector<WeightedValue> known;
-  for (const SeriesValue& v : series) {
-    if (std::isfinite(v.value)) known.push_back({v.value, 1.0 / square(v.sigma)});
-  }
-  if (known.empty()) return 0.0;
-  const double middle = weightedMedian(std::move(known));
-  double sum = 0.0, squares = 0.0, weights = 0.0;
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    const SeriesValue &a = series[k], &b = series[(k + 1) % series.size()];
-    const double off = a.value - middle, off_next = b.value - middle, weight = 1.0 / square(a.sigma * b.sigma);
-    const bool seen = std::isfinite(off) && std::isfinite(off_next);
-    if (!seen || std::max(std::abs(off), std::abs(off_next)) > kSteepestLip) continue;
-    sum += weight * off * off_next, squares += square(weight * off * off_next), weights += weight;
-  }
-  return weights > 0.0 ? (sum - std::sqrt(squares)) / weights : 0.0;
-}
-
 }  // namespace
 
 MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
@@ -91,8 +71,7 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
   double own = kLipSlope * kLipSlope;
   if (best.values.size() >= kFewest) {
     const KnownSlopes all(seen, std::numeric_limits<double>::infinity());
-    const double differ = std::max(std::min(best.amongThem(), all.amongThem()), sharedByNeighbours(series));
-    own = std::clamp(differ, 1e-12, own);
+    own = std::clamp(std::min(best.amongThem(), all.amongThem()), 1e-12, own);
     const auto count = static_cast<double>(best.values.size());
     const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);
     ring = ringSlope(median(best.values), mean, expected);
