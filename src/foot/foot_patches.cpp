@@ -66,7 +66,7 @@ class PairProducts {
     const double weight = 1.0 / square(noise * noise);
     squares_ += weight * left.off.squaredNorm();
     free_ += weight * static_cast<double>(left.off.size() - left.fit.cols());
-    for (std::size_t first : {0, 1}) {
+    for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
       Eigen::MatrixXd alike = alikeOf(left.places, kLongest * portable::exp2(-0.25 * static_cast<double>(first)));
       for (std::size_t k = first; k < kLengths; k += 2) {
         const Eigen::MatrixXd taken = alike * left.fit, twice = left.fit.transpose() * taken;
