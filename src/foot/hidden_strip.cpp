@@ -114,10 +114,10 @@ bool areStraight(const std::vector<FootStrip>& strips, const SectionLine& line, 
 bool isShoulder(const FootStrips& seen, std::size_t count, double bend) {
   constexpr double kSeen = 0.65;  // of the points beyond, and of those there on the surface
   constexpr double kLower = 2.0;  // times what the surface may be bent by
-  double beside = 0.0, on_surface = 0.0, all = 0.0;
+  double beside = 0.0, all = 0.0;
   for (std::size_t k = 0; k < count; ++k) beside += pointsIn(seen.all[k]);
   for (std::size_t k = count; k < count + kBeyond; ++k) {
-    on_surface += pointsIn(seen.surface[k]), all += pointsIn(seen.all[k]);
+    all += pointsIn(seen.all[k]);
     if (pointsIn(seen.surface[k]) < kSeen * pointsIn(seen.all[k])) return false;
   }
   if (beside * static_cast<double>(kBeyond) < kSeen * all * static_cast<double>(count)) return false;
