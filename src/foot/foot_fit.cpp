@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -49,38 +48,21 @@ std::pair<std::size_t, std::size_t> FootRing::between(const Entries& entries, do
 
 namespace {
 
-/// Mean and variance of what is known of each point.
-struct Spread {
-  double mean = 0, variance = 0;
-};
-
-Spread spreadOf(const std::vector<double>& values, const std::vector<double>& weights) {
-  double sum = 0, squares = 0, total = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    sum += weights[i] * values[i];
-    squares += weights[i] * values[i] * values[i];
-    total += weights[i];
+double meanDistance(const SurfaceRows& rows) {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    sum += rows.weights()[i] * rows.a()[i];
+    weights += rows.weights()[i];
   }
-  const double mean = sum / total;
-  return {mean, std::max(0.0, squares / total - mean * mean)};
+  return sum / weights;
 }
 
-/// The share of the variance of one term of a fit that some others explain, less what they explain by chance (adjusted
+/// The share of a sum of squares that some terms of a fit explain, less what they explain by chance (adjusted
 /// coefficient of determination).
-template <std::size_t kOthers>
-double shareExplained(const SurfaceRows::Equations& sums, int term, const std::array<int, kOthers>& others) {
-  constexpr auto kCount = static_cast<int>(kOthers);
-  const auto centred = [&m = sums.matrix](int i, int j) { return m(i, j) - m(i, 0) * m(0, j) / m(0, 0); };
-  Eigen::Matrix<double, kCount, kCount> among;
-  Eigen::Matrix<double, kCount, 1> with;
-  for (int i = 0; i < kCount; ++i) {
-    with[i] = centred(others[static_cast<std::size_t>(i)], term);
-    for (int j = 0; j < kCount; ++j)
-      among(i, j) = centred(others[static_cast<std::size_t>(i)], others[static_cast<std::size_t>(j)]);
-  }
-  const double all = centred(term, term), free = sums.weight - 1.0 - kCount;
+double shareExplained(double explained, double all, double points, double terms) {
+  const double free = points - 1.0 - terms;
   if (!(all > 0.0) || !(free > 0.0)) return 1.0;
-  return std::max(0.0, 1.0 - (1.0 - with.dot(among.ldlt().solve(with)) / all) * (sums.weight - 1.0) / free);
+  return std::max(0.0, 1.0 - (1.0 - explained / all) * (points - 1.0) / free);
 }
 
 /// Slopes that one row of a scan may feign, about the middle of its points. Its rays meet the bumps of a rough surface
@@ -91,12 +73,16 @@ struct FeignedSlopes {
   double across = 0.0, along = 0.0;   ///< standard deviations [m/m]
 
   /// @param hidden  variance of points about the surface that the fit does not show [m^2]
-  FeignedSlopes(const SurfaceRows& rows, const SurfaceRows::Equations& sums, double hidden) {
-    const Spread d = spreadOf(rows.a(), rows.weights()), t = spreadOf(rows.t(), rows.weights());
-    terms << -d.mean, -t.mean, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0;
-    row = shareExplained<2>(sums, 1, {2, 3});
-    across = feigned(hidden, d.variance, row);
-    along = feigned(hidden, t.variance, shareExplained<1>(sums, 2, {1}));
+  FeignedSlopes(const SurfaceRows::Equations& sums, double hidden) {
+    const double n = sums.weight;
+    const Eigen::Vector3d mean = sums.matrix.col(0).tail<3>() / n;  // of d, t and t^2
+    const Eigen::Matrix3d about = sums.matrix.bottomRightCorner<3, 3>() - n * mean * mean.transpose();
+    terms << -mean[0], -mean[1], 1.0, 0.0, 0.0, 1.0, 0.0, 0.0;
+    const Eigen::Vector2d with_t = about.col(0).tail<2>();
+    row = shareExplained(with_t.dot(about.bottomRightCorner<2, 2>().ldlt().solve(with_t)), about(0, 0), n, 2.0);
+    const double by_d = about(0, 0) > 0.0 ? square(about(0, 1)) / about(0, 0) : 0.0;
+    across = feigned(hidden, std::max(0.0, about(0, 0)) / n, row);
+    along = feigned(hidden, std::max(0.0, about(1, 1)) / n, shareExplained(by_d, about(1, 1), n, 1.0));
   }
 
  private:
@@ -167,7 +153,7 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   for (int iteration = 0; iteration < 8; ++iteration) {
     const SurfaceRows::Equations seen = rows.equations();
     const double used = seen.weight, hidden = std::max(0.0, prior.scatter * prior.scatter - own * own);
-    const FeignedSlopes feigned(rows, seen, hidden);
+    const FeignedSlopes feigned(seen, hidden);
     alike = 1.0 + used * prior.shared / (noise * noise);
     const auto priorWeight = [&](double sigma) { return noise * noise / (sigma * sigma); };
     Eigen::Matrix<double, 4, 6> terms;
@@ -197,7 +183,7 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.sigma_slope = error * std::sqrt(inverse(1, 1));
   fit.noise = noise;
   fit.own = own;
-  fit.middle = spreadOf(rows.a(), rows.weights()).mean;
+  fit.middle = meanDistance(rows);
   return fit;
 }
 

@@ -96,9 +96,9 @@ struct FootPriors {
   double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
   bool settled = false;                    ///< a station's own points have no more to say about its slope
   double seen = 0;                         ///< as the ring's windows show it, feigned or not [m/m]
-  double sigma_seen = 0;
-  BlendedLip blends;   ///< where it is settled
-  double scatter = 0;  ///< of points about a wide surface [m]
+  double sigma_seen = 0;                   ///< its standard error [m/m]
+  BlendedLip blends;                       ///< where it is settled
+  double scatter = 0;                      ///< of points about a wide surface [m]
 
   FootPrior at(std::size_t station) const;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/statistics.h"
 #include "foot/foot_profile.h"
@@ -176,8 +177,9 @@ double crownRise(const FootProfile& lip) {
     if (d <= end || d > end + kBeyond || !std::isfinite(lip.height[i])) continue;
     heights.push_back(lip.height[i] - lip.offset - lip.slope * d), distances.push_back(d);
   }
-  if (heights.empty() || !(median(heights) > 2.0 * lip.noise)) return 0.0;
-  return kShare * median(heights) / (median(distances) - lip.band_to);
+  if (heights.empty()) return 0.0;
+  const double higher = median(std::move(heights));
+  return higher > 2.0 * lip.noise ? kShare * higher / (median(std::move(distances)) - lip.band_to) : 0.0;
 }
 
 SeriesValue blendedSlope(const SeriesValue& seen, double lip, double lean) {

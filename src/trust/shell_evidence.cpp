@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kFewestOfSector = 5;  // points of a sector that have a middle
 
-/// A point of the wall: its height above the foot, and its distance from the axis.
+/// A point of the wall: its azimuth, its height above the foot, and its distance from the axis.
 struct WallPoint {
   double azimuth, height, radius;
 };
