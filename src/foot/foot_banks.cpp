@@ -42,11 +42,12 @@ Section sectionAround(const Foot& foot, const std::vector<double>& levels, std::
   return section;
 }
 
-/// What sections show round the ring, bin by bin: their median, and how far they usually lie below it.
+/// What sections show round the ring, bin by bin: their median, and how far they usually lie off it.
 struct UsualSection {
   Section height, spread;
 };
 
+/// Of the quartiles the nearer counts: soil over more than a quarter of the ring makes the lower one its own.
 /// @param first  bin, before which the surface itself lies
 UsualSection usualOf(const std::vector<Section>& sections, std::size_t first, double noise) {
   constexpr std::size_t kFewest = 10;   // sections of a bin
@@ -62,7 +63,8 @@ UsualSection usualOf(const std::vector<Section>& sections, std::size_t first, do
     }
     if (static_cast<double>(heights.size()) < std::max<double>(kFewest, kShare * known)) continue;
     usual.height[b] = median(heights);
-    usual.spread[b] = std::hypot(noise, (usual.height[b] - quantile(heights, 0.25)) / kQuartile);
+    const double below = usual.height[b] - quantile(heights, 0.25), above = quantile(heights, 0.75) - usual.height[b];
+    usual.spread[b] = std::hypot(noise, std::min(below, above) / kQuartile);
   }
   return usual;
 }
@@ -156,7 +158,8 @@ Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<
 
 }  // namespace
 
-std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels) {
+std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels,
+                            const std::vector<bool>& stood) {
   constexpr double kLeast = 0.008;  // of the reach
   constexpr double kNoise = 0.002;  // of the reach: what medians of bins scatter by at least
   constexpr double kShareUp = 0.5;  // of what it hides is what a bank rises by
@@ -165,7 +168,11 @@ std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const 
   forEachIndex(count, 0, [&](std::size_t i) {
     if (std::isfinite(levels[i])) sections[i] = sectionAround(foot, levels, i);
   });
-  const UsualSection usual = usualOf(sections, firstBeyond(foot, surface), kNoise * foot.reach);
+  std::vector<Section> trusted;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stood[i]) trusted.push_back(sections[i]);
+  }
+  const UsualSection usual = usualOf(trusted, firstBeyond(foot, surface), kNoise * foot.reach);
   std::vector<double> depths(count, 0.0);
   std::vector<char> lower(count, 0), no_measure(count, 0);
   for (std::size_t i = 0; i < count; ++i) {

@@ -12,7 +12,9 @@ namespace tank_datum {
 /// below a plate that does not rise.)
 /// @param surface  whose end what is farther out lies beyond
 /// @param levels   elevations of the stations that stand, else NaN [m]
-std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels);
+/// @param stood    stations that say what is usual: those that stood before they were fitted
+std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels,
+                            const std::vector<bool>& stood);
 
 /// Stations in runs beside whose ends the shell is seen to go on below them: what they lie on is not what the shell
 /// stands on. Of a run up to a sixth of the ring long one end says so, since a bank may fade at the other; of one up to

@@ -141,7 +141,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
       static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) || areHeaps(own, pass.priors);
   const std::vector<FootFit> kept = standing(pass.fits, reasons);
   const std::vector<double> levels = elevationsOf(kept);
-  const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels);
+  const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels, pass.stood);
   const std::vector<bool> hanging = findHangingRuns(foot, levels), islands = findStrangeIslands(foot, pass.priors, own);
   Steps steps = findSteps(kept, foot.arc(), [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
   std::vector<double> refused(reasons.size(), kUnknown);
@@ -162,13 +162,15 @@ std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {
 
 std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers) {
   std::vector<double> kept = elevations;
+  std::size_t known = 0, stand = 0, lie = 0;  // on something else
   for (std::size_t i = 0; i < kept.size(); ++i) {
+    const bool is_known = std::isfinite(elevations[i]);
+    known += is_known;
+    stand += is_known && outliers.reasons[i] == Unmeasured::None;
+    lie += is_known && outliers.reasons[i] == Unmeasured::OtherSurface;
     if (outliers.reasons[i] != Unmeasured::None) kept[i] = kUnknown;
   }
-  const auto known = [](double z) { return std::isfinite(z); };
-  return 2 * std::count_if(kept.begin(), kept.end(), known) > std::count_if(elevations.begin(), elevations.end(), known)
-             ? kept
-             : elevations;
+  return 2 * stand > known || (lie > 0 && stand > lie) ? kept : elevations;
 }
 
 }  // namespace tank_datum

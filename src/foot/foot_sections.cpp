@@ -124,4 +124,9 @@ FootSections stackSections(const Foot& foot, const std::vector<double>& elevatio
   return sections;
 }
 
+FootSections stackKnown(const Foot& foot, const std::vector<double>& known, const std::vector<double>& fitted) {
+  FootSections sections = stackSections(foot, known);
+  return sections.whole.valid() || fitted.empty() ? sections : stackSections(foot, fitted);
+}
+
 }  // namespace tank_datum

@@ -72,6 +72,11 @@ struct FootSections {
 /// only.
 FootSections stackSections(const Foot& foot, const std::vector<double>& elevations);
 
+/// The same of stations that stand, or of all that were fitted where those are too few to show a surface.
+/// @param known   elevations of those that stand, else NaN [m]
+/// @param fitted  of all; none before there are any [m]
+FootSections stackKnown(const Foot& foot, const std::vector<double>& known, const std::vector<double>& fitted);
+
 /// Whether a section shows the surface that the elevations it was stacked with lie on.
 bool isOfLevel(const FootProfile& section, double reach);
 
@@ -123,6 +128,7 @@ struct FootOutliers {
 /// What one pass found.
 struct FootPass {
   FootSections sections;
+  std::vector<bool> stood;  ///< before it: stations whose elevation was known and not left out
   FootPriors priors;
   std::vector<FootFit> fits;
   FootOutliers outliers;
@@ -147,7 +153,8 @@ std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmea
 /// Elevations of fits; NaN where one is not valid [m].
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits);
 
-/// Elevations to stack the next section with: without outliers, unless they are most of what there is.
+/// Elevations to stack the next section with: without outliers, unless they are most of what there is. Stations that
+/// show no point of their own say nothing against those that stand where others are seen to lie on something else.
 std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers);
 
 }  // namespace tank_datum

@@ -76,12 +76,13 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
 }
 
 /// Section, slopes and a fit of every station, from the elevations known so far.
-/// @param before  the sections of the pass before, which are kept where these show another surface
-FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootSections& before) {
+/// @param before  the pass before, whose sections are kept where these show another surface
+FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
   FootPass pass;
-  pass.sections = stackSections(foot, elevations.known);
+  for (const double z : elevations.known) pass.stood.push_back(std::isfinite(z));
+  pass.sections = stackKnown(foot, elevations.known, elevationsOf(before.fits));
   const bool other = isResolved(foot) && !isOfLevel(pass.sections.whole, foot.reach);
-  if (other && before.whole.valid()) pass.sections = before;
+  if (other && before.sections.whole.valid()) pass.sections = before.sections;
   pass.priors = learnPriors(foot, elevations, pass.sections);
   pass.fits.resize(foot.directions.size());
   forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
@@ -128,7 +129,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   FootPass pass;
   elevations = alignedElevations(foot, std::move(elevations));
   for (int i = 0; i < kPasses; ++i) {
-    pass = runPass(foot, elevations, pass.sections);
+    pass = runPass(foot, elevations, pass);
     if (pass.sections.whole.unseen > 0.0) return pass;
     pass.outliers = findOutliers(foot, pass);
     elevations = elevationsAfter(pass, elevations.seen);

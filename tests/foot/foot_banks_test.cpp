@@ -34,6 +34,8 @@ FootProfile lipOf(double edge) {
   return profile;
 }
 
+const std::vector<bool> kAll(360, true);
+
 std::vector<bool> banksOf(const Banked& given) {
   constexpr double kQuartile = 0.6745;
   MadeFoot made;
@@ -47,7 +49,7 @@ std::vector<bool> banksOf(const Banked& given) {
     if (in || s % given.every == 0) made.addStation(s, 120, given.from, given.to, [&](double) { return ringwall; });
     if (given.lip > 0.0) made.addStation(s, 120, 0.0205, given.lip + 0.003, [&](double) { return level; });
   }
-  return findBanks(made.foot(), lipOf(given.lip), levels);
+  return findBanks(made.foot(), lipOf(given.lip), levels, kAll);
 }
 
 bool isBank(const Banked& given) { return banksOf(given)[(kFirst + kLast) / 2]; }
@@ -71,7 +73,7 @@ bool isFallingBank(bool shows) {
     const double ringwall = isInArc(s) ? -0.015 : level - 0.015;
     if (stands && (s != kBefore || shows)) made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return ringwall; });
   }
-  return findBanks(made.foot(), lipOf(0.0), levels)[kFirst + 2];
+  return findBanks(made.foot(), lipOf(0.0), levels, kAll)[kFirst + 2];
 }
 
 TEST(FindBanks, AStationThatMayStandOnTheSameBankIsNoMeasureOfItsRise) {
@@ -87,7 +89,7 @@ TEST(FindBanks, AnArcOverTheFirstAzimuthIsOneArc) {
     levels.push_back(in ? 0.02 : 0.0);
     made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return in ? -0.005 : -0.015; });
   }
-  const std::vector<bool> banks = findBanks(made.foot(), lipOf(0.0), levels);
+  const std::vector<bool> banks = findBanks(made.foot(), lipOf(0.0), levels, kAll);
   EXPECT_EQ(std::count(banks.begin(), banks.end(), true), 20);
   EXPECT_TRUE(banks[0] && banks[9] && banks[350]);
 }
@@ -120,6 +122,26 @@ TEST(FindBanks, AQuarterOfTheSectionsSaysWhatIsUsual) {
   EXPECT_FALSE(isBank(given));
   given.every = 24;
   EXPECT_TRUE(isBank(given));
+}
+
+/// Whether soil, 30 mm high over so many stations, is a bank where all stations say what is usual, or but those on it.
+bool isWideBank(int stations, bool stood = true) {
+  MadeFoot made;
+  std::vector<double> levels;
+  std::vector<bool> say;
+  for (int s = 0; s < 360; ++s) {
+    const bool in = s < stations;
+    levels.push_back(in ? 0.030 : 0.0), say.push_back(stood || !in);
+    made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return -0.015; });
+  }
+  return findBanks(made.foot(), lipOf(0.0), levels, say)[static_cast<std::size_t>(stations / 2)];
+}
+
+TEST(FindBanks, SoilOverAThirdOfTheRingDoesNotSayHowMuchIsUsual) { EXPECT_TRUE(isWideBank(120)); }
+
+TEST(FindBanks, WhatIsUsualIsSaidByTheStationsThatStoodBefore) {
+  EXPECT_FALSE(isWideBank(200));
+  EXPECT_TRUE(isWideBank(200, false));
 }
 
 TEST(FindBanks, TwoBinsFromTwelveHundredthsOfTheReachOnAreLookedAt) {

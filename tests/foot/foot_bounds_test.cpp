@@ -136,6 +136,7 @@ std::vector<Unmeasured> outliersOfLevelRing(MadeFoot& made, std::optional<std::s
   if (without_shell) foot.shell_seen[*without_shell] = false;
   foot.points.resize(360);
   FootPass pass;
+  pass.stood.assign(360, true);
   FootFit fit = fitAt(0.0, 0.0002);
   fit.noise = 0.0004, fit.half_width = foot.half_step;
   pass.fits.assign(360, fit);

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "support/made_feet.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -13,6 +17,7 @@ FootPass levelPass(double half_width, double band_to) {
   fit.z = fit.slope = fit.along = fit.bend = 0.0;
   fit.sigma = 0.0002, fit.noise = 0.0004, fit.sigma_slope = 0.001, fit.half_width = half_width;
   FootPass pass;
+  pass.stood.assign(360, true);
   pass.fits.assign(360, fit);
   pass.priors.slope.assign(360, 0.0);
   pass.priors.sigma_slope.assign(360, 0.01);
@@ -178,6 +183,40 @@ TEST(FindOutliers, WhatFallsFromTheShellByMoreThanThreeInTwentyIsNoFoundation) {
   EXPECT_EQ(reasonOfSlope(0.0, -0.155), Unmeasured::OtherSurface);  // told of the ring, and not believed of a lip
   EXPECT_EQ(reason(-0.145), Unmeasured::None);
   EXPECT_EQ(reason(-0.155), Unmeasured::OtherSurface);
+}
+
+/// How many of a hundred elevations are kept where so many stations lie on something else and so many show nothing.
+int keptOf(std::size_t other, std::size_t hidden) {
+  FootOutliers outliers;
+  outliers.reasons.assign(100, Unmeasured::None);
+  for (std::size_t i = 0; i < other; ++i) outliers.reasons[i] = Unmeasured::OtherSurface;
+  for (std::size_t i = 0; i < hidden; ++i) outliers.reasons[99 - i] = Unmeasured::Hidden;
+  const std::vector<double> kept = withoutOutliers(std::vector<double>(100, 0.0), outliers);
+  return static_cast<int>(std::count_if(kept.begin(), kept.end(), [](double z) { return std::isfinite(z); }));
+}
+
+TEST(WithoutOutliers, OutliersAreLeftOutUnlessTheyAreMostOfAll) {
+  EXPECT_EQ(keptOf(40, 0), 60);
+  EXPECT_EQ(keptOf(60, 0), 100);
+}
+
+TEST(WithoutOutliers, StationsThatShowNothingSayNothingForThoseOnSomethingElse) {
+  EXPECT_EQ(keptOf(20, 50), 30);
+  EXPECT_EQ(keptOf(30, 50), 100);
+}
+
+TEST(WithoutOutliers, WhereNoneLiesOnSomethingElseThoseThatShowNothingAreKept) {
+  EXPECT_EQ(keptOf(0, 70), 100);
+  EXPECT_EQ(keptOf(1, 70), 29);
+}
+
+TEST(WithoutOutliers, ElevationsThatAreNotKnownDoNotCount) {
+  std::vector<double> elevations(10, kUnknown);
+  elevations[0] = elevations[1] = elevations[2] = 0.0;
+  FootOutliers outliers;
+  outliers.reasons.assign(10, Unmeasured::None);
+  outliers.reasons[1] = outliers.reasons[2] = Unmeasured::OtherSurface;
+  EXPECT_TRUE(std::isfinite(withoutOutliers(elevations, outliers)[1]));
 }
 
 }  // namespace

@@ -173,5 +173,31 @@ TEST(AlignedElevations, StationsStayWhereTheirSectionIsTheirs) {
   EXPECT_NEAR(scatterAfter(off, [](double) { return 0.0; }), off / std::sqrt(2.0), 0.0001);
 }
 
+/// The noise of a section of which five stations stand, with so many points each; 355 others are rougher.
+double noiseOfFive(int points) {
+  MadeFoot made;
+  std::vector<double> known(360, kUnknown);
+  std::normal_distribution<double> normal;
+  std::mt19937_64 random(7);
+  for (int s = 0; s < 360; ++s) {
+    const bool stands = s < 5;
+    if (stands) known[static_cast<std::size_t>(s)] = 0.0;
+    made.addStation(s, stands ? points : 100, 0.005, 0.3,
+                    [&](double) { return (stands ? 0.0005 : 0.002) * normal(random); });
+  }
+  return stackKnown(made.foot(), known, std::vector<double>(360, 0.0)).whole.noise;
+}
+
+TEST(StackKnown, OfThoseThatStandUnlessTheyAreTooFewToShowASurface) {
+  EXPECT_LT(noiseOfFive(600), 0.001);
+  EXPECT_GT(noiseOfFive(4), 0.0015);
+}
+
+TEST(StackKnown, BeforeAnyAreFittedThereIsNoOtherSection) {
+  MadeFoot made;
+  made.addStation(0, 3, 0.005, 0.3, [](double) { return 0.0; });
+  EXPECT_FALSE(stackKnown(made.foot(), std::vector<double>(360, 0.0), {}).whole.valid());
+}
+
 }  // namespace
 }  // namespace tank_datum
