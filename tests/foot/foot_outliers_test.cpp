@@ -198,6 +198,7 @@ int keptOf(std::size_t other, std::size_t hidden) {
 TEST(WithoutOutliers, OutliersAreLeftOutUnlessTheyAreMostOfAll) {
   EXPECT_EQ(keptOf(40, 0), 60);
   EXPECT_EQ(keptOf(60, 0), 100);
+  EXPECT_EQ(keptOf(0, 40), 60);
 }
 
 TEST(WithoutOutliers, StationsThatShowNothingSayNothingForThoseOnSomethingElse) {
