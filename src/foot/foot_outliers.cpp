@@ -160,7 +160,7 @@ std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {
   return elevations;
 }
 
-std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers) {
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers, bool narrow) {
   std::vector<double> kept = elevations;
   std::size_t known = 0, stand = 0, lie = 0;  // on something else
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -170,7 +170,7 @@ std::vector<double> withoutOutliers(const std::vector<double>& elevations, const
     lie += is_known && outliers.reasons[i] == Unmeasured::OtherSurface;
     if (outliers.reasons[i] != Unmeasured::None) kept[i] = kUnknown;
   }
-  return 2 * stand > known || (lie > 0 && stand > lie) ? kept : elevations;
+  return 2 * stand > known || (narrow && lie > 0 && stand > lie) ? kept : elevations;
 }
 
 }  // namespace tank_datum

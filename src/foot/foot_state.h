@@ -74,7 +74,7 @@ FootSections stackSections(const Foot& foot, const std::vector<double>& elevatio
 
 /// The same of stations that stand, or of all that were fitted where those are too few to show a surface.
 /// @param known   elevations of those that stand, else NaN [m]
-/// @param fitted  of all; none before there are any [m]
+/// @param fitted  of all; none where they do not count [m]
 FootSections stackKnown(const Foot& foot, const std::vector<double>& known, const std::vector<double>& fitted);
 
 /// Whether a section shows the surface that the elevations it was stacked with lie on.
@@ -154,7 +154,8 @@ std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmea
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits);
 
 /// Elevations to stack the next section with: without outliers, unless they are most of what there is. Stations that
-/// show no point of their own say nothing against those that stand where others are seen to lie on something else.
-std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers);
+/// show no point of their own say nothing against those that stand on a lip where others are seen to lie on something
+/// else; on a wide surface these may lie on it, where its slope is another.
+std::vector<double> withoutOutliers(const std::vector<double>& elevations, const FootOutliers& outliers, bool narrow);
 
 }  // namespace tank_datum

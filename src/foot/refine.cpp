@@ -80,7 +80,8 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
 FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
   FootPass pass;
   for (const double z : elevations.known) pass.stood.push_back(std::isfinite(z));
-  pass.sections = stackKnown(foot, elevations.known, elevationsOf(before.fits));
+  const std::vector<double> fitted = before.priors.settled ? elevationsOf(before.fits) : std::vector<double>{};
+  pass.sections = stackKnown(foot, elevations.known, fitted);
   const bool other = isResolved(foot) && !isOfLevel(pass.sections.whole, foot.reach);
   if (other && before.sections.whole.valid()) pass.sections = before.sections;
   pass.priors = learnPriors(foot, elevations, pass.sections);
@@ -96,7 +97,7 @@ FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootP
 /// What a pass leaves to the next one.
 FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& seen) {
   const std::vector<double> elevations = elevationsOf(pass.fits);
-  return {withoutOutliers(elevations, pass.outliers), filledUp(elevations), seen};
+  return {withoutOutliers(elevations, pass.outliers, pass.priors.settled), filledUp(elevations), seen};
 }
 
 /// The elevations of stations whose shell is not seen are not stacked.

@@ -186,12 +186,12 @@ TEST(FindOutliers, WhatFallsFromTheShellByMoreThanThreeInTwentyIsNoFoundation) {
 }
 
 /// How many of a hundred elevations are kept where so many stations lie on something else and so many show nothing.
-int keptOf(std::size_t other, std::size_t hidden) {
+int keptOf(std::size_t other, std::size_t hidden, bool narrow = true) {
   FootOutliers outliers;
   outliers.reasons.assign(100, Unmeasured::None);
   for (std::size_t i = 0; i < other; ++i) outliers.reasons[i] = Unmeasured::OtherSurface;
   for (std::size_t i = 0; i < hidden; ++i) outliers.reasons[99 - i] = Unmeasured::Hidden;
-  const std::vector<double> kept = withoutOutliers(std::vector<double>(100, 0.0), outliers);
+  const std::vector<double> kept = withoutOutliers(std::vector<double>(100, 0.0), outliers, narrow);
   return static_cast<int>(std::count_if(kept.begin(), kept.end(), [](double z) { return std::isfinite(z); }));
 }
 
@@ -204,6 +204,7 @@ TEST(WithoutOutliers, OutliersAreLeftOutUnlessTheyAreMostOfAll) {
 TEST(WithoutOutliers, StationsThatShowNothingSayNothingForThoseOnSomethingElse) {
   EXPECT_EQ(keptOf(20, 50), 30);
   EXPECT_EQ(keptOf(30, 50), 100);
+  EXPECT_EQ(keptOf(20, 50, false), 100) << "on a wide surface";
 }
 
 TEST(WithoutOutliers, WhereNoneLiesOnSomethingElseThoseThatShowNothingAreKept) {
@@ -217,7 +218,7 @@ TEST(WithoutOutliers, ElevationsThatAreNotKnownDoNotCount) {
   FootOutliers outliers;
   outliers.reasons.assign(10, Unmeasured::None);
   outliers.reasons[1] = outliers.reasons[2] = Unmeasured::OtherSurface;
-  EXPECT_TRUE(std::isfinite(withoutOutliers(elevations, outliers)[1]));
+  EXPECT_TRUE(std::isfinite(withoutOutliers(elevations, outliers, true)[1]));
 }
 
 }  // namespace
