@@ -128,19 +128,16 @@ TEST(FindBanks, AQuarterOfTheSectionsSaysWhatIsUsual) {
 /// and so many others have a ringwall that stands 20 mm higher.
 bool isWideBank(int stations, bool stood = true, int higher = 0) {
   MadeFoot made;
-  std::vector<double> levels;
-  std::vector<bool> say;
-  for (int s = 0; s < 360; ++s) {
-    const bool in = s < stations;
-    levels.push_back(in ? 0.030 : 0.0), say.push_back(stood || !in);
+  std::vector<double> levels(360, 0.0);
+  std::vector<bool> say(360, true);
+  std::fill_n(levels.begin(), stations, 0.030), std::fill_n(say.begin(), stations, stood);
+  for (int s = 0; s < 360; ++s)
     made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return s < 360 - higher ? -0.015 : 0.005; });
-  }
   return findBanks(made.foot(), lipOf(0.0), levels, say)[static_cast<std::size_t>(stations / 2)];
 }
 
 TEST(FindBanks, SoilOverAThirdOfTheRingDoesNotSayHowMuchIsUsual) {
-  EXPECT_TRUE(isWideBank(120));
-  EXPECT_TRUE(isWideBank(60, true, 120));
+  EXPECT_TRUE(isWideBank(120) && isWideBank(60, true, 120));
 }
 
 TEST(FindBanks, WhatIsUsualIsSaidByTheStationsThatStoodBefore) {
