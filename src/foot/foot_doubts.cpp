@@ -111,4 +111,9 @@ std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vect
   return fits;
 }
 
+std::vector<FootFit> withLevelDoubted(std::vector<FootFit> fits, double other) {
+  for (FootFit& fit : fits) fit.sigma = std::hypot(fit.sigma, kHolds * other);
+  return fits;
+}
+
 }  // namespace tank_datum

@@ -80,8 +80,7 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
 FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootSections& before) {
   FootPass pass;
   pass.sections = stackSections(foot, elevations.known);
-  const bool other = isResolved(foot) && !isOfLevel(pass.sections.whole, foot.reach);
-  if (other && before.whole.valid()) pass.sections = before;
+  if (isResolved(foot)) pass.sections = heldTo(before, std::move(pass.sections), foot.reach);
   pass.priors = learnPriors(foot, elevations, pass.sections);
   pass.fits.resize(foot.directions.size());
   forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
@@ -217,6 +216,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   if (found.refined.profile.unseen > 0.0) return found;
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover, foot);
+  levels.fits = withLevelDoubted(std::move(levels.fits), pass.sections.other_level);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
