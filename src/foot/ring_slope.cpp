@@ -62,6 +62,7 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
                        const ExpectedSlope& expected, std::vector<SeriesValue>& smooth) {
   constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
   constexpr std::size_t kFewest = 6;
+  constexpr double kHolds = 0.5;  // two standard errors hold what is taken from a window, were its slope its own
   std::vector<double> sigmas;
   for (const SeriesValue& v : series) {
     if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
@@ -79,9 +80,9 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
   }
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
-    const double weight = own / (own + v.sigma * v.sigma);
-    v.value = weight * (v.value + ring.slope - ring.seen) + (1.0 - weight) * ring.slope;
-    v.sigma *= std::sqrt(weight);
+    const double weight = own / (own + v.sigma * v.sigma), off = v.value - ring.seen;
+    v.value = ring.slope + weight * off;
+    v.sigma = std::hypot(std::sqrt(weight) * v.sigma, kHolds * (1.0 - weight) * off);
   }
   return ring;
 }
