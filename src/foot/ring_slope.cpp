@@ -6,6 +6,7 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
+#include "fit/ring_process.h"
 
 namespace tank_datum {
 namespace {
@@ -62,7 +63,6 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
                        const ExpectedSlope& expected, std::vector<SeriesValue>& smooth) {
   constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
   constexpr std::size_t kFewest = 6;
-  constexpr double kHolds = 0.5;  // two standard errors hold what is taken from a window, were its slope its own
   std::vector<double> sigmas;
   for (const SeriesValue& v : series) {
     if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
