@@ -133,6 +133,7 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
   if (options.method == Method::Refined) {  // the paper's curve swings where nothing is seen
     const auto add = [&](const auto& more) { datum.tests.insert(datum.tests.end(), more.begin(), more.end()); };
     add(testsOfStations(datum.stations, datum.level, datum.tilt, evidence));
+    add(testsOfSigma(datum.stations, footUnit(datum.tank.circle.radius, datum.tank.resolution)));
     add(testsOfGap(datum.refined.shell_from, ring.reach, evidence));
     add(testsUnderShell(datum.refined.under_shell));
   }

@@ -9,8 +9,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kHolds = 0.5;  // of a difference: two standard errors hold it
-
 /// What was refused in a gap, straight on from one station to the next and from those beside: the datum, if it is that.
 class RefusedLine {
  public:
@@ -108,6 +106,11 @@ std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vect
       fit.sigma = std::hypot(fit.sigma, kHolds * (beside ? std::clamp(rise, 0.0, thick) : thick));
     }
   }
+  return fits;
+}
+
+std::vector<FootFit> withLevelDoubted(std::vector<FootFit> fits, double other) {
+  for (FootFit& fit : fits) fit.sigma = std::hypot(fit.sigma, kHolds * other);
   return fits;
 }
 

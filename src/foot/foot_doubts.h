@@ -18,4 +18,8 @@ std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
 /// @param cover  how thick it may be at every station, else 0; empty: none anywhere [m]
 std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vector<double>& cover, const Foot& foot);
 
+/// Fits whose standard errors hold another level too, at which their own elevations show the surface.
+/// @param other  how far off it lies, either way, else 0 [m]
+std::vector<FootFit> withLevelDoubted(std::vector<FootFit> fits, double other);
+
 }  // namespace tank_datum

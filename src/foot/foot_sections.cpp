@@ -83,6 +83,13 @@ bool isOfLevel(const FootProfile& section, double reach) {
   return section.valid() && std::abs(section.offset) < kLevel * reach;
 }
 
+FootSections heldTo(const FootSections& before, FootSections now, double reach) {
+  if (!before.whole.valid() || isOfLevel(now.whole, reach)) return now;
+  FootSections held = before;
+  if (now.whole.valid() && std::isfinite(now.whole.offset)) held.other_level = std::abs(now.whole.offset);
+  return held;
+}
+
 FootElevations alignedElevations(const Foot& foot, FootElevations elevations) {
   const FootProfile section = stackProfile(foot.points, elevations.known, foot.scales);
   if (!isResolved(foot) || !section.valid() || isOfLevel(section, foot.reach)) return elevations;

@@ -63,6 +63,7 @@ struct FootSections {
   FootProfile whole;
   std::vector<FootProfile> arcs;  ///< at equal steps from the first station on; empty: the whole one everywhere
   std::size_t stations = 0;
+  double other_level = 0;  ///< how far off these the surface lay that a later pass showed, as heldTo() says [m]
 
   const FootProfile& at(std::size_t station) const;
 };
@@ -79,6 +80,10 @@ FootSections stackKnown(const Foot& foot, const std::vector<double>& known, cons
 
 /// Whether a section shows the surface that the elevations it was stacked with lie on.
 bool isOfLevel(const FootProfile& section, double reach);
+
+/// The sections that a pass goes by: its own, or those of the pass before where its own show another surface.
+/// @param now,before  stacked with the elevations that were fitted to `before`, and with those before
+FootSections heldTo(const FootSections& before, FootSections now, double reach);
 
 /// First elevations that disagree among themselves blur the surfaces of a section, which then is of none of them. Where
 /// it is so, each station is moved to where its own points lie on the section of all; else none is.

@@ -82,8 +82,7 @@ FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootP
   for (const double z : elevations.known) pass.stood.push_back(std::isfinite(z));
   const std::vector<double> fitted = before.priors.settled ? elevationsOf(before.fits) : std::vector<double>{};
   pass.sections = stackKnown(foot, elevations.known, fitted);
-  const bool other = isResolved(foot) && !isOfLevel(pass.sections.whole, foot.reach);
-  if (other && before.sections.whole.valid()) pass.sections = before.sections;
+  if (isResolved(foot)) pass.sections = heldTo(before.sections, std::move(pass.sections), foot.reach);
   pass.priors = learnPriors(foot, elevations, pass.sections);
   pass.fits.resize(foot.directions.size());
   forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
@@ -219,6 +218,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   if (found.refined.profile.unseen > 0.0) return found;
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover, foot);
+  levels.fits = withLevelDoubted(std::move(levels.fits), pass.sections.other_level);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};

@@ -6,6 +6,7 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
+#include "fit/ring_process.h"
 
 namespace tank_datum {
 namespace {
@@ -79,9 +80,9 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
   }
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
-    const double weight = own / (own + v.sigma * v.sigma);
-    v.value = weight * (v.value + ring.slope - ring.seen) + (1.0 - weight) * ring.slope;
-    v.sigma *= std::sqrt(weight);
+    const double weight = own / (own + v.sigma * v.sigma), off = v.value - ring.seen;
+    v.value = ring.slope + weight * off;
+    v.sigma = std::hypot(std::sqrt(weight) * v.sigma, kHolds * (1.0 - weight) * off);
   }
   return ring;
 }

@@ -7,19 +7,11 @@
 #include "core/parts.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
-#include "core/units.h"
 #include "setups/setup_ring.h"
 #include "setups/setup_views.h"
 
 namespace tank_datum {
 namespace {
-
-/// The arc of the ring that a point lies in.
-std::size_t arcOf(const Eigen::Vector3d& point, const Tank& tank) {
-  const Eigen::Vector2d arm = point.head<2>() - tank.circle.center;
-  const double turn = portable::atan2(arm.y(), arm.x()) / kTwoPi;
-  return std::min(SetupRing::kArcs - 1, static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs));
-}
 
 /// A share of the ring's points in their order, each with the number of its visit to its arc as the setup.
 Ring visitsOf(const Ring& ring, const Tank& tank, int threads) {
@@ -35,7 +27,7 @@ Ring visitsOf(const Ring& ring, const Tank& tank, int threads) {
   std::vector<bool> seen(SetupRing::kArcs, false);
   const auto arcs = concatenated(ofParts(visits.points.size(), threads, [&](std::size_t begin, std::size_t end) {
     std::vector<std::size_t> part;
-    for (std::size_t i = begin; i < end; ++i) part.push_back(arcOf(visits.points[i], tank));
+    for (std::size_t i = begin; i < end; ++i) part.push_back(SetupRing::arcOf(visits.points[i], tank.circle.center));
     return part;
   }));
   for (std::size_t i = 0; i < visits.points.size(); ++i) {

@@ -25,6 +25,10 @@ std::size_t cellOf(double azimuth) {
 
 }  // namespace
 
+std::size_t SetupRing::arcOf(const Eigen::Vector3d& point, const Eigen::Vector2d& center) {
+  return std::min(kArcs - 1, static_cast<std::size_t>(turnOf(point.head<2>() - center) / kTwoPi * kArcs));
+}
+
 SetupRing::SetupRing(const Ring& ring, const Tank& tank, int threads) {
   sortIntoCells(ring, tank.circle.center, threads);
   findOutline(tank, ring.reach, threads);

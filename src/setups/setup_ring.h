@@ -20,6 +20,9 @@ class SetupRing {
 
   SetupRing(const Ring& ring, const Tank& tank, int threads);
 
+  /// The arc that a point about this centre lies in.
+  static std::size_t arcOf(const Eigen::Vector3d& point, const Eigen::Vector2d& center);
+
   /// The entries of the cells first ... first + count - 1.
   const Entry* begin(std::size_t first) const { return entries_.data() + starts_[first]; }
   const Entry* end(std::size_t last) const { return entries_.data() + starts_[last + 1]; }

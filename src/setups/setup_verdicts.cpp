@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/portable_math.h"
-#include "core/units.h"
 #include "setups/setup_ring.h"
 
 namespace tank_datum {
@@ -30,18 +28,14 @@ void markDuplicates(std::vector<Setup>& setups, const RepeatedPoints& repeated) 
 
 void dropBad(Ring& ring, const std::vector<Setup>& setups, const Eigen::Vector2d& center) {
   constexpr std::size_t kEnough = 100;  // points of an arc
-  const auto arcOf = [&](const Eigen::Vector3d& p) {
-    const double turn = portable::atan2(p.y() - center.y(), p.x() - center.x()) / kTwoPi;
-    return static_cast<std::size_t>((turn - std::floor(turn)) * SetupRing::kArcs) % SetupRing::kArcs;
-  };
   const auto is_bad = [&](std::size_t i) { return setups[ring.setupOf(i)].verdict == SetupVerdict::Bad; };
   std::vector<std::size_t> good(SetupRing::kArcs, 0);
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (!is_bad(i)) ++good[arcOf(ring.points[i])];
+    if (!is_bad(i)) ++good[SetupRing::arcOf(ring.points[i], center)];
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (is_bad(i) && good[arcOf(ring.points[i])] >= kEnough) continue;
+    if (is_bad(i) && good[SetupRing::arcOf(ring.points[i], center)] >= kEnough) continue;
     ring.points[kept] = ring.points[i];
     ring.point_setups[kept] = ring.point_setups[i];
     ++kept;

@@ -19,6 +19,10 @@ std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell)
 std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, const Level& level, const Tilt& tilt,
                                       const ShellEvidence& shell);
 
+/// Whether the stations are known well enough to tell surfaces apart; none where no sigma is known.
+/// @param unit  footUnit of the tank [m]
+std::vector<TankTest> testsOfSigma(const std::vector<Station>& stations, double unit);
+
 /// Whether the shell is seen down to its foot; none where that is not known.
 /// @param shell_from  height above the datum from which on it is seen [m]
 /// @param reach       of the section of the foot [m]

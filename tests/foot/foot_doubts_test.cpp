@@ -120,5 +120,12 @@ TEST(WithCoverDoubted, LooksAtStationsEightDegreesBeside) {
   EXPECT_EQ(doubtedWhereLevelFrom(2, 6), 0.003);
 }
 
+TEST(WithLevelDoubted, TwoStandardErrorsHoldTheOtherLevelOfAllStations) {
+  std::vector<FootFit> fits(3);
+  for (FootFit& fit : fits) fit.sigma = 0.003;
+  fits = withLevelDoubted(std::move(fits), 0.008);
+  for (const FootFit& fit : fits) EXPECT_NEAR(fit.sigma, 0.005, 1e-12);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -158,6 +158,25 @@ double scatterAfter(double off, const Sections::Section& section, int shell = 0)
   return std::sqrt(squares - mean * mean);
 }
 
+/// Sections whose surface lies so far off the elevations they were stacked with.
+FootSections sectionsOff(double offset) {
+  FootSections sections;
+  sections.whole.band_from = 0.02, sections.whole.band_to = 0.1;
+  sections.whole.offset = offset;
+  return sections;
+}
+
+TEST(HeldTo, ASectionOfAnotherLevelIsNotFollowedAndIsTold) {
+  const FootSections before = sectionsOff(0.001);
+  EXPECT_EQ(heldTo(before, sectionsOff(-0.004), 0.5).whole.offset, -0.004);
+  EXPECT_EQ(heldTo(before, sectionsOff(-0.004), 0.5).other_level, 0.0);
+  EXPECT_EQ(heldTo(before, sectionsOff(-0.012), 0.5).whole.offset, 0.001);
+  EXPECT_EQ(heldTo(before, sectionsOff(-0.012), 0.5).other_level, 0.012);
+  EXPECT_EQ(heldTo({}, sectionsOff(-0.012), 0.5).whole.offset, -0.012) << "there is none before";
+  EXPECT_EQ(heldTo(before, {}, 0.5).whole.offset, 0.001);
+  EXPECT_EQ(heldTo(before, {}, 0.5).other_level, 0.0) << "shows none";
+}
+
 TEST(AlignedElevations, StationsMoveTogetherWhereTheirSectionIsOfNoSurface) {
   const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.018; };
   EXPECT_LT(scatterAfter(0.010, leaning), 0.0005);

@@ -49,5 +49,17 @@ TEST(SetupRing, KeepsEveryPointInItsQuarterOfADegree) {
   }
 }
 
+TEST(SetupRing, ArcsAreNumberedFromTheXAxisAndATurnBegunAtNoAngleEndsInTheLast) {
+  const Eigen::Vector2d center(3.0, 4.0);
+  const auto arcAt = [&](double degrees) {
+    const double azimuth = degrees * kTwoPi / 360.0;
+    return SetupRing::arcOf({3.0 + std::cos(azimuth), 4.0 + std::sin(azimuth), 0.0}, center);
+  };
+  EXPECT_EQ(arcAt(1.0), 0u);
+  EXPECT_EQ(arcAt(2.6), 1u);
+  EXPECT_EQ(arcAt(359.0), SetupRing::kArcs - 1);
+  EXPECT_EQ(SetupRing::arcOf({1.0, -1e-300, 0.0}, {0.0, 0.0}), SetupRing::kArcs - 1);
+}
+
 }  // namespace
 }  // namespace tank_datum

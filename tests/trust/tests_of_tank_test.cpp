@@ -194,6 +194,27 @@ TEST(TestsUnderShell, AFoundationThatGoesOnUnderItsWallIsDoubtfulAndNeverMore) {
   EXPECT_TRUE(testsUnderShell(kUnknown).empty());
 }
 
+TEST(TestsOfSigma, StationsKnownToMoreThanAPlatesThicknessAreDoubtfulAndNeverNone) {
+  std::vector<Station> stations = stationsOf(101, 0.0, 0.0);
+  const auto at = [&](double sigma, double unit) {
+    for (Station& s : stations) s.sigma_z = sigma;
+    return outcomeOf(testsOfSigma(stations, unit), "sigma");
+  };
+  EXPECT_EQ(at(0.0059, 1.0), TestOutcome::Pass);
+  EXPECT_EQ(at(0.0061, 1.0), TestOutcome::Doubtful);
+  EXPECT_EQ(at(1.0, 1.0), TestOutcome::Doubtful);
+  EXPECT_EQ(at(0.0061, 2.0), TestOutcome::Pass);  // a scan in which all is twice as large
+  EXPECT_TRUE(testsOfSigma({}, 1.0).empty());
+}
+
+TEST(TestsOfSigma, AsksTheMiddleStationAndNotWhatSetupsDisagreeBy) {
+  std::vector<Station> stations = stationsOf(101, 0.0, 0.0);
+  for (std::size_t i = 0; i < 49; ++i) stations[i].sigma_z = 0.1;  // fewer than half
+  EXPECT_EQ(outcomeOf(testsOfSigma(stations, 1.0), "sigma"), TestOutcome::Pass);
+  for (Station& s : stations) s.sigma_z = 0.01, s.sigma_setup = 0.009;  // 4.4 mm of its own
+  EXPECT_EQ(outcomeOf(testsOfSigma(stations, 1.0), "sigma"), TestOutcome::Pass);
+}
+
 TEST(TestsOfGap, ThereIsNoneWhereTheShellIsNotKnown) {
   EXPECT_TRUE(testsOfGap(kUnknown, 0.5, evidence()).empty());
   EXPECT_TRUE(testsOfGap(0.1, 0.5, ShellEvidence()).empty());
