@@ -80,9 +80,11 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
   }
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
-    const double weight = own / (own + v.sigma * v.sigma), off = v.value - ring.seen;
+    const auto weightOf = [&](double among) { return among / (among + v.sigma * v.sigma); };
+    const double weight = weightOf(own), off = v.value - ring.seen;
+    const double most = weightOf(std::max(own, kTankSlope * kTankSlope));  // were it as unlike as other tanks' lips
     v.value = ring.slope + weight * off;
-    v.sigma = std::hypot(std::sqrt(weight) * v.sigma, kHolds * (1.0 - weight) * off);
+    v.sigma = std::hypot(std::sqrt(weight) * v.sigma, kHolds * (most - weight) * off);
   }
   return ring;
 }
