@@ -38,15 +38,15 @@ class EvenShare {
   /// @param tells_setups  whether the points' setups are to be kept with them
   EvenShare(std::size_t most, bool tells_setups) : most_(most), tells_setups_(tells_setups) {}
 
-  /// Whether a point would be kept so far.
-  bool wants(const Eigen::Vector3d& point) const { return pointHash(point) < limit_; }
+  /// Whether a point would be kept so far; may be asked from several threads while one adds.
+  bool wants(const Eigen::Vector3d& point) const { return pointHash(point) < limit_.load(std::memory_order_relaxed); }
 
   void add(const Eigen::Vector3d& point, std::uint16_t setup) {
     if (!wants(point)) return;
     kept_.push_back(point);
     if (tells_setups_) setups_.push_back(setup);
     while (kept_.size() > most_) {
-      limit_ /= 2;
+      limit_.store(limit_.load(std::memory_order_relaxed) / 2, std::memory_order_relaxed);
       drop();
     }
   }
@@ -68,7 +68,7 @@ class EvenShare {
 
   std::size_t most_;
   bool tells_setups_;
-  std::uint64_t limit_ = std::uint64_t{1} << 32;
+  std::atomic<std::uint64_t> limit_{std::uint64_t{1} << 32};
   Points kept_;
   std::vector<std::uint16_t> setups_;
 };

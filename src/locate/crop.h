@@ -18,8 +18,8 @@ void thinForSearch(Ring& ring, const Tank& tank, const CropOptions& options, int
 
 /// A part of the scan beside the ring.
 struct AlsoGathered {
-  /// Marks the points of the scan's n-th block that are wanted, one mark per point; asked from several threads between
-  /// adds.
+  /// Marks the points of the scan's n-th block that are wanted, one mark per point; asked from several threads, while
+  /// one adds.
   std::function<void(std::uint64_t n, const Points& block, std::vector<char>& wanted)> mark;
   Scan::Visitor add;  ///< given at least what is wanted, in file order
 };

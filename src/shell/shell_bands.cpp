@@ -74,9 +74,18 @@ bool ShellBands::placeOf(const Eigen::Vector3d& p, Place& place) const {
 
 bool ShellBands::wants(const Place& place) const {
   for (std::size_t k = place.first; k < place.end; ++k) {
-    if (bands_[k].empty() || place.hash < bands_[k][place.sector].limit) return true;
+    const Cell* const cells = bands_[k].seen();
+    if (cells == nullptr || place.hash < cells[place.sector].limit.load(std::memory_order_relaxed)) return true;
   }
   return false;
+}
+
+ShellBands::Cell* ShellBands::Band::made() {
+  if (!cells_) {
+    cells_ = std::make_unique<Cell[]>(kSectors);
+    published_.store(cells_.get(), std::memory_order_release);
+  }
+  return cells_.get();
 }
 
 void ShellBands::mark(std::uint64_t n, const Points& block, std::vector<char>& wanted) const {
@@ -90,8 +99,7 @@ void ShellBands::add(const Points& block) {
   for (const auto& p : block) {
     if (!placeOf(p, place)) continue;
     for (std::size_t k = place.first; k < place.end; ++k) {
-      if (bands_[k].empty()) bands_[k].resize(kSectors);
-      Cell& cell = bands_[k][place.sector];
+      Cell& cell = bands_[k].made()[place.sector];
       if (place.hash < cell.limit) put(cell, {place.hash, (p - foot_).cast<float>()});
     }
   }
@@ -108,8 +116,9 @@ void ShellBands::put(Cell& cell, const Kept& kept) const {
 
 Points ShellBands::points(std::size_t height) const {
   Points all;
-  for (const Cell& cell : bands_[height]) {
-    std::vector<Kept> sorted = cell.kept;
+  const Cell* const cells = bands_[height].seen();
+  for (std::size_t sector = 0; cells != nullptr && sector < kSectors; ++sector) {
+    std::vector<Kept> sorted = cells[sector].kept;
     std::sort(sorted.begin(), sorted.end(), lowerHash);
     sorted.resize(std::min(sorted.size(), capacity_));
     for (const Kept& kept : sorted) all.push_back(kept.point.cast<double>() + foot_);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tank_datum/locate/tank.h"
@@ -18,10 +20,10 @@ class ShellBands {
   ShellBands(const Tank& tank, const ShellOptions& options, std::uint64_t points = 0);
 
   /// Marks the points of the scan's n-th block that lie near the shell, at about one of the heights, and would be kept
-  /// so far. May be asked from several threads while nothing is added.
+  /// so far. May be asked from several threads while one adds.
   void mark(std::uint64_t n, const Points& block, std::vector<char>& wanted) const;
 
-  /// Takes those of a block that it wants.
+  /// Takes those of a block that it wants; from one thread at a time.
   void add(const Points& block);
 
   /// Above the datum, also those that nothing was seen at [m].
@@ -35,8 +37,18 @@ class ShellBands {
     Eigen::Vector3f point;  ///< about the centre of the foot: micrometres in 4 bytes
   };
   struct Cell {
-    std::uint64_t limit = std::uint64_t{1} << 32;  ///< hashes from here on are not kept
-    std::vector<Kept> kept;                        ///< at most twice the capacity
+    std::atomic<std::uint64_t> limit{std::uint64_t{1} << 32};  ///< hashes from here on are not kept
+    std::vector<Kept> kept;                                    ///< at most twice the capacity
+  };
+  /// The cells of a height by sector; none until a point is seen there, then published when they are whole.
+  class Band {
+   public:
+    Cell* seen() const { return published_.load(std::memory_order_acquire); }
+    Cell* made();
+
+   private:
+    std::unique_ptr<Cell[]> cells_;
+    std::atomic<Cell*> published_{nullptr};
   };
   /// Where a point belongs: the bands first ... end - 1 of a sector.
   struct Place {
@@ -55,9 +67,9 @@ class ShellBands {
   std::size_t capacity_;              ///< of a cell
   std::uint64_t stride_;              ///< odd, since rows of a scan often have even lengths
   std::vector<double> heights_;
-  double per_metre_;                      ///< places of first_band_ a metre
-  std::vector<std::size_t> first_band_;   ///< by places above the lowest band
-  std::vector<std::vector<Cell>> bands_;  ///< by height and sector; empty until a point is seen at the height
+  double per_metre_;                     ///< places of first_band_ a metre
+  std::vector<std::size_t> first_band_;  ///< by places above the lowest band
+  std::vector<Band> bands_;              ///< by height
 };
 
 }  // namespace tank_datum

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "locate/crop.h"
 #include "support/made_shells.h"
 
@@ -113,6 +115,23 @@ TEST(ShellBands, MarksWhatItWouldKeep) {
   const ShellBands bands(tank10(), {});
   bands.mark(0, block, wanted);
   EXPECT_EQ(wanted, (std::vector<char>{1, 0, 0, 1}));
+}
+
+TEST(ShellBands, MarksInOneThreadWhileAnotherAdds) {
+  MadeShell shell;
+  shell.from = 0.2, shell.to = 3.6;
+  const Points all = shell.points();
+  ShellOptions options;
+  options.cell_points = 50;
+  ShellBands bands(tank10(), options);
+  std::thread marking([&] {
+    std::vector<char> wanted(all.size(), 0);
+    for (int i = 0; i < 4; ++i) bands.mark(0, all, wanted);
+  });
+  for (const auto& p : all) bands.add({p});
+  marking.join();
+  const ShellBands alone = bandsOf(all, options);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(bands.points(k), alone.points(k));
 }
 
 TEST(ShellBands, OfAHugeScanEveryNthPointIsLookedAt) {

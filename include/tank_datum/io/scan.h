@@ -169,7 +169,7 @@ class Scan {
   using Chooser = std::function<void(std::uint64_t block, const Points& points, Points& chosen)>;
 
   /// Visits, in file order, what is chosen of each block. Blocks of a binary file are read, decoded and chosen from in
-  /// several threads at once; visit is called from the caller's.
+  /// several threads at once; visit is called from the caller's, while others choose from the blocks that follow.
   /// @param threads  0 means all cores; which blocks there are does not depend on it
   /// @param n        choose is given about every n-th row only, and these alone are decoded where the format allows;
   ///                 odd, lest it keeps step with rows of even lengths
