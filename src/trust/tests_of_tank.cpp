@@ -40,7 +40,7 @@ struct Bounds {
 //            12) that is looked for in a datum.
 // sigma      Standard error of the middle station, without what setups disagree by, over the thickness of the thinnest
 //            annular plate: 6 mm, API 650, table 5.1a. What is not known to that does not tell a plate from what it
-//            lies on. Of 866 simulated tanks it was beyond that at 6, of which two stood on soil.
+//            lies on. Of 866 simulated tanks it was beyond that at 4, of which two were measured on soil.
 // shell_gap  Height over the datum from which on the wall is seen, beyond three spacings of its points, over how far
 //            the section goes. Of bare shells whose foundation is seen beside them it is below 0.05, of tins, cans and
 //            mugs before depth cameras below 0.1; cladding ends at 0.2 to 1. No gap makes a tank none.
