@@ -138,7 +138,8 @@ Datum judgeTests(Datum datum, const DatumOptions& options) {
 
 Datum finishDatum(Datum datum, const DatumOptions& options) {
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations, datum.covariance);
-  datum.stations = withParts(std::move(datum.stations), standingsTo(datum.tilt, datum.stations, datum.circle.center));
+  const auto standings = standingsTo(datum.tilt, datum.stations, datum.circle.center);
+  datum.stations = withParts(std::move(datum.stations), standings);
   datum.antipodal = antipodalOf(datum.stations);
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {

@@ -56,6 +56,7 @@ TEST(ExtractDatum, FindsTheTiltThatWasMade) {
   EXPECT_NEAR(tilt.direction, 1.0, 0.05);
   EXPECT_LT(tilt.p_value, 1e-6);
   EXPECT_NEAR(wholeTank().antipodal.max_h, 0.04, 0.003);
+  for (const Station& s : wholeTank().stations) ASSERT_NEAR(s.z_tilt + s.u, s.z, 1e-9);  // known of each
 }
 
 TEST(ExtractDatum, EdgePointsGoRoundTheTankNearTheCrease) {
