@@ -9,11 +9,10 @@
 namespace tank_datum {
 namespace {
 
-/// The rise from a to b over the most that is no step.
-double stepOf(const FootFit& a, const FootFit& b, double arc) {
+bool isStep(const FootFit& a, const FootFit& b, double arc) {
   constexpr double kSteepest = 0.02;  // of a datum along its shell; ten times what the codes allow [m/m]
   constexpr double kLeast = 0.002;    // a step that matters [m]
-  return (b.z - a.z) / (kSteepest * arc + 3.0 * std::hypot(a.sigma, b.sigma) + kLeast);
+  return std::abs(a.z - b.z) > kSteepest * arc + 3.0 * std::hypot(a.sigma, b.sigma) + kLeast;
 }
 
 constexpr double kThirdDifference = 1.0 + 9.0 + 9.0 + 1.0;  // its variance over that of one value
@@ -42,45 +41,23 @@ struct Stepped {
 
   bool stands(std::size_t i) const { return fits[i].valid() && !dropped[i]; }
   /// A run that is kept may lie as far below those beside it as it likes.
-  double stepBetween(std::size_t a, std::size_t b, std::size_t apart) const {
+  bool stepBetween(std::size_t a, std::size_t b, std::size_t apart) const {
     const bool into_kept = kept[a] != kept[b] && (fits[a].z < fits[b].z) == kept[a];
-    return into_kept ? 0.0 : stepOf(fits[a], fits[b], static_cast<double>(apart) * arc);
+    return !into_kept && isStep(fits[a], fits[b], static_cast<double>(apart) * arc);
   }
 };
 
-/// Where runs of stations begin, by their steps from the one before. Soil that ends in a step at one of its ends only
-/// goes down at the other as well: where there is one step in the ring, the lesser part above it begins or ends where
-/// the ring goes back most nearly in a step.
-std::vector<std::size_t> startsOf(const std::vector<double>& steps) {
-  constexpr double kNearly = 0.5;
-  std::vector<std::size_t> starts;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (std::abs(steps[k]) > 1.0) starts.push_back(k);
-  }
-  if (starts.size() != 1) return starts;
-  const std::size_t there = starts.front(), count = steps.size();
-  const bool up = steps[there] > 0.0;
-  const auto found = up ? std::min_element(steps.begin(), steps.end()) : std::max_element(steps.begin(), steps.end());
-  const auto back = static_cast<std::size_t>(found - steps.begin());
-  const std::size_t above = up ? (back + count - there) % count : (there + count - back) % count;
-  if (std::abs(*found) > kNearly && 2 * above < count) starts.push_back(back);
-  std::sort(starts.begin(), starts.end());
-  return starts;
-}
-
 /// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
 std::vector<StepRun> runsBetweenSteps(const Stepped& ring) {
-  std::vector<std::size_t> seen;
-  std::vector<double> steps;
+  std::vector<std::size_t> seen, starts;
   for (std::size_t i = 0; i < ring.fits.size(); ++i) {
     if (ring.stands(i)) seen.push_back(i);
   }
   const auto before = [&](std::size_t k) { return seen[(k + seen.size() - 1) % seen.size()]; };
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const std::size_t apart = (seen[k] + ring.fits.size() - before(k)) % ring.fits.size();
-    steps.push_back(ring.stepBetween(before(k), seen[k], apart));
+    if (ring.stepBetween(seen[k], before(k), apart)) starts.push_back(k);
   }
-  const std::vector<std::size_t> starts = startsOf(steps);
   std::vector<StepRun> runs;
   for (std::size_t s = 0; s < starts.size() && starts.size() > 1; ++s) {
     const std::size_t next = starts[(s + 1) % starts.size()];

@@ -199,23 +199,6 @@ TEST(FindSteps, AStepIsAQuestionOfArcAndOfSigma) {
   EXPECT_TRUE(droppedOf(fits).empty());
 }
 
-/// Stations dropped of a flat ring where twenty lie so far off the others, with a step at one end and a gap at the
-/// other over which they go back by so much of a step.
-std::size_t droppedBesideGap(double off, double of_step) {
-  std::vector<FootFit> fits(360, fitOf(2.0));
-  raise(fits, 100, 20, off);
-  const double arc = (std::abs(off) / of_step - 0.002 - 3.0 * std::hypot(fits[0].sigma, fits[0].sigma)) / 0.02;
-  const auto gap = static_cast<std::size_t>(std::lround(arc / kStep));
-  for (std::size_t i = 120; i < 120 + gap - 1; ++i) fits[i] = {};
-  return droppedOf(fits).size();
-}
-
-TEST(FindSteps, WhatRisesInOneStepGoesDownWhereItNearlyIsOne) {
-  EXPECT_EQ(droppedBesideGap(0.030, 0.6), 20U);
-  EXPECT_EQ(droppedBesideGap(0.030, 0.4), 0U) << "that may be the ring";
-  EXPECT_EQ(droppedBesideGap(-0.030, 0.6), 0U) << "a dip";
-}
-
 /// Stations dropped of a ring where ten lie so far off the others, to which the shell is seen to go down or not.
 std::size_t droppedWhereTenLie(double off, bool shell) {
   auto fits = smoothRing();
