@@ -86,7 +86,9 @@ bool isOfLevel(const FootProfile& section, double reach) {
 FootSections heldTo(const FootSections& before, FootSections now, double reach) {
   if (!before.whole.valid() || isOfLevel(now.whole, reach)) return now;
   FootSections held = before;
-  if (now.whole.valid() && std::isfinite(now.whole.offset)) held.other_level = std::abs(now.whole.offset);
+  const double off = now.whole.valid() && std::isfinite(now.whole.offset) ? now.whole.offset : 0.0;
+  const bool below_lip = before.whole.surface == Surface::AnnularPlate && off < 0.0;
+  if (!below_lip) held.other_level = std::abs(off);
   return held;
 }
 

@@ -81,7 +81,8 @@ FootSections stackKnown(const Foot& foot, const std::vector<double>& known, cons
 /// Whether a section shows the surface that the elevations it was stacked with lie on.
 bool isOfLevel(const FootProfile& section, double reach);
 
-/// The sections that a pass goes by: its own, or those of the pass before where its own show another surface.
+/// The sections that a pass goes by: its own, or those of the pass before where its own show another surface. What lies
+/// lower than a lip is what it lies on, and no doubt of its level.
 /// @param now,before  stacked with the elevations that were fitted to `before`, and with those before
 FootSections heldTo(const FootSections& before, FootSections now, double reach);
 

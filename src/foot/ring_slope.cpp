@@ -83,8 +83,9 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
     const auto weightOf = [&](double among) { return among / (among + v.sigma * v.sigma); };
     const double weight = weightOf(own), off = v.value - ring.seen;
     const double most = weightOf(std::max(own, kTankSlope * kTankSlope));  // were it as unlike as other tanks' lips
+    const double beyond = std::sqrt(std::max(0.0, off * off - v.sigma * v.sigma));  // what it errs by
     v.value = ring.slope + weight * off;
-    v.sigma = std::hypot(std::sqrt(weight) * v.sigma, kHolds * (most - weight) * off);
+    v.sigma = std::hypot(std::sqrt(weight) * v.sigma, kHolds * (most - weight) * beyond);
   }
   return ring;
 }

@@ -172,6 +172,10 @@ TEST(HeldTo, ASectionOfAnotherLevelIsNotFollowedAndIsTold) {
   EXPECT_EQ(heldTo(before, sectionsOff(-0.004), 0.5).other_level, 0.0);
   EXPECT_EQ(heldTo(before, sectionsOff(-0.012), 0.5).whole.offset, 0.001);
   EXPECT_EQ(heldTo(before, sectionsOff(-0.012), 0.5).other_level, 0.012);
+  FootSections lip = before;
+  lip.whole.surface = Surface::AnnularPlate;
+  EXPECT_EQ(heldTo(lip, sectionsOff(-0.012), 0.5).other_level, 0.0) << "what it lies on";
+  EXPECT_EQ(heldTo(lip, sectionsOff(0.012), 0.5).other_level, 0.012);
   EXPECT_EQ(heldTo({}, sectionsOff(-0.012), 0.5).whole.offset, -0.012) << "there is none before";
   EXPECT_EQ(heldTo(before, {}, 0.5).whole.offset, 0.001);
   EXPECT_EQ(heldTo(before, {}, 0.5).other_level, 0.0) << "shows none";

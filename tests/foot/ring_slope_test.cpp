@@ -46,7 +46,8 @@ TEST(DrawTogether, TwoStandardErrorsHoldWhatIsTakenFromAWindow) {
   smooth[5].value = 0.02;  // waves of the ring may all be so small that they pass for errors
   drawTogether(seen, seen, kLevel, smooth);
   EXPECT_NEAR(smooth[5].value, 0.0, 1e-6);
-  EXPECT_NEAR(smooth[5].sigma, 0.5 * 0.02 * 0.03 * 0.03 / (0.03 * 0.03 + kError * kError), 1e-6);
+  const double most = 0.03 * 0.03 / (0.03 * 0.03 + kError * kError), beyond = std::sqrt(0.02 * 0.02 - kError * kError);
+  EXPECT_NEAR(smooth[5].sigma, 0.5 * most * beyond, 1e-6);
   EXPECT_LT(smooth[6].sigma, 1e-5);
 }
 
