@@ -6,7 +6,6 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
-#include "fit/ring_process.h"
 
 namespace tank_datum {
 namespace {
@@ -80,12 +79,9 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
   }
   for (SeriesValue& v : smooth) {
     if (!std::isfinite(v.value)) continue;
-    const auto weightOf = [&](double among) { return among / (among + v.sigma * v.sigma); };
-    const double weight = weightOf(own), off = v.value - ring.seen;
-    const double most = weightOf(std::max(own, kTankSlope * kTankSlope));  // were it as unlike as other tanks' lips
-    const double beyond = std::sqrt(std::max(0.0, off * off - v.sigma * v.sigma));  // what it errs by
-    v.value = ring.slope + weight * off;
-    v.sigma = std::hypot(std::sqrt(weight) * v.sigma, kHolds * (most - weight) * beyond);
+    const double weight = own / (own + v.sigma * v.sigma);
+    v.value = weight * (v.value + ring.slope - ring.seen) + (1.0 - weight) * ring.slope;
+    v.sigma *= std::sqrt(weight);
   }
   return ring;
 }

@@ -41,16 +41,6 @@ TEST(DrawTogether, SlopesThatDifferLittleMayDifferUnseen) {
   EXPECT_NEAR(sigmaWhere(0.2, 0.2), 0.2 * kError * std::sqrt(0.5 * std::sqrt(2.0 / 72.0)), 0.012 * kError);
 }
 
-TEST(DrawTogether, TwoStandardErrorsHoldWhatIsTakenFromAWindow) {
-  std::vector<SeriesValue> seen(72, {0.0, kError, 1.0}), smooth = seen;
-  smooth[5].value = 0.02;  // waves of the ring may all be so small that they pass for errors
-  drawTogether(seen, seen, kLevel, smooth);
-  EXPECT_NEAR(smooth[5].value, 0.0, 1e-6);
-  const double most = 0.03 * 0.03 / (0.03 * 0.03 + kError * kError), beyond = std::sqrt(0.02 * 0.02 - kError * kError);
-  EXPECT_NEAR(smooth[5].sigma, 0.5 * most * beyond, 1e-6);
-  EXPECT_LT(smooth[6].sigma, 1e-5);
-}
-
 TEST(DrawTogether, OfWhatBeamsMayFeignBesidesSixTenthsAreDoubted) {
   std::vector<SeriesValue> seen(72, {0.0, 1e-5, 1.0}), smooth = seen;
   const double sigma = drawTogether(seen, seen, {0.0, 1e-4, 0.0, 0.02}, smooth).sigma;
