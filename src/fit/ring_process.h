@@ -7,9 +7,6 @@ namespace tank_datum {
 /// Standard deviation of what is the one value or the other, or between: of their difference, 1 / sqrt(12) rounded up.
 constexpr double kEither = 0.3;
 
-/// The same where the one is doubted only: two of these hold their difference.
-constexpr double kHolds = 0.5;
-
 /// Values round a ring as one random process saw them.
 struct RingProcess {
   std::vector<double> value;  ///< what the values follow, at every place, those without a value too

@@ -26,7 +26,7 @@ std::size_t cellOf(double azimuth) {
 }  // namespace
 
 std::size_t SetupRing::arcOf(const Eigen::Vector3d& point, const Eigen::Vector2d& center) {
-  return std::min(kArcs - 1, static_cast<std::size_t>(turnOf(point.head<2>() - center) / kTwoPi * kArcs));
+  return cellOf(turnOf(point.head<2>() - center)) / (kCells / kArcs);
 }
 
 SetupRing::SetupRing(const Ring& ring, const Tank& tank, int threads) {

@@ -84,6 +84,16 @@ double rangeAboutPlane(const std::vector<Station>& stations) {
   return std::max(0.0, high - low);
 }
 
+/// The median of what sigmaOf says of the measured stations; NaN where none is known.
+template <typename SigmaOf>
+double medianSigma(const std::vector<Station>& stations, const SigmaOf& sigmaOf) {
+  std::vector<double> sigmas;
+  for (const Station& s : stations) {
+    if (s.flag == StationFlag::Measured) sigmas.push_back(sigmaOf(s));
+  }
+  return median(finiteOf(sigmas));
+}
+
 }  // namespace
 
 std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvidence& shell) {
@@ -134,12 +144,8 @@ std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, cons
   tests.push_back(judged(kArc, arc, "its foot is measured over %.0f deg only", arc));
   if (!tilt.valid() || !shell.known()) return tests;
   const double diameter = 2.0 * shell.circle.radius;
-  std::vector<double> sigmas;
-  for (const Station& s : stations) {
-    if (s.flag == StationFlag::Measured && std::isfinite(s.sigma_z)) sigmas.push_back(s.sigma_z);
-  }
-  const double sigma = sigmas.empty() ? shell.noise : median(sigmas);
-  const double unknown = 6.0 * sigma + 2.0 * shell.spacing;
+  const double sigma = medianSigma(stations, [](const Station& s) { return s.sigma_z; });
+  const double unknown = 6.0 * (std::isfinite(sigma) ? sigma : shell.noise) + 2.0 * shell.spacing;
   const double range = level.range(), about_plane = rangeAboutPlane(stations);
   tests.push_back(
       judged(kLevel, std::max(0.0, range - unknown) / diameter, "its foot rises by %.3g m from side to side", range));
@@ -149,14 +155,12 @@ std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, cons
 }
 
 std::vector<TankTest> testsOfSigma(const std::vector<Station>& stations, double unit) {
-  std::vector<double> sigmas;
-  for (const Station& s : stations) {
-    if (s.flag != StationFlag::Measured || !std::isfinite(s.sigma_z)) continue;
+  const double sigma = medianSigma(stations, [](const Station& s) {
     const double of_setups = std::isfinite(s.sigma_setup) ? s.sigma_setup : 0.0;
-    sigmas.push_back(std::sqrt(std::max(0.0, square(s.sigma_z) - square(of_setups))));
-  }
-  if (sigmas.empty()) return {};
-  const double sigma = median(sigmas), plate = kThinnestPlate * unit;
+    return std::sqrt(std::max(square(s.sigma_z) - square(of_setups), 0.0));  // unknown stays unknown
+  });
+  if (!std::isfinite(sigma)) return {};
+  const double plate = kThinnestPlate * unit;
   return {judged(kSigma, sigma / plate,
                  "its stations are known to %.2g m only (1 sigma, median), and a plate may be %.2g m thick: on which "
                  "surface it stands is not told",
