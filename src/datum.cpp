@@ -37,12 +37,6 @@ void tell(const Callbacks& callbacks, const char* stage) {
   if (callbacks.stage) callbacks.stage(stage);
 }
 
-/// The part of the scan that the shell is surveyed from, gathered in the same pass as the ring.
-AlsoGathered shellPart(ShellBands& bands) {
-  return {[&bands](std::uint64_t n, const Points& block, std::vector<char>& wanted) { bands.mark(n, block, wanted); },
-          [&bands](const Points& block) { bands.add(block); }};
-}
-
 /// The setups of a ring compared and adjusted to each other; the ring has its points for the search then.
 SetupAgreement adjustSetups(Ring& ring, const Scan& scan, const Tank& tank, const DatumOptions& options) {
   SetupAgreement agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
@@ -165,7 +159,8 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   if (!tank.has_foundation) return withoutFoundation(std::move(datum), scan, options);
   tell(callbacks, "crop");
   ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
-  Ring ring = cropRing(scan, tank, options.crop, shellPart(bands), options.threads);
+  const auto also = [&bands](std::uint64_t n, const Points& block) { bands.gather(n, block); };
+  Ring ring = cropRing(scan, tank, options.crop, also, options.threads);
   datum.counts = ring.counts;
   tell(callbacks, "setups");
   datum.agreement = adjustSetups(ring, scan, tank, options);

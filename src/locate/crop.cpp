@@ -145,19 +145,15 @@ Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, co
   SetupNumbers numbers;
   FarRows far(tank, -scan.origin());
   const auto choose = [&](std::uint64_t block, const Points& points, Points& chosen) {
-    thread_local std::vector<char> wanted;
-    wanted.assign(points.size(), 0);
-    if (also.mark) also.mark(block, points, wanted);
+    if (also) also(block, points);
     far.look(points);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (wanted[i] || (shape.holds(points[i]) && share.wants(points[i]))) chosen.push_back(points[i]);
+    for (const auto& p : points) {
+      if (shape.holds(p) && share.wants(p)) chosen.push_back(p);
     }
   };
   const auto keep = [&](const Points& chosen, SetupKey setup) {
-    if (also.add) also.add(chosen);
-    for (const auto& p : chosen) {
-      if (shape.holds(p)) share.add(p, numbers.of(setup));
-    }
+    const std::uint16_t number = numbers.of(setup);
+    for (const auto& p : chosen) share.add(p, number);
   };
   ring.counts = scan.forEachChosen(choose, threads, keep, rowStride(scan, tank, options));
   ring.counts.far = far.count();

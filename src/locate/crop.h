@@ -16,13 +16,8 @@ constexpr std::size_t kMostSetups = 200;
 /// Thins the points by voxels into ring.search; again after they were moved.
 void thinForSearch(Ring& ring, const Tank& tank, const CropOptions& options, int threads = 0);
 
-/// A part of the scan beside the ring.
-struct AlsoGathered {
-  /// Marks the points of the scan's n-th block that are wanted, one mark per point; asked from several threads, while
-  /// one adds.
-  std::function<void(std::uint64_t n, const Points& block, std::vector<char>& wanted)> mark;
-  Scan::Visitor add;  ///< given at least what is wanted, in file order
-};
+/// Gathers a part of the scan beside the ring: told each block of it that is looked at, from several threads.
+using AlsoGathered = std::function<void(std::uint64_t n, const Points& block)>;
 
 /// Of a larger scan at least so many points are looked at: what is gathered beside the ring, the shell, may be sparse
 /// where the foot is dense.
@@ -43,7 +38,7 @@ std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& o
 /// A ring of several setups has its search points only after thinForSearch: they are adjusted to each other first.
 /// @param also     another part of the scan, gathered in the same pass: a scan is long to read
 /// @param threads  0 means all cores; the ring does not depend on it
-Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also = {},
+Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also = nullptr,
               int threads = 0);
 
 }  // namespace tank_datum

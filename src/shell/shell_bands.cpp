@@ -19,8 +19,6 @@ constexpr double kTallest = 60.0;   // no storage tank's shell is as high [m]
 constexpr double kSteepest = 0.01;  // of a leaning shell [m/m]
 constexpr double kUneven = 0.1;     // of a datum about the coarse plane of its foot [m]
 
-constexpr auto lowerHash = [](const auto& a, const auto& b) { return a.hash < b.hash; };
-
 std::vector<double> heightsOf(const ShellOptions& options) {
   if (!options.heights.empty()) return options.heights;
   std::vector<double> heights;
@@ -72,45 +70,54 @@ bool ShellBands::placeOf(const Eigen::Vector3d& p, Place& place) const {
   return true;
 }
 
-bool ShellBands::wants(const Place& place) const {
-  for (std::size_t k = place.first; k < place.end; ++k) {
-    const Cell* const cells = bands_[k].seen();
-    if (cells == nullptr || place.hash < cells[place.sector].limit.load(std::memory_order_relaxed)) return true;
-  }
-  return false;
+bool ShellBands::Kept::isLower(const Kept& a, const Kept& b) {
+  if (a.hash != b.hash) return a.hash < b.hash;
+  return std::lexicographical_compare(a.point.data(), a.point.data() + 3, b.point.data(), b.point.data() + 3);
 }
 
 ShellBands::Cell* ShellBands::Band::made() {
-  if (!cells_) {
-    cells_ = std::make_unique<Cell[]>(kSectors);
-    published_.store(cells_.get(), std::memory_order_release);
+  if (!cells) {
+    cells = std::make_unique<Cell[]>(kSectors);
+    published.store(cells.get(), std::memory_order_release);
   }
-  return cells_.get();
+  return cells.get();
 }
 
-void ShellBands::mark(std::uint64_t n, const Points& block, std::vector<char>& wanted) const {
-  Place place;
-  for (std::size_t i = n % stride_; i < block.size(); i += stride_)
-    wanted[i] = placeOf(block[i], place) && wants(place);
+bool ShellBands::wants(std::size_t band, const Place& place) const {
+  const Cell* const cells = bands_[band].seen();
+  return cells == nullptr || place.hash < cells[place.sector].limit.load(std::memory_order_relaxed);
 }
 
-void ShellBands::add(const Points& block) {
+void ShellBands::gather(std::uint64_t n, const Points& block) {
+  thread_local std::vector<OnItsWay> points;
+  thread_local std::vector<std::size_t> last;  // of each band
+  points.clear();
+  last.assign(bands_.size(), OnItsWay::kNone);
   Place place;
-  for (const auto& p : block) {
-    if (!placeOf(p, place)) continue;
+  for (std::size_t i = n % stride_; i < block.size(); i += stride_) {
+    if (!placeOf(block[i], place)) continue;
     for (std::size_t k = place.first; k < place.end; ++k) {
-      Cell& cell = bands_[k].made()[place.sector];
-      if (place.hash < cell.limit) put(cell, {place.hash, (p - foot_).cast<float>()});
+      if (!wants(k, place)) continue;
+      points.push_back({{place.hash, (block[i] - foot_).cast<float>()}, place.sector, last[k]});
+      last[k] = points.size() - 1;
     }
+  }
+  for (std::size_t k = 0; k < last.size(); ++k) {
+    if (last[k] == OnItsWay::kNone) continue;
+    const std::lock_guard<std::mutex> lock(bands_[k].adding);
+    Cell* const cells = bands_[k].made();
+    for (std::size_t i = last[k]; i != OnItsWay::kNone; i = points[i].before)
+      put(cells[points[i].sector], points[i].kept);
   }
 }
 
 void ShellBands::put(Cell& cell, const Kept& kept) const {
+  if (kept.hash >= cell.limit.load(std::memory_order_relaxed)) return;
   cell.kept.push_back(kept);
   if (cell.kept.size() < 2 * capacity_) return;
   const auto last = cell.kept.begin() + static_cast<std::ptrdiff_t>(capacity_);
-  std::nth_element(cell.kept.begin(), last, cell.kept.end(), lowerHash);
-  cell.limit = last->hash;
+  std::nth_element(cell.kept.begin(), last, cell.kept.end(), Kept::isLower);
+  cell.limit = std::uint64_t{last->hash} + 1;
   cell.kept.erase(last, cell.kept.end());
 }
 
@@ -119,7 +126,7 @@ Points ShellBands::points(std::size_t height) const {
   const Cell* const cells = bands_[height].seen();
   for (std::size_t sector = 0; cells != nullptr && sector < kSectors; ++sector) {
     std::vector<Kept> sorted = cells[sector].kept;
-    std::sort(sorted.begin(), sorted.end(), lowerHash);
+    std::sort(sorted.begin(), sorted.end(), Kept::isLower);
     sorted.resize(std::min(sorted.size(), capacity_));
     for (const Kept& kept : sorted) all.push_back(kept.point.cast<double>() + foot_);
   }

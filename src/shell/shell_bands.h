@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "tank_datum/locate/tank.h"
@@ -19,12 +20,9 @@ class ShellBands {
   /// @param points  of the scan: of more than kPointsLookedAt every n-th one is looked at
   ShellBands(const Tank& tank, const ShellOptions& options, std::uint64_t points = 0);
 
-  /// Marks the points of the scan's n-th block that lie near the shell, at about one of the heights, and would be kept
-  /// so far. May be asked from several threads while one adds.
-  void mark(std::uint64_t n, const Points& block, std::vector<char>& wanted) const;
-
-  /// Takes those of a block that it wants; from one thread at a time.
-  void add(const Points& block);
+  /// Takes what it wants of the points of the scan's n-th block, those that lie near the shell at about one of the
+  /// heights; from any number of threads.
+  void gather(std::uint64_t n, const Points& block);
 
   /// Above the datum, also those that nothing was seen at [m].
   const std::vector<double>& heights() const { return heights_; }
@@ -35,20 +33,28 @@ class ShellBands {
   struct Kept {
     std::uint32_t hash;
     Eigen::Vector3f point;  ///< about the centre of the foot: micrometres in 4 bytes
+
+    /// The lower hash first; of two alike that of the lower coordinates, so that no order of the scan tells.
+    static bool isLower(const Kept& a, const Kept& b);
   };
   struct Cell {
     std::atomic<std::uint64_t> limit{std::uint64_t{1} << 32};  ///< hashes from here on are not kept
     std::vector<Kept> kept;                                    ///< at most twice the capacity
   };
   /// The cells of a height by sector; none until a point is seen there, then published when they are whole.
-  class Band {
-   public:
-    Cell* seen() const { return published_.load(std::memory_order_acquire); }
-    Cell* made();
+  struct Band {
+    Cell* seen() const { return published.load(std::memory_order_acquire); }
+    Cell* made();  ///< while `adding` is held
 
-   private:
-    std::unique_ptr<Cell[]> cells_;
-    std::atomic<Cell*> published_{nullptr};
+    std::unique_ptr<Cell[]> cells;
+    std::atomic<Cell*> published{nullptr};
+    std::mutex adding;
+  };
+  /// A point on its way to a band, and the one before it that goes there too; kNone: there is none.
+  struct OnItsWay {
+    static constexpr std::size_t kNone = ~std::size_t{0};
+    Kept kept;
+    std::size_t sector, before;
   };
   /// Where a point belongs: the bands first ... end - 1 of a sector.
   struct Place {
@@ -56,7 +62,7 @@ class ShellBands {
     std::uint32_t hash;
   };
   bool placeOf(const Eigen::Vector3d& p, Place& place) const;
-  bool wants(const Place& place) const;
+  bool wants(std::size_t band, const Place& place) const;
   void put(Cell& cell, const Kept& kept) const;
 
   Eigen::Vector3d foot_;              ///< centre [m]

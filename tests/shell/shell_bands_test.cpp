@@ -91,8 +91,8 @@ TEST(ShellBands, BlocksChangeNothing) {
   const Points all = shell.points();
   ShellBands parts(tank10(), {});
   for (std::size_t i = 0; i < all.size(); i += 7000) {
-    parts.add(Points(all.begin() + static_cast<std::ptrdiff_t>(i),
-                     all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), i + 7000))));
+    parts.gather(0, Points(all.begin() + static_cast<std::ptrdiff_t>(i),
+                           all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), i + 7000))));
   }
   const ShellBands whole = bandsOf(all);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(parts.points(k), whole.points(k));
@@ -109,41 +109,50 @@ TEST(ShellBands, KeepsTheSamePointsInAnyOrder) {
   EXPECT_EQ(bandsOf(all, options).points(0), sample);
 }
 
-TEST(ShellBands, MarksWhatItWouldKeep) {
-  const Points block = {place(1.0, 0.0, 1.3), place(1.0, 0.0, 1.8), place(2.0, 0.35, 1.3), place(3.0, 0.0, 0.3)};
-  std::vector<char> wanted(block.size(), 0);
-  const ShellBands bands(tank10(), {});
-  bands.mark(0, block, wanted);
-  EXPECT_EQ(wanted, (std::vector<char>{1, 0, 0, 1}));
+// Millions of points have pairs of one hash; here all of a cell have, since they differ by less than it tells apart.
+TEST(ShellBands, KeepsTheSameOfPointsOfOneHashInAnyOrder) {
+  ShellOptions options;
+  options.cell_points = 50;
+  Points all;
+  for (int i = 0; i < 400; ++i) all.push_back(place(1.0, 0.0, 0.3) + Eigen::Vector3d(0.0, 0.0, 1e-8 * (i * 37 % 400)));
+  const Points sample = bandsOf(all, options).points(0);
+  EXPECT_EQ(sample.size(), 100U);
+  std::reverse(all.begin(), all.end());
+  EXPECT_EQ(bandsOf(all, options).points(0), sample);
 }
 
-TEST(ShellBands, MarksInOneThreadWhileAnotherAdds) {
+TEST(ShellBands, GathersInSeveralThreadsWhatOneGathers) {
   MadeShell shell;
   shell.from = 0.2, shell.to = 3.6;
   const Points all = shell.points();
   ShellOptions options;
   options.cell_points = 50;
   ShellBands bands(tank10(), options);
-  std::thread marking([&] {
-    std::vector<char> wanted(all.size(), 0);
-    for (int i = 0; i < 4; ++i) bands.mark(0, all, wanted);
-  });
-  for (const auto& p : all) bands.add({p});
-  marking.join();
+  const auto half = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  const auto gather = [&bands](auto from, auto to) {
+    while (from != to) {
+      const auto end = from + std::min<std::ptrdiff_t>(1000, to - from);
+      bands.gather(0, Points(from, end));
+      from = end;
+    }
+  };
+  std::thread other([&] { gather(all.begin(), half); });
+  gather(half, all.end());
+  other.join();
   const ShellBands alone = bandsOf(all, options);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(bands.points(k), alone.points(k));
 }
 
 TEST(ShellBands, OfAHugeScanEveryNthPointIsLookedAt) {
   const Points block(100, place(1.0, 0.0, 1.3));
-  const auto marked = [&](std::uint64_t points, std::uint64_t n) {
-    std::vector<char> wanted(block.size(), 0);
-    ShellBands(tank10(), {}, points).mark(n, block, wanted);
-    return std::count(wanted.begin(), wanted.end(), 1);
+  const auto gathered = [&](std::uint64_t points, std::uint64_t n) {
+    ShellBands bands(tank10(), {}, points);
+    bands.gather(n, block);
+    return bands.points(1).size();
   };
-  EXPECT_EQ(marked(kPointsLookedAt - 1, 0), 100);
-  EXPECT_EQ(marked(5 * kPointsLookedAt, 0), 20);
-  EXPECT_EQ(marked(9 * kPointsLookedAt, 2), 11);  // 2, 11, ... 92: blocks do not all begin with their first
+  EXPECT_EQ(gathered(kPointsLookedAt - 1, 0), 100U);
+  EXPECT_EQ(gathered(5 * kPointsLookedAt, 0), 20U);
+  EXPECT_EQ(gathered(9 * kPointsLookedAt, 2), 11U);  // 2, 11, ... 92: blocks do not all begin with their first
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ struct MadeShell {
 
 inline ShellBands bandsOf(const Points& points, const ShellOptions& options = {}) {
   ShellBands bands(tank10(), options);
-  bands.add(points);
+  bands.gather(0, points);
   return bands;
 }
 
