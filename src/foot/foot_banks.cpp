@@ -48,18 +48,21 @@ struct UsualSection {
 };
 
 /// Of the quartiles the nearer counts: soil over more than a quarter of the ring makes the lower one its own.
+/// @param tells  which of the sections say what is usual
 /// @param first  bin, before which the surface itself lies
-UsualSection usualOf(const std::vector<Section>& sections, std::size_t first, double noise) {
+UsualSection usualOf(const std::vector<Section>& sections, const std::vector<bool>& tells, std::size_t first,
+                     double noise) {
   constexpr std::size_t kFewest = 10;   // sections of a bin
   constexpr double kShare = 0.25;       // and of those there are
   constexpr double kQuartile = 0.6745;  // of a normal distribution
-  const auto known =
-      static_cast<double>(std::count_if(sections.begin(), sections.end(), [](const Section& s) { return !s.empty(); }));
+  double known = 0.0;
+  for (std::size_t i = 0; i < sections.size(); ++i) known += tells[i] && !sections[i].empty() ? 1.0 : 0.0;
   UsualSection usual{Section(kBins, kUnknown), Section(kBins, kUnknown)};
   for (std::size_t b = first; b < kBins; ++b) {
     std::vector<double> heights;
-    for (const Section& s : sections) {
-      if (!s.empty() && std::isfinite(s[b])) heights.push_back(s[b]);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      const Section& s = sections[i];
+      if (tells[i] && !s.empty() && std::isfinite(s[b])) heights.push_back(s[b]);
     }
     if (static_cast<double>(heights.size()) < std::max<double>(kFewest, kShare * known)) continue;
     usual.height[b] = median(heights);
@@ -168,11 +171,7 @@ std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const 
   forEachIndex(count, 0, [&](std::size_t i) {
     if (std::isfinite(levels[i])) sections[i] = sectionAround(foot, levels, i);
   });
-  std::vector<Section> trusted;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (stood[i]) trusted.push_back(sections[i]);
-  }
-  const UsualSection usual = usualOf(trusted, firstBeyond(foot, surface), kNoise * foot.reach);
+  const UsualSection usual = usualOf(sections, stood, firstBeyond(foot, surface), kNoise * foot.reach);
   std::vector<double> depths(count, 0.0);
   std::vector<char> lower(count, 0), no_measure(count, 0);
   for (std::size_t i = 0; i < count; ++i) {

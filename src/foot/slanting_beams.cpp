@@ -124,7 +124,8 @@ double beamLean(double steepness, double lip) {
 
 namespace {
 
-/// How far what lies beyond an edge is lifted beside it.
+/// How far points on what a plate lies on are lifted 9 mm beyond the plate's edge, where their beams meet its edge too:
+/// what beams at the shell's foot do as well.
 struct LiftBeyond {
   double lift = 0, uneven = 0;  ///< [m]
 
@@ -132,7 +133,7 @@ struct LiftBeyond {
   double surely() const { return std::max(0.0, lift - 2.0 * uneven); }
 };
 
-/// @return lift, and what the ground scatters by there; nothing where no drop is seen
+/// Zero where the edge is sharp, or no drop is seen.
 LiftBeyond liftBeyond(const FootProfile& profile) {
   constexpr double kLeastDrop = 0.003, kBeside = 0.009;  // [m]
   constexpr double kFar = 0.030, kEnd = 0.090;           // where no beam meets the edge too [m]
@@ -157,8 +158,6 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
 }
 
 }  // namespace
-
-double blendBeyond(const FootProfile& profile) { return liftBeyond(profile).surely(); }
 
 BlendLean blendLean(const FootProfile& profile, double most) {
   constexpr double kLean = 3.5;  // as lips lean on simulated scans whose beams are wide

@@ -76,12 +76,6 @@ BandPoints bandPointsOf(const std::vector<FootPoint>& points, const FootProfile&
 /// @return the slope and its standard error, together [m/m]
 double feignedSlope(const BandPoints& points, double steepness, double noise, double scatter);
 
-/// How far points on what a plate lies on are lifted 9 mm beyond the plate's edge, where their beams meet its edge too:
-/// what beams at the shell's foot do as well. Zero where the edge is sharp, or what lies beyond is as uneven, or is not
-/// seen.
-/// @return [m]
-double blendBeyond(const FootProfile& profile);
-
 /// The slope that beams feign on a lip.
 struct BlendLean {
   double surely = 0;  ///< as what is lifted beyond its edge shows [m/m]
