@@ -130,6 +130,7 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
     add(testsOfSigma(datum.stations, footUnit(datum.tank.circle.radius, datum.tank.resolution)));
     add(testsOfGap(datum.refined.shell_from, ring.reach, evidence));
     add(testsUnderShell(datum.refined.under_shell));
+    add(testsAboveShell(datum.refined.above_shell));
   }
   return judgeTests(std::move(datum), options);
 }

@@ -221,6 +221,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   levels.fits = withLevelDoubted(std::move(levels.fits), pass.sections.other_level);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
+  found.refined.above_shell = shareAboveShell(foot, levels.fits);
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/parallel.h"
@@ -14,6 +15,12 @@ namespace tank_datum {
 namespace {
 
 constexpr double kLeast = 0.002;  // of the reach: what is lower by less is no other surface
+
+/// How far below and above a level is seen at once beside a foot [m].
+double depthBeside(const Foot& foot, const FootFit& level) {
+  constexpr double kDepth = 0.04;  // of the reach
+  return kDepth * foot.reach + leastBelow(foot, level);
+}
 
 /// Visits the points of the shell near a level with their heights above it.
 template <typename Visit>
@@ -73,8 +80,7 @@ ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& lev
 }
 
 ShellCounts countShell(const Foot& foot, std::size_t station, const FootFit& level) {
-  constexpr double kDepth = 0.04;  // of the reach
-  return countShell(foot, station, level, kDepth * foot.reach + leastBelow(foot, level));
+  return countShell(foot, station, level, depthBeside(foot, level));
 }
 
 FootFit levelAt(const Foot& foot, double z, double sigma) {
@@ -138,6 +144,33 @@ double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits) {
     lowest[i] = heights[kStray];
   });
   return median(finiteOf(lowest));
+}
+
+double shareAboveShell(const Foot& foot, const std::vector<FootFit>& fits) {
+  constexpr double kClear = 4.0, kShell = 2.0;  // of the shell's noise: behind it, and to either side of it
+  constexpr double kBehind = 0.1;               // of the reach: how far behind stray points are counted
+  constexpr double kChance = 2.0;               // standard deviations of their number
+  constexpr double kFewest = 3.0;               // stations
+  const double noise = foot.scales.shell_noise, clear = kClear * noise, far = clear + kBehind * foot.reach;
+  std::vector<std::size_t> below(fits.size()), behind(fits.size());
+  forEachIndex(fits.size(), 0, [&](std::size_t i) {
+    if (!fits[i].valid()) return;
+    FootFit level = fits[i];
+    level.half_width = foot.half_step;
+    const double least = leastBelow(foot, level), depth = depthBeside(foot, level);
+    below[i] = countShell(foot, i, level, depth).below > 0 ? 1 : 0;
+    foot.ring.visitAround(foot.directions[i], level.half_width, level.z, depth, [&](const FootPoint& p) {
+      behind[i] += p.d < -clear && p.d > -far && p.z < level.z - least ? 1 : 0;
+    });
+  });
+  const auto sumOf = [](const std::vector<std::size_t>& counts) {
+    return static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  };
+  const auto stand = std::count_if(fits.begin(), fits.end(), [](const FootFit& fit) { return fit.valid(); });
+  if (stand == 0) return kUnknown;
+  const double strays = sumOf(behind) * 2.0 * kShell * noise / (far - clear);
+  const double stations = sumOf(below) - strays - kChance * std::sqrt(strays);
+  return stations < kFewest ? 0.0 : stations / static_cast<double>(stand);
 }
 
 bool UnderShell::isOfFew() const {

@@ -32,6 +32,10 @@ std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvi
 /// @param under_shell  share of the stations at which it is seen under the wall
 std::vector<TankTest> testsUnderShell(double under_shell);
 
+/// Whether the shell ends where it was measured; none where that is not known.
+/// @param above_shell  share of the stations below which some of it is seen
+std::vector<TankTest> testsAboveShell(double above_shell);
+
 /// Numbers of the measured stations that do not lie on their shell, whose elevation is another thing's.
 std::vector<std::size_t> stationsOffCircle(const std::vector<Station>& stations, const Circle& circle,
                                            const ShellEvidence& shell);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "support/made_feet.h"
 
@@ -160,6 +161,48 @@ TEST(ShellSeenFrom, WithoutStationsIsNotKnown) {
   MadeFoot made;
   made.addAll(50, -0.001, 0.001, [](double) { return 0.1; });
   EXPECT_TRUE(std::isnan(shellSeenFrom(made.foot(), std::vector<FootFit>(360))));
+}
+
+/// The share of 40 stations, at the first few of which so many points of the shell are seen below.
+/// @param behind  points as low behind the shell of each station
+/// @param off     how far behind [m]
+double shareAbove(int stations, int points = 1, double depth = 0.008, int behind = 0, double off = 0.030) {
+  MadeFoot made;
+  for (int s = 0; s < 40; ++s) {
+    addShell(made, kFirst + s, 50, 0.0, 0.030);
+    if (s < stations) addShell(made, kFirst + s, points, -depth, -depth);
+    for (int i = 0; i < behind; ++i) made.add((kFirst + s) * made.step(), -off, -0.008);
+  }
+  return shareAboveShell(made.foot(), fitsOf(kFirst, kFirst + 39));
+}
+
+TEST(ShareAboveShell, IsOfStationsFromThreeOnHoweverManyPointsEachHas) {
+  EXPECT_EQ(shareAbove(0), 0.0);
+  EXPECT_EQ(shareAbove(2, 20), 0.0);
+  EXPECT_EQ(shareAbove(3), 3.0 / 40.0);
+  EXPECT_EQ(shareAbove(20, 20), 0.5);
+}
+
+TEST(ShareAboveShell, LooksFromTheErrorsOfTheLevelToFourHundredthsOfTheReachBelow) {
+  EXPECT_EQ(shareAbove(20, 1, 0.0022), 0.0);
+  EXPECT_EQ(shareAbove(20, 1, 0.0025), 0.5);
+  EXPECT_EQ(shareAbove(20, 1, 0.0220), 0.5);
+  EXPECT_EQ(shareAbove(20, 1, 0.0235), 0.0);
+}
+
+// 80 points in 50 mm behind the shell: 6.4 in the 4 mm that are the shell's, and 5.1 more by chance.
+TEST(ShareAboveShell, WhatStrayPointsExplainDoesNotCount) {
+  const double strays = 80.0 * 4.0 / 50.0;
+  EXPECT_NEAR(shareAbove(20, 1, 0.008, 2), (20.0 - strays - 2.0 * std::sqrt(strays)) / 40.0, 1e-9);
+  EXPECT_EQ(shareAbove(12, 1, 0.008, 2), 0.0);
+  EXPECT_EQ(shareAbove(20, 1, 0.008, 2, 0.0035), 0.5) << "the shell's own";
+  EXPECT_LT(shareAbove(20, 1, 0.008, 2, 0.0045), 0.5);
+}
+
+TEST(ShareAboveShell, IsNotKnownWhereNothingStands) {
+  MadeFoot made;
+  addShell(made, kFirst, 50, -0.010, 0.030);
+  EXPECT_TRUE(std::isnan(shareAboveShell(made.foot(), std::vector<FootFit>(360))));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // libFuzzer's way in: one kind of input, TANK_DATUM_FUZZ_READER, is given bytes as libFuzzer makes them. It may be
 // refused as an Error; what else is thrown, every wrong access and every overflow is a finding.
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -43,6 +45,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     std::ofstream file(tank_datum::place(), std::ios::binary | std::ios::trunc);
     file.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
   }
+  // a file that was just written to is waited for
+  constexpr timespec kLongAgo[2] = {{1, 0}, {1, 0}};
+  if (::utimensat(AT_FDCWD, tank_datum::place().c_str(), kLongAgo, 0) != 0) std::exit(2);
   try {
     read(tank_datum::place());
   } catch (const tank_datum::Error&) {  // refused

@@ -194,6 +194,15 @@ TEST(TestsUnderShell, AFoundationThatGoesOnUnderItsWallIsDoubtfulAndNeverMore) {
   EXPECT_TRUE(testsUnderShell(kUnknown).empty());
 }
 
+TEST(TestsAboveShell, AShellThatIsSeenBelowItsFootIsDoubtfulAndNeverMore) {
+  const auto at = [](double share) { return outcomeOf(testsAboveShell(share), "above_shell"); };
+  EXPECT_EQ(at(0.0), TestOutcome::Pass);
+  EXPECT_EQ(at(0.02), TestOutcome::Pass);
+  EXPECT_EQ(at(0.04), TestOutcome::Doubtful);
+  EXPECT_EQ(at(1.0), TestOutcome::Doubtful);
+  EXPECT_TRUE(testsAboveShell(kUnknown).empty());
+}
+
 TEST(TestsOfSigma, StationsKnownToMoreThanAPlatesThicknessAreDoubtfulAndNeverNone) {
   std::vector<Station> stations = stationsOf(101, 0.0, 0.0);
   const auto at = [&](double sigma, double unit) {
