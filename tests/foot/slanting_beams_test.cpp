@@ -91,9 +91,7 @@ FootProfile edgeWith(double lift, double slope, double drop = 0.010, double unev
   return profile;
 }
 
-/// What is lifted beyond the edge, as the lean of the lip tells [m].
 double blendBeyond(const FootProfile& profile) { return blendLean(profile, 1.0).surely * profile.edge / 3.5; }
-
 TEST(BlendBeyond, IsTheLiftNineToFifteenMillimetresBesideTheEdge) {
   EXPECT_NEAR(blendBeyond(edgeWith(0.003, 0.0)), 0.003 * std::exp(-12.0 / 6.0), 0.0001);
   EXPECT_NEAR(blendBeyond(edgeWith(0.003, -0.02)), 0.003 * std::exp(-12.0 / 6.0), 0.0001);
