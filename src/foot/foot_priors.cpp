@@ -120,13 +120,14 @@ struct LipSlopes {
   std::vector<SeriesValue> seen;    ///< with the errors of what is seen
   std::vector<SeriesValue> series;  ///< with the lean in their errors
   std::vector<double> lean;
-  double doubt = 0;  ///< the lean that range noise may feign, typical [m/m]
+  double ring_lean = 0;  ///< of all windows' rays together [m/m]
+  double doubt = 0;      ///< the lean that range noise may feign, typical [m/m]
 
   double usualLean() const {
     std::vector<double> leans;
     for (std::size_t k = 0; k < lean.size(); ++k)
       if (std::isfinite(series[k].value)) leans.push_back(lean[k]);
-    return median(leans);
+    return std::max(ring_lean, median(leans));
   }
 };
 
@@ -149,6 +150,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
     lips.series[k].sigma = std::hypot(lips.series[k].sigma, lips.lean.back());
   }
+  lips.ring_lean = beamLean(found.ring_steepness, sections.whole.band_to);
   lips.stride = found.stride;
   lips.doubt = feignedSlopeOf(found, 0.25 * sections.whole.blur);
   return lips;

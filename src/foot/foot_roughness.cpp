@@ -1,6 +1,7 @@
 #include "foot/foot_roughness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -31,10 +32,11 @@ double roughnessIn(const std::vector<FittedPoints>& fits, const FootProfile& pro
   constexpr std::size_t kPlenty = 10;  // points of a part, on the average
   const double width = (profile.band_to - profile.band_from) / static_cast<double>(parts);
   double squares = 0, expected = 0, free = 0;
-  for (const auto& [points, fit] : fits) {
+  for (const FittedPoints& fitted : fits) {
+    const FootFit& fit = fitted.fit;
     if (!fit.valid() || fit.points < kPlenty * parts) continue;
     std::vector<double> sums(parts, 0.0), counts(parts, 0.0);
-    for (const FootPoint& p : points) {
+    for (const FootPoint& p : fitted.points) {
       const double off = offOf(p, fit);
       if (!isOfBand(p, off, fit, profile)) continue;
       const auto part = std::min(parts - 1, static_cast<std::size_t>((p.d - profile.band_from) / width));
@@ -56,61 +58,97 @@ double roughnessIn(const std::vector<FittedPoints>& fits, const FootProfile& pro
 
 constexpr double kCell = 0.05;  // longer than most patches of a rough surface [m]
 
-/// Residuals of a fit's points in cells of the band.
-struct Cells {
-  std::map<std::pair<long, long>, std::pair<double, double>> sums;  ///< of each cell: residuals, points
-  double squares = 0, points = 0;
+/// Points of a fit on the band, each with its residual for z, in cells where their rays would meet the fit: there it is
+/// not chosen by their heights which are together. A row of the scan meets bumps farther out.
+using Cells = std::map<std::pair<long, long>, std::vector<FootPoint>>;
 
-  void add(const FittedPoints& fitted, const FootProfile& profile, double width) {
-    for (const FootPoint& p : fitted.points) {
-      const double off = offOf(p, fitted.fit);
-      if (!isOfBand(p, off, fitted.fit, profile)) continue;
-      auto& [sum, count] = sums[{std::lround(p.t / kCell), std::lround((p.d - profile.band_from) / width - 0.5)}];
-      sum += off, count += 1.0;
-      squares += off * off, points += 1.0;
+Cells cellsOf(const FittedPoints& fitted, const FootProfile& profile) {
+  const double band = profile.band_to - profile.band_from, width = band / std::max(1.0, std::round(band / kCell));
+  Cells cells;
+  for (const FootPoint& p : fitted.points) {
+    const double off = offOf(p, fitted.fit);
+    if (!isOfBand(p, off, fitted.fit, profile)) continue;
+    const double d = p.d - off / fitted.steepness;
+    cells[{std::lround(p.t / kCell), std::lround((d - profile.band_from) / width - 0.5)}].push_back({p.t, d, off});
+  }
+  return cells;
+}
+
+/// Pairs of points that share a cell: what their residuals have in common, and how far they lie apart.
+class CellPairs {
+ public:
+  void add(const Cells& cells) {
+    constexpr double kUnknowns = 4.0;  // of a fit
+    double squares = 0, points = 0;
+    for (const auto& [place, all] : cells) {
+      for (const FootPoint& p : all) squares += p.z * p.z, points += 1.0;
+    }
+    if (points < 2.0 * kUnknowns) return;
+    squares_ += squares, free_ += points - kUnknowns;
+    const double taken = squares / (points - kUnknowns) * kUnknowns / points;  // residuals of a fit cancel out
+    for (const auto& [place, all] : cells) addPairs(all, taken);
+  }
+
+  bool any() const { return free_ > 0.0 && pairs_ > 0.0; }
+  double variance() const { return squares_ / free_; }
+  double shared() const { return shared_ / pairs_; }               ///< mean product [m^2]
+  double error() const { return variance() / std::sqrt(pairs_); }  ///< of it, by chance [m^2]
+
+  /// The length of patches of which pairs share so much of their variance, from the shortest to a cell's own.
+  double lengthSharing(double share) const {
+    double low = kShortest, high = kCell;
+    for (int i = 0; i < 40; ++i) {
+      const double length = 0.5 * (low + high);
+      (shareAt(length) < share ? low : high) = length;
+    }
+    return high;
+  }
+
+ private:
+  static constexpr double kShortest = 0.005;  // of the patches of pads and plates [m]
+  static constexpr double kStep = 0.001;      // of distances [m]
+
+  void addPairs(const std::vector<FootPoint>& all, double taken) {
+    constexpr std::size_t kMost = 50;  // points of a cell
+    const std::size_t count = std::min(kMost, all.size());
+    for (std::size_t i = 1; i < count; ++i) {
+      const FootPoint& p = all[i * all.size() / count];
+      for (std::size_t j = 0; j < i; ++j) {
+        const FootPoint& q = all[j * all.size() / count];
+        shared_ += p.z * q.z + taken, pairs_ += 1.0;
+        apart_[static_cast<std::size_t>(std::hypot(p.t - q.t, p.d - q.d) / kStep)] += 1.0;
+      }
     }
   }
-};
 
-/// The length at which points of a cell share so much of their variance; of cells that are alike all over, their own.
-double lengthSharing(double share, double width) {
-  double low = 0.0, high = kCell;
-  for (int i = 0; i < 40; ++i) {
-    const double length = 0.5 * (low + high);
-    (sharedAlong(kCell, length) * sharedAlong(width, length) < share ? low : high) = length;
+  double shareAt(double length) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < apart_.size(); ++k) {
+      const double x = (static_cast<double>(k) + 0.5) * kStep / length;
+      sum += apart_[k] * portable::exp(-0.5 * x * x);
+    }
+    return sum / pairs_;
   }
-  return high;
-}
+
+  double squares_ = 0, free_ = 0, shared_ = 0, pairs_ = 0;
+  std::array<double, 100> apart_{};  ///< pairs by their distance: a cell is a tenth of a metre across at most
+};
 
 }  // namespace
 
 Roughness roughnessOf(const std::vector<FittedPoints>& fits, const FootProfile& profile, double noise) {
-  constexpr double kUnknowns = 4.0;  // of a fit
   constexpr double kLeftOpen = 2.0;  // standard errors
-  const double band = profile.band_to - profile.band_from, width = band / std::max(1.0, std::round(band / kCell));
-  double squares = 0, free = 0, shared = 0, pairs = 0;
+  CellPairs pairs;
   for (const FittedPoints& fitted : fits) {
-    if (!fitted.fit.valid()) continue;
-    Cells cells;
-    cells.add(fitted, profile, width);
-    if (cells.points < 2.0 * kUnknowns) continue;
-    const double variance = cells.squares / (cells.points - kUnknowns);
-    squares += cells.squares, free += cells.points - kUnknowns;
-    for (const auto& [place, cell] : cells.sums) {
-      const auto& [sum, count] = cell;
-      const double others = count * (count - 1.0);
-      shared += sum * sum + others * variance * kUnknowns / cells.points;  // residuals of a fit cancel out
-      pairs += others;
-    }
-    shared -= cells.squares;
+    if (fitted.fit.valid() && fitted.steepness > 0.0) pairs.add(cellsOf(fitted, profile));
   }
-  if (!(free > 0.0) || !(pairs > 0.0)) return {};
-  const double heights = squares / free - noise * noise;
+  if (!pairs.any()) return {};
+  const double heights = pairs.variance() - noise * noise;
   if (!(heights > 0.0)) return {};
-  // patches as small as the pairs leave open, and no smaller than they can tell
-  const double error = squares / free * std::sqrt(2.0 / pairs);
-  const double common = std::max(shared / pairs - kLeftOpen * error, error);
-  return {std::sqrt(heights), lengthSharing(common / heights, width)};
+  // patches as short as the pairs leave open; where that is less than they can tell, the middle of what they cannot
+  const double shortest = pairs.lengthSharing((pairs.shared() - kLeftOpen * pairs.error()) / heights);
+  const double told = pairs.lengthSharing(pairs.error() / heights);
+  return {std::sqrt(heights), std::max(shortest, std::sqrt(shortest * told))};
 }
 
 double sharedRoughness(const std::vector<FittedPoints>& fits, const FootProfile& profile) {

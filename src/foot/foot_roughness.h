@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "foot/foot_fit.h"
@@ -11,6 +12,8 @@ namespace tank_datum {
 struct FittedPoints {
   std::vector<FootPoint> points;
   FootFit fit;
+  double steepness =
+      std::numeric_limits<double>::infinity();  ///< tangent of the rays' angle to the surface; 0: not known
 };
 
 /// How far a point lies above a fit [m].
@@ -38,7 +41,7 @@ struct Roughness {
 };
 
 /// Roughness of the band: its heights from how points scatter, the length of its patches from what pairs of points
-/// share that lie in one cell.
+/// share whose rays would meet the fit in one cell. Fits whose rays are not known tell nothing.
 /// @param fits   all round, each over several degrees
 /// @param noise  what the points err by, each alone [m]
 Roughness roughnessOf(const std::vector<FittedPoints>& fits, const FootProfile& profile, double noise);

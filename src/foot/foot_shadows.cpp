@@ -64,7 +64,7 @@ Windows lookAtWindows(const Foot& foot, const FootPass& pass) {
     const auto beside = [&](const FootPoint& p) { return p.d < profile.band_from || p.d > profile.band_to; };
     points.erase(std::remove_if(points.begin(), points.end(), beside), points.end());
     points.shrink_to_fit();
-    windows.fits[k] = {std::move(points), fit};
+    windows.fits[k] = {std::move(points), fit, steepness > 0.0 ? steepness + fit.slope : 0.0};
   });
   for (const double s : windows.seen) windows.steepness.push_back(kFromTheSide * s);
   limitSteepness(windows);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFewestOnShell = 20.0;             // points, to tell how steeply it is seen
 constexpr double kShellFrom = 0.1, kShellTo = 0.5;  // of the reach above the foot: the shell that is looked at
+constexpr double kFar = 0.030, kEnd = 0.090;        // beyond an edge, where no beam meets it too [m]
 
 bool isOnShell(const FootPoint& p, const FootProfile& profile, double level, double reach) {
   const double above = p.z - level;
@@ -31,7 +32,9 @@ RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& pro
   for (const FootPoint& p : points) {
     if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(p.z - level) <= within) ++counts.on_band;
     if (isOnShell(p, profile, level, reach)) ++counts.on_shell;
+    if (p.d > profile.edge + kFar && p.d < profile.edge + kEnd && p.z - level <= within) ++counts.beyond;
   }
+  counts.beyond /= kEnd - kFar;
   counts.a_metre = counts.on_band / (profile.band_to - profile.band_from);
   return counts;
 }
@@ -57,6 +60,13 @@ std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double
     steepness.push_back(std::min(windows[i].steepness(reach), sum.steepness(reach)));
   }
   return steepness;
+}
+
+double ringSteepness(const std::vector<RayCounts>& windows, double reach) {
+  RayCounts sum;
+  for (const RayCounts& w : windows) sum.add(w);
+  if (sum.beyond > 0.0) sum.a_metre = std::min(sum.a_metre, sum.beyond);
+  return sum.steepness(reach);
 }
 
 bool risesOutwards(const FootFit& fit) { return fit.slope > 3.0 * fit.sigma_slope; }
@@ -136,7 +146,6 @@ struct LiftBeyond {
 /// Zero where the edge is sharp, or no drop is seen.
 LiftBeyond liftBeyond(const FootProfile& profile) {
   constexpr double kLeastDrop = 0.003, kBeside = 0.009;  // [m]
-  constexpr double kFar = 0.030, kEnd = 0.090;           // where no beam meets the edge too [m]
   const auto level = [&](std::size_t bin) { return profile.height[bin] - profile.slope_beyond * middle(profile, bin); };
   std::vector<double> far, beside;
   for (std::size_t i = 0; i < profile.height.size(); ++i) {

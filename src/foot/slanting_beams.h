@@ -26,7 +26,11 @@ struct RayCounts {
   double a_metre = 0;   ///< of those to a metre outwards [1/m]
   double on_shell = 0;  ///< points on the shell, up to a height that all windows have alike
 
-  void add(const RayCounts& o) { on_band += o.on_band, a_metre += o.a_metre, on_shell += o.on_shell; }
+  double beyond = 0;  ///< points a metre outwards where no beam meets a lip's edge too [1/m]
+
+  void add(const RayCounts& o) {
+    on_band += o.on_band, a_metre += o.a_metre, on_shell += o.on_shell, beyond += o.beyond;
+  }
   /// What they show, as steepnessOf().
   double steepness(double reach) const;
 };
@@ -39,6 +43,10 @@ RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& pro
 /// there are enough points.
 /// @param reach  of the section [m]
 std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double reach);
+
+/// Steepness of a whole ring's rays. Beams that meet a lip's weld or edge too fill the lip with points, as if rays were
+/// steep; they do not where what it lies on is seen farther out: the one with fewer points counts.
+double ringSteepness(const std::vector<RayCounts>& windows, double reach);
 
 /// The most that a lip may seem to lean where beams slant: the slope that a beam's width is over the lip, less the
 /// slope of the rays; as measured on simulated lips that are level. Zero where the footprint is shorter than the lip.

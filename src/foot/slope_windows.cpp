@@ -31,7 +31,9 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
     rays[k] = countRays(points, profile, level + profile.offset, foot.reach);
     slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
   });
-  if (windows.beams) slopes.steepness = steepnessAlong(rays, foot.reach);
+  if (!windows.beams) return slopes;
+  slopes.steepness = steepnessAlong(rays, foot.reach);
+  slopes.ring_steepness = ringSteepness(rays, foot.reach);
   return slopes;
 }
 

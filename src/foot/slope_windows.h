@@ -13,6 +13,7 @@ struct Slopes {
   std::size_t stride;
   std::vector<FootFit> fits;
   std::vector<double> steepness;  ///< tan of the rays' angle to the foundation; none where not looked at
+  double ring_steepness = 0;      ///< of all windows together
   std::vector<BandPoints> bands;
 };
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "support/rough_surface.h"
 
@@ -122,6 +124,55 @@ TEST(RoughnessOf, PatchesMayBeAsShortAsFewPairsLeaveOpen) {
   const double few = roughnessOf(windowsOf(surface, 60, 0.0), pad(), 0.0).length;
   EXPECT_NEAR(many, 0.012, 0.0012);
   EXPECT_NEAR(few, 0.0085, 0.0012);
+}
+
+/// A level fit of points.
+FittedPoints levelOf(std::vector<FootPoint> points, double noise, double steepness) {
+  FittedPoints fitted{std::move(points), {}, steepness};
+  FootFit& fit = fitted.fit;
+  fit.z = fit.slope = fit.along = fit.bend = 0.0;
+  fit.noise = noise, fit.sigma = noise, fit.points = fitted.points.size();
+  return fitted;
+}
+
+/// Windows of a few rows of a scan each, points 36 mm apart, whose rays meet bumps farther out.
+std::vector<FittedPoints> rowsOf(const RoughSurface& rough, const std::vector<double>& rows, double steepness,
+                                 double known) {
+  std::vector<FittedPoints> all;
+  for (int k = 0; k < 72; ++k) {
+    std::vector<FootPoint> points;
+    for (const double d : rows) {
+      for (double t = -0.5; t < 0.5; t += 0.036) {
+        const double z = rough(2.0 * k + t, d);
+        points.push_back({t, d + 0.001 * (k % 30) + z / steepness, z});
+      }
+    }
+    all.push_back(levelOf(std::move(points), 0.0013, known));
+  }
+  return all;
+}
+
+const std::vector<double> kRows{0.03, 0.1, 0.17, 0.24};
+
+TEST(RoughnessOf, PairsOfOneRowAreChosenWhereItsRaysWouldMeetTheSurface) {
+  const RoughSurface surface(0.0013, 0.0045);
+  // patches are of the length that a standard error leaves open, or as short as 5 mm
+  EXPECT_NEAR(roughnessOf(rowsOf(surface, kRows, 0.1, 0.1), pad(), 0.0).length, 0.0085, 0.0012);
+  EXPECT_NEAR(roughnessOf(rowsOf(RoughSurface(0.0013, 0.025), kRows, 0.1, 0.1), pad(), 0.0).length, 0.025, 0.005);
+  EXPECT_LT(roughnessOf(rowsOf(surface, {0.15}, 0.03, 0.03), pad(), 0.0).length, 0.02);
+  EXPECT_GT(roughnessOf(rowsOf(surface, {0.15}, 0.03, 1e9), pad(), 0.0).length, 0.025) << "as alike as d makes them";
+}
+
+TEST(RoughnessOf, WhereRaysAreNotKnownNothingIsSeen) {
+  EXPECT_EQ(roughnessOf(rowsOf(RoughSurface(0.0013, 0.0045), kRows, 0.1, 0.0), pad(), 0.0).heights, 0.0);
+}
+
+TEST(RoughnessOf, FiftyPointsOfACellTell) {
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 100; ++i)
+    points.push_back({4.8e-4 * (i - 50), 0.001 + 4.8e-4 * (i * 37 % 100), i % 4 == 2 ? -0.001 : 0.001});
+  const std::vector<FittedPoints> one{levelOf(points, 0.001, 1e9)};
+  EXPECT_NEAR(roughnessOf(one, pad(), 0.0).length, 0.005, 1e-6) << "every other one: as many above as below";
 }
 
 TEST(RoughnessOf, NothingSeenIsNoRoughness) {

@@ -68,18 +68,20 @@ constexpr double kSigma = 0.0003;
 
 constexpr int kOnPad = 90;  // points of a station: 300 a metre outwards
 
-/// Stations on a rough pad, seen as steeply as points on the shell make it: other ones from a station on.
+/// Stations on a rough pad, seen as steeply as points on the shell make it: other ones from a station on. Rays meet
+/// bumps farther out.
 std::vector<StationDatum> doubtedStations(const RoughSurface& surface, int on_shell, int on_shell_beyond,
                                           int on_pad_beyond = kOnPad, int beyond = 180) {
   std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> along(-0.5, 0.5), across(0.0, 0.3);
+  std::uniform_real_distribution<double> along(-0.5, 0.5), across(0.04, 0.26);
   MadeFoot made;
   for (int s = 0; s < 360; ++s) {
-    for (int i = 0; i < (s < beyond ? kOnPad : on_pad_beyond); ++i) {
-      const double azimuth = (s + along(random)) * made.step(), d = across(random);
-      made.add(azimuth, d, surface(kRadius * azimuth, d));
+    const int count = s < beyond ? on_shell : on_shell_beyond, on_pad = s < beyond ? kOnPad : on_pad_beyond;
+    const double steepness = on_pad / 0.3 * 0.2 / std::max(count, 60);
+    for (int i = 0; i < on_pad; ++i) {
+      const double azimuth = (s + along(random)) * made.step(), d = across(random), z = surface(kRadius * azimuth, d);
+      made.add(azimuth, d + z / steepness, z);
     }
-    const int count = s < beyond ? on_shell : on_shell_beyond;
     for (int i = 0; i < count; ++i) made.add(s * made.step(), 0.0, 0.0501 + 0.1998 * i / count);
   }
   Foot& foot = made.foot();
