@@ -116,7 +116,8 @@ class CellPairs {
       for (std::size_t j = 0; j < i; ++j) {
         const FootPoint& q = all[j * all.size() / count];
         shared_ += p.z * q.z + taken, pairs_ += 1.0;
-        apart_[static_cast<std::size_t>(std::hypot(p.t - q.t, p.d - q.d) / kStep)] += 1.0;
+        const auto apart = static_cast<std::size_t>(std::hypot(p.t - q.t, p.d - q.d) / kStep);
+        apart_[std::min(apart, apart_.size() - 1)] += 1.0;  // rays that all but miss the surface round their distances
       }
     }
   }
