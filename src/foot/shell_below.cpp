@@ -147,21 +147,23 @@ double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits) {
 }
 
 double shareAboveShell(const Foot& foot, const std::vector<FootFit>& fits) {
-  constexpr double kClear = 4.0, kShell = 2.0;  // of the shell's noise: behind it, and to either side of it
-  constexpr double kBehind = 0.1;               // of the reach: how far behind stray points are counted
-  constexpr double kChance = 2.0;               // standard deviations of their number
+  constexpr double kClear = 4.0, kShell = 2.0;  // of the shell's noise: off it, and to either side of it
+  constexpr double kBeside = 0.1;               // of the reach: how far off it what lies as low is looked for
+  constexpr double kChance = 2.0;               // standard deviations of a number of points
   constexpr double kFewest = 3.0;               // stations
-  const double noise = foot.scales.shell_noise, clear = kClear * noise, far = clear + kBehind * foot.reach;
-  std::vector<std::size_t> below(fits.size()), behind(fits.size());
+  const double noise = foot.scales.shell_noise, clear = kClear * noise, far = clear + kBeside * foot.reach;
+  std::vector<std::size_t> alone(fits.size()), behind(fits.size());
   forEachIndex(fits.size(), 0, [&](std::size_t i) {
     if (!fits[i].valid()) return;
     FootFit level = fits[i];
     level.half_width = foot.half_step;
     const double least = leastBelow(foot, level), depth = depthBeside(foot, level);
-    below[i] = countShell(foot, i, level, depth).below > 0 ? 1 : 0;
+    std::size_t before = 0;
     foot.ring.visitAround(foot.directions[i], level.half_width, level.z, depth, [&](const FootPoint& p) {
-      behind[i] += p.d < -clear && p.d > -far && p.z < level.z - least ? 1 : 0;
+      if (p.z >= level.z - least || std::abs(p.d) <= clear || std::abs(p.d) >= far) return;
+      ++(p.d < 0.0 ? behind[i] : before);
     });
+    alone[i] = before == 0 && countShell(foot, i, level, depth).below > 0 ? 1 : 0;
   });
   const auto sumOf = [](const std::vector<std::size_t>& counts) {
     return static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
@@ -169,7 +171,7 @@ double shareAboveShell(const Foot& foot, const std::vector<FootFit>& fits) {
   const auto stand = std::count_if(fits.begin(), fits.end(), [](const FootFit& fit) { return fit.valid(); });
   if (stand == 0) return kUnknown;
   const double strays = sumOf(behind) * 2.0 * kShell * noise / (far - clear);
-  const double stations = sumOf(below) - strays - kChance * std::sqrt(strays);
+  const double stations = sumOf(alone) - strays - kChance * std::sqrt(strays);
   return stations < kFewest ? 0.0 : stations / static_cast<double>(stand);
 }
 

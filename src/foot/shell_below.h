@@ -48,9 +48,11 @@ std::vector<bool> findShellBelow(const Foot& foot, const std::vector<FootFit>& f
 /// of the wall. NaN where too little is seen.
 double shellSeenFrom(const Foot& foot, const std::vector<FootFit>& fits);
 
-/// Share of the stations below which some of the shell is seen: nothing lies below a foot, and a crown that passes for
-/// one leaves some of the shell behind it in sight here and there. As many as stray points explain, of which those
-/// behind the shell tell how many there are, do not count, nor do one or two. NaN where no station stands.
+/// Share of the stations below which some of the shell is seen, and nothing as low before it. Nothing lies below a
+/// foot, and a crown that passes for one leaves some of the shell behind it in sight here and there; where a pit
+/// reaches up to the shell, or a setup lies lower than others, its ground is seen too. As many as stray points explain,
+/// of which those behind the shell tell how many there are, do not count, nor do one or two. NaN where no station
+/// stands.
 /// @param fits  not valid where a station does not stand
 double shareAboveShell(const Foot& foot, const std::vector<FootFit>& fits);
 

@@ -164,14 +164,14 @@ TEST(ShellSeenFrom, WithoutStationsIsNotKnown) {
 }
 
 /// The share of 40 stations, at the first few of which so many points of the shell are seen below.
-/// @param behind  points as low behind the shell of each station
-/// @param off     how far behind [m]
-double shareAbove(int stations, int points = 1, double depth = 0.008, int behind = 0, double off = 0.030) {
+/// @param beside  points as low off the shell at every station
+/// @param off     how far; behind it where below zero [m]
+double shareAbove(int stations, int points = 1, double depth = 0.008, int beside = 0, double off = -0.030) {
   MadeFoot made;
   for (int s = 0; s < 40; ++s) {
     addShell(made, kFirst + s, 50, 0.0, 0.030);
     if (s < stations) addShell(made, kFirst + s, points, -depth, -depth);
-    for (int i = 0; i < behind; ++i) made.add((kFirst + s) * made.step(), -off, -0.008);
+    for (int i = 0; i < beside; ++i) made.add((kFirst + s) * made.step(), off, -0.008);
   }
   return shareAboveShell(made.foot(), fitsOf(kFirst, kFirst + 39));
 }
@@ -195,8 +195,14 @@ TEST(ShareAboveShell, WhatStrayPointsExplainDoesNotCount) {
   const double strays = 80.0 * 4.0 / 50.0;
   EXPECT_NEAR(shareAbove(20, 1, 0.008, 2), (20.0 - strays - 2.0 * std::sqrt(strays)) / 40.0, 1e-9);
   EXPECT_EQ(shareAbove(12, 1, 0.008, 2), 0.0);
-  EXPECT_EQ(shareAbove(20, 1, 0.008, 2, 0.0035), 0.5) << "the shell's own";
-  EXPECT_LT(shareAbove(20, 1, 0.008, 2, 0.0045), 0.5);
+  EXPECT_EQ(shareAbove(20, 1, 0.008, 2, -0.0035), 0.5) << "the shell's own";
+  EXPECT_LT(shareAbove(20, 1, 0.008, 2, -0.0045), 0.5);
+}
+
+TEST(ShareAboveShell, WhereSomethingLiesAsLowBeforeTheShellItIsNoCrownThatHidesIt) {
+  EXPECT_EQ(shareAbove(20, 1, 0.008, 1, 0.0045), 0.0);
+  EXPECT_EQ(shareAbove(20, 1, 0.008, 1, 0.0530), 0.0);
+  EXPECT_EQ(shareAbove(20, 1, 0.008, 1, 0.0550), 0.5) << "a tenth of the reach before it";
 }
 
 TEST(ShareAboveShell, IsNotKnownWhereNothingStands) {
