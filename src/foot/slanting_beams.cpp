@@ -10,9 +10,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kFewestOnShell = 20.0;             // points, to tell how steeply it is seen
-constexpr double kShellFrom = 0.1, kShellTo = 0.5;  // of the reach above the foot: the shell that is looked at
-constexpr double kFar = 0.030, kEnd = 0.090;        // beyond an edge, where no beam meets it too [m]
+constexpr double kFewestOnShell = 20.0;               // points, to tell how steeply it is seen
+constexpr double kShellFrom = 0.1, kShellTo = 0.5;    // of the reach above the foot: the shell that is looked at
+constexpr double kClearOf = 0.030, kClearTo = 0.090;  // beyond an edge, where no beam meets it too [m]
 
 bool isOnShell(const FootPoint& p, const FootProfile& profile, double level, double reach) {
   const double above = p.z - level;
@@ -32,9 +32,9 @@ RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& pro
   for (const FootPoint& p : points) {
     if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(p.z - level) <= within) ++counts.on_band;
     if (isOnShell(p, profile, level, reach)) ++counts.on_shell;
-    if (p.d > profile.edge + kFar && p.d < profile.edge + kEnd && p.z - level <= within) ++counts.beyond;
+    if (p.d > profile.edge + kClearOf && p.d < profile.edge + kClearTo && p.z - level <= within) ++counts.beyond;
   }
-  counts.beyond /= kEnd - kFar;
+  counts.beyond /= kClearTo - kClearOf;
   counts.a_metre = counts.on_band / (profile.band_to - profile.band_from);
   return counts;
 }
@@ -150,7 +150,7 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
   std::vector<double> far, beside;
   for (std::size_t i = 0; i < profile.height.size(); ++i) {
     const double beyond = middle(profile, i) - profile.edge;
-    if (beyond > kFar && beyond < kEnd && std::isfinite(level(i))) far.push_back(level(i));
+    if (beyond > kClearOf && beyond < kClearTo && std::isfinite(level(i))) far.push_back(level(i));
   }
   const double below = median(far), plate = profile.offset + (profile.slope - profile.slope_beyond) * profile.edge;
   if (far.empty() || !(plate - below > kLeastDrop)) return {};
