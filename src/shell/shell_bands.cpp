@@ -89,10 +89,10 @@ bool ShellBands::wants(std::size_t band, const Place& place) const {
 }
 
 void ShellBands::gather(std::uint64_t n, const Points& block) {
-  thread_local std::vector<OnItsWay> points;
+  thread_local std::vector<Pending> points;
   thread_local std::vector<std::size_t> last;  // of each band
   points.clear();
-  last.assign(bands_.size(), OnItsWay::kNone);
+  last.assign(bands_.size(), Pending::kNone);
   Place place;
   for (std::size_t i = n % stride_; i < block.size(); i += stride_) {
     if (!placeOf(block[i], place)) continue;
@@ -103,10 +103,10 @@ void ShellBands::gather(std::uint64_t n, const Points& block) {
     }
   }
   for (std::size_t k = 0; k < last.size(); ++k) {
-    if (last[k] == OnItsWay::kNone) continue;
+    if (last[k] == Pending::kNone) continue;
     const std::lock_guard<std::mutex> lock(bands_[k].adding);
     Cell* const cells = bands_[k].made();
-    for (std::size_t i = last[k]; i != OnItsWay::kNone; i = points[i].before)
+    for (std::size_t i = last[k]; i != Pending::kNone; i = points[i].before)
       put(cells[points[i].sector], points[i].kept);
   }
 }

@@ -50,8 +50,8 @@ class ShellBands {
     std::atomic<Cell*> published{nullptr};
     std::mutex adding;
   };
-  /// A point on its way to a band, and the one before it that goes there too; kNone: there is none.
-  struct OnItsWay {
+  /// A point to be put into a band, and the one before it that goes there too; kNone: there is none.
+  struct Pending {
     static constexpr std::size_t kNone = ~std::size_t{0};
     Kept kept;
     std::size_t sector, before;
