@@ -33,7 +33,7 @@ std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvi
 std::vector<TankTest> testsUnderShell(double under_shell);
 
 /// Whether the shell ends where it was measured; none where that is not known.
-/// @param above_shell  share of the stations below which some of it is seen
+/// @param above_shell  share of the stations below which some of it is seen, and nothing as low before it
 std::vector<TankTest> testsAboveShell(double above_shell);
 
 /// Numbers of the measured stations that do not lie on their shell, whose elevation is another thing's.
