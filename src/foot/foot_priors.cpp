@@ -122,19 +122,13 @@ struct LipSlopes {
   std::vector<double> lean;
   double ring_lean = 0;  ///< of all windows' rays together [m/m]
   double doubt = 0;      ///< the lean that range noise may feign, typical [m/m]
-
-  double usualLean() const {
-    std::vector<double> leans;
-    for (std::size_t k = 0; k < lean.size(); ++k)
-      if (std::isfinite(series[k].value)) leans.push_back(lean[k]);
-    return std::max(ring_lean, median(leans));
-  }
 };
 
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
                     double sigma_bend) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
-  constexpr double kAnySlope = 0.5;  // of a window, which is to say what its own points do [m/m]
+  constexpr double kAnySlope = 0.5;   // of a window, which is to say what its own points do [m/m]
+  constexpr double kUsualWeld = 0.5;  // of the largest
   const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kAnySlope, true}, sigma_bend);
   if (std::none_of(found.fits.begin(), found.fits.end(), [](const FootFit& fit) { return fit.valid(); })) return {};
   LipSlopes lips;
@@ -150,7 +144,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
     lips.series[k].sigma = std::hypot(lips.series[k].sigma, lips.lean.back());
   }
-  lips.ring_lean = beamLean(found.ring_steepness, sections.whole.band_to);
+  lips.ring_lean = ringBeamLean(found.ring_steepness, sections.whole.band_to - kUsualWeld * foot.scales.weld);
   lips.stride = found.stride;
   lips.doubt = feignedSlopeOf(found, 0.25 * sections.whole.blur);
   return lips;
@@ -174,9 +168,8 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   if (lips.series.empty()) return;
   std::vector<SeriesValue> smooth = smoothed(lips.series, kWidest);
   const FootProfile& whole = sections.whole;
-  const BlendLean lean = blendLean(whole, lips.usualLean());
-  const MeanSlope ring = drawTogether(
-      lips.seen, lips.series, {whole.slope_beyond, lips.doubt, lean.surely, lean.maybe + crownRise(whole)}, smooth);
+  const ExpectedSlope expected{whole.slope_beyond, lips.doubt, blendLean(whole, lips.ring_lean), crownRise(whole)};
+  const MeanSlope ring = drawTogether(lips.seen, lips.series, expected, smooth);
   priors.seen = ring.seen, priors.sigma_seen = ring.sigma_seen;
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);

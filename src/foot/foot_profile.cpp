@@ -132,11 +132,14 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   profile.slope = plate ? profile.slope_beyond : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
   Plateau plateau = findPlateau(profile, first, last);
-  if (plate && std::abs(own.slope) < kSteepestLip) {  // one that leans is plain along its own slope only
+  // one that leans is plain along its own slope only; what is lower beside the shell no beam has drawn down
+  const double inwards = plate ? robustLine(profile, first, last).slope : 0.0;
+  for (const double leans : {own.slope, std::max(inwards, own.slope)}) {
+    if (!plate || std::abs(leans) >= kSteepestLip) continue;
     FootProfile leaning = profile;
-    leaning.slope = own.slope;
+    leaning.slope = leans;
     const Plateau wider = findPlateau(leaning, first, last);
-    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = own.slope;
+    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = leans;
   }
   profile.offset = plateau.offset;
   profile.misfit = plateau.misfit;

@@ -14,7 +14,7 @@ struct ExpectedSlope {
   double parallel;  ///< to what the plate lies on: most are
   double noise;     ///< what range noise may feign, up or down
   double lean;      ///< what beams that meet shell or edge too may feign, down only
-  double more = 0;  ///< so much more of that, if they do
+  double more = 0;  ///< what else may, either way: it widens the error only
 };
 
 /// A ring's slope, and its standard error [m/m].

@@ -132,6 +132,14 @@ double beamLean(double steepness, double lip) {
   return std::max(0.0, kBeam / lip - steepness);
 }
 
+double ringBeamLean(double steepness, double lip) {
+  constexpr double kBeam = 0.009;  // as beamLean's, of lips from the weld's toe on [m]
+  constexpr double kEnds = 0.5;    // of the lip: footprints shorter by so much feign nothing
+  const double slope = kBeam / lip, shorter = steepness / slope - 1.0;  // by how much of a footprint
+  const double ends = std::clamp(kEnds - shorter, 0.0, 2.0 * kEnds);
+  return slope * (ends * ends / (4.0 * kEnds) + std::max(0.0, -shorter - kEnds));
+}
+
 namespace {
 
 /// How far points on what a plate lies on are lifted 9 mm beyond the plate's edge, where their beams meet its edge too:
@@ -139,8 +147,9 @@ namespace {
 struct LiftBeyond {
   double lift = 0, uneven = 0;  ///< [m]
 
-  /// More than its unevenness explains.
+  /// More than its unevenness explains, and as much as that may hide.
   double surely() const { return std::max(0.0, lift - 2.0 * uneven); }
+  double atMost() const { return lift + uneven; }
 };
 
 /// Zero where the edge is sharp, or no drop is seen.
@@ -168,11 +177,10 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
 
 }  // namespace
 
-BlendLean blendLean(const FootProfile& profile, double most) {
+double blendLean(const FootProfile& profile, double most) {
   constexpr double kLean = 3.5;  // as lips lean on simulated scans whose beams are wide
   const LiftBeyond beyond = liftBeyond(profile);
-  const double surely = kLean * beyond.surely() / profile.edge, seen = kLean * beyond.lift / profile.edge;
-  return {surely, std::max(0.0, std::min(seen, most) - surely)};
+  return kLean / profile.edge * std::max(beyond.surely(), std::min(most * profile.edge / kLean, beyond.atMost()));
 }
 
 double crownRise(const FootProfile& lip) {

@@ -54,6 +54,11 @@ double ringSteepness(const std::vector<RayCounts>& windows, double reach);
 /// @return [m/m]
 double beamLean(double steepness, double lip);
 
+/// The same of a whole ring's lips, whose slope is known so well that what beams feign at a lip's two ends counts
+/// though their footprint is shorter than the lip; as measured on simulated lips that are level.
+/// @param lip  width of the lip from the weld's toe on [m]
+double ringBeamLean(double steepness, double lip);
+
 /// Whether a surface rises outwards by more than its error explains; no other can be grazed.
 bool risesOutwards(const FootFit& fit);
 
@@ -84,14 +89,10 @@ BandPoints bandPointsOf(const std::vector<FootPoint>& points, const FootProfile&
 /// @return the slope and its standard error, together [m/m]
 double feignedSlope(const BandPoints& points, double steepness, double noise, double scatter);
 
-/// The slope that beams feign on a lip.
-struct BlendLean {
-  double surely = 0;  ///< as what is lifted beyond its edge shows [m/m]
-  double maybe = 0;   ///< so much more where the unevenness of what lies there may be none [m/m]
-};
-
-/// @param most  that beams can feign, as they slant [m/m]
-BlendLean blendLean(const FootProfile& profile, double most);
+/// The slope that beams may feign on a lip: as what is lifted beyond its edge shows, or its unevenness hides.
+/// @param most  that they can, as they slant; what is lifted for sure counts nevertheless [m/m]
+/// @return [m/m]
+double blendLean(const FootProfile& profile, double most);
 
 /// The most that a lip may seem to rise before a crown: beams that meet the crown's edge too leave points on the line
 /// from the lip's end to there, and lift the lip's, the more the nearer its end. Zero where what lies just beyond what

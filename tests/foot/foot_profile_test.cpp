@@ -130,6 +130,17 @@ TEST(StackProfile, ACrownHigherThanThePlateDoesNotCarryIt) {
   EXPECT_NEAR(profile.slope, 0.0, 0.003);
 }
 
+/// Beams that graze a crown's edge lift the outer half of the lip before it.
+TEST(StackProfile, ALipWhoseOuterHalfIsLiftedIsABandFromTheShellOn) {
+  const auto lifted = [](double d) {
+    return d < 0.087 ? 0.0025 * std::clamp((d - 0.014) / 0.042, 0.0, 1.0) : std::min(0.026, 0.011 + 0.3 * (d - 0.087));
+  };
+  const FootProfile profile = Foot(lifted, 400, 0.0025).profile();
+  EXPECT_EQ(profile.surface, Surface::AnnularPlate);
+  EXPECT_LE(profile.band_from, 0.018);
+  EXPECT_GT(profile.slope, 0.01);
+}
+
 /// Nothing is seen between lip and crown but where the crown's edge blends into it.
 TEST(StackProfile, AStrayBinBeyondWhatIsNotSeenIsNoPartOfTheSurface) {
   Foot foot([](double d) { return d < 0.065 ? 0.0 : d < 0.115 ? 0.004 : 0.015; });
