@@ -18,7 +18,7 @@ constexpr std::size_t kLengths = 14;
 constexpr double kLongest = 0.1;                   // [m]
 constexpr Eigen::Index kFewest = 10, kMost = 120;  // points of a window
 
-/// The points of a window's band, and what a fit leaves of their heights.
+/// The points of a window's band where their rays would meet the fit, and what a fit leaves of their heights.
 struct BandResiduals {
   Eigen::MatrixXd places;  ///< d and t of each point [m]
   Eigen::MatrixX4d fit;    ///< what it takes away, orthonormal
@@ -29,7 +29,8 @@ BandResiduals residualsOf(const FittedPoints& fitted, const FootProfile& profile
   std::vector<FootPoint> points;
   for (const FootPoint& p : fitted.points) {
     const double off = offOf(p, fitted.fit);
-    if (isOfBand(p, off, fitted.fit, profile)) points.push_back({p.t, p.d, off});
+    const FootPoint met = metAt(p, off, fitted);
+    if (isOfBand(met, off, fitted.fit, profile)) points.push_back({met.t, met.d, off});
   }
   const auto all = static_cast<Eigen::Index>(points.size()), count = std::min(all, kMost);
   if (count < kFewest) return {};
@@ -123,7 +124,7 @@ std::vector<FittedPoints> patchWindows(const Foot& foot, const FootPass& pass) {
     const double half = static_cast<double>(stations) * foot.half_step, z = pass.fits[at].z;
     std::vector<FootPoint> points = foot.ring.around(foot.directions[at], half, z, foot.reach);
     const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], pass.priors.at(at));
-    windows[k] = {std::move(points), fit};
+    windows[k] = {std::move(points), fit, pass.priors.steepnessAt(at)};
   });
   return windows;
 }
