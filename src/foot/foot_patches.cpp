@@ -87,9 +87,10 @@ class PairProducts {
     for (std::size_t k = 0; k < kLengths; ++k) {
       const double products = of_[k].products - of_[k].with_noise * squares_ / free_;
       const double expected = of_[k].squares - square(of_[k].with_noise) / free_;
-      if (!(products > 0.0) || !(expected > 0.0)) continue;
+      // by chance products vary by 2 expected: few windows know a variance no better than that of all their points
+      if (!(products > 0.0) || !(expected * square(squares_ / free_) > 2.0)) continue;
       variances[k] = products / expected;
-      explained[k] = 0.25 * products * products / expected;  // of the logarithm: by chance products vary by 2 expected
+      explained[k] = 0.25 * products * products / expected;  // of the logarithm
     }
     const double most = *std::max_element(explained.begin(), explained.end());
     const double none = static_cast<double>(kLengths) * portable::exp(-most);

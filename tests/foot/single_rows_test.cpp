@@ -86,6 +86,17 @@ TEST(SharedRoughness, OfSixthsOnlyWhatIsMoreThanTheirStandardErrorCounts) {
   EXPECT_NEAR(sharedRoughness(std::vector<FittedPoints>(50, station), lip()), seen(50.0) / 50.0 / 6.0, 1e-12);
 }
 
+TEST(PatchesOf, OfFewWindowsWhatTheyKnowNoBetterThanHowTheirPointsScatterIsNotTold) {
+  std::vector<FootPoint> pairs;  // each of two points alike
+  for (int i = 0; i < 10; ++i) {
+    const int pair = i / 2;
+    pairs.push_back({0.02 * pair + 0.002 * (i % 2), 0.02 + 0.013 * (pair % 3), pair % 2 == 0 ? 0.001 : -0.001});
+  }
+  const FittedPoints window = levelOf(pairs, 0.001, kPlumb);
+  EXPECT_EQ(patchesOf({window, window}, lip()).heights, 0.0);
+  EXPECT_GT(patchesOf({window, window, window}, lip()).heights, 0.0);
+}
+
 /// Windows of a few rows on a rough lip, as of rays that meet bumps farther out.
 std::vector<FittedPoints> windowsOfRows(const RoughSurface& rough, double known) {
   std::mt19937_64 random(2);
