@@ -85,7 +85,7 @@ FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const StationStr
   if (pass.priors.settled) prior.sigma_slope = kSettledSlope;
   prior.shared = rough;
   const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
-  return {std::move(points), pass.priors.blends.without(fit, at)};
+  return {std::move(points), pass.priors.blends.without(fit, at), pass.priors.steepnessAt(at)};
 }
 
 /// Of each station the stretch that it belongs to, where that could be fitted.

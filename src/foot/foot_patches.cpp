@@ -18,7 +18,7 @@ constexpr std::size_t kLengths = 14;
 constexpr double kLongest = 0.1;                   // [m]
 constexpr Eigen::Index kFewest = 10, kMost = 120;  // points of a window
 
-/// The points of a window's band, and what a fit leaves of their heights.
+/// The points of a window's band where their rays would meet the fit, and what a fit leaves of their heights.
 struct BandResiduals {
   Eigen::MatrixXd places;  ///< d and t of each point [m]
   Eigen::MatrixX4d fit;    ///< what it takes away, orthonormal
@@ -29,7 +29,8 @@ BandResiduals residualsOf(const FittedPoints& fitted, const FootProfile& profile
   std::vector<FootPoint> points;
   for (const FootPoint& p : fitted.points) {
     const double off = offOf(p, fitted.fit);
-    if (isOfBand(p, off, fitted.fit, profile)) points.push_back({p.t, p.d, off});
+    const FootPoint met = metAt(p, off, fitted);
+    if (isOfBand(met, off, fitted.fit, profile)) points.push_back({met.t, met.d, off});
   }
   const auto all = static_cast<Eigen::Index>(points.size()), count = std::min(all, kMost);
   if (count < kFewest) return {};
@@ -86,9 +87,10 @@ class PairProducts {
     for (std::size_t k = 0; k < kLengths; ++k) {
       const double products = of_[k].products - of_[k].with_noise * squares_ / free_;
       const double expected = of_[k].squares - square(of_[k].with_noise) / free_;
-      if (!(products > 0.0) || !(expected > 0.0)) continue;
+      // by chance products vary by 2 expected: few windows know a variance no better than that of all their points
+      if (!(products > 0.0) || !(expected * square(squares_ / free_) > 2.0)) continue;
       variances[k] = products / expected;
-      explained[k] = 0.25 * products * products / expected;  // of the logarithm: by chance products vary by 2 expected
+      explained[k] = 0.25 * products * products / expected;  // of the logarithm
     }
     const double most = *std::max_element(explained.begin(), explained.end());
     const double none = static_cast<double>(kLengths) * portable::exp(-most);
@@ -123,7 +125,7 @@ std::vector<FittedPoints> patchWindows(const Foot& foot, const FootPass& pass) {
     const double half = static_cast<double>(stations) * foot.half_step, z = pass.fits[at].z;
     std::vector<FootPoint> points = foot.ring.around(foot.directions[at], half, z, foot.reach);
     const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], pass.priors.at(at));
-    windows[k] = {std::move(points), fit};
+    windows[k] = {std::move(points), fit, pass.priors.steepnessAt(at)};
   });
   return windows;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/portable_math.h"
@@ -120,8 +121,9 @@ struct LipSlopes {
   std::vector<SeriesValue> seen;    ///< with the errors of what is seen
   std::vector<SeriesValue> series;  ///< with the lean in their errors
   std::vector<double> lean;
-  double ring_lean = 0;  ///< of all windows' rays together [m/m]
-  double doubt = 0;      ///< the lean that range noise may feign, typical [m/m]
+  std::vector<double> steepness;  ///< of the rays, 0: not known
+  double ring_lean = 0;           ///< of all windows' rays together [m/m]
+  double doubt = 0;               ///< the lean that range noise may feign, typical [m/m]
 };
 
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
@@ -146,6 +148,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
   }
   lips.ring_lean = ringBeamLean(found.ring_steepness, sections.whole.band_to - kUsualWeld * foot.scales.weld);
   lips.stride = found.stride;
+  lips.steepness = found.pooled_steepness;
   lips.doubt = feignedSlopeOf(found, 0.25 * sections.whole.blur);
   return lips;
 }
@@ -181,6 +184,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   blends.slope.assign(priors.slope.size(), 0.0), blends.sigma = blends.slope;
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const BetweenValues at(smooth, i, lips.stride);
+    priors.steepness.push_back(lips.steepness[(i + lips.stride / 2) / lips.stride % lips.steepness.size()]);
     if (!at.known()) continue;
     priors.slope[i] = at.mean(smooth, &SeriesValue::value);
     priors.sigma_slope[i] = std::hypot(least, at.mean(smooth, &SeriesValue::sigma));
@@ -206,6 +210,11 @@ FootPrior FootPriors::at(std::size_t station) const {
   prior.sigma_bend = sigma_bend;
   prior.scatter = scatter;
   return prior;
+}
+
+double FootPriors::steepnessAt(std::size_t station) const {
+  const bool known = !steepness.empty() && steepness[station] > 0.0;
+  return known ? steepness[station] : std::numeric_limits<double>::infinity();
 }
 
 FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const FootSections& sections) {

@@ -14,6 +14,10 @@ double offOf(const FootPoint& p, const FootFit& fit) {
   return p.z - fit.z - fit.slope * p.d - fit.along * p.t - fit.bend * p.t * p.t;
 }
 
+FootPoint metAt(const FootPoint& p, double off, const FittedPoints& fitted) {
+  return {p.t, p.d - off / fitted.steepness, p.z};
+}
+
 bool isOfBand(const FootPoint& p, double off, const FootFit& fit, const FootProfile& profile) {
   constexpr double kStray = 4.0;  // standard deviations off a fit: no point of the surface
   return p.d >= profile.band_from && p.d < profile.band_to && std::abs(off) <= kStray * fit.noise;
@@ -27,39 +31,49 @@ double sharedAlong(double stretch, double length) {
 
 namespace {
 
-/// Variance of the means of a band's parts, beyond that of points that err alone, over the number of parts [m^2].
-double roughnessIn(const std::vector<FittedPoints>& fits, const FootProfile& profile, std::size_t parts) {
+/// A variance and its standard error [m^2].
+struct Variance {
+  double value = 0, error = 0;
+};
+
+/// Variance of the means of a band's parts, beyond that of points that err alone, over the number of parts (analysis of
+/// variance: a part counts for its points). Points are parted where their rays would meet the fit: a row that stays on
+/// one place of a narrow lip is parted by its points' heights else.
+Variance roughnessIn(const std::vector<FittedPoints>& fits, const FootProfile& profile, std::size_t parts) {
   constexpr std::size_t kPlenty = 10;  // points of a part, on the average
   const double width = (profile.band_to - profile.band_from) / static_cast<double>(parts);
-  double squares = 0, expected = 0, free = 0;
+  double squares = 0, expected = 0, free = 0, shared = 0;
   for (const FittedPoints& fitted : fits) {
     const FootFit& fit = fitted.fit;
     if (!fit.valid() || fit.points < kPlenty * parts) continue;
     std::vector<double> sums(parts, 0.0), counts(parts, 0.0);
     for (const FootPoint& p : fitted.points) {
       const double off = offOf(p, fit);
-      if (!isOfBand(p, off, fit, profile)) continue;
-      const auto part = std::min(parts - 1, static_cast<std::size_t>((p.d - profile.band_from) / width));
+      const FootPoint met = metAt(p, off, fitted);
+      if (!isOfBand(met, off, fit, profile)) continue;
+      const auto part = std::min(parts - 1, static_cast<std::size_t>((met.d - profile.band_from) / width));
       sums[part] += off;
       counts[part] += 1.0;
     }
-    double seen = 0;
+    double seen = 0, sum = 0, points = 0, of_parts = 0;
     for (std::size_t k = 0; k < parts; ++k) {
       if (counts[k] < 1.0) continue;
-      squares += sums[k] * sums[k] / (counts[k] * counts[k]);
-      expected += fit.noise * fit.noise / counts[k];
-      seen += 1.0;
+      squares += sums[k] * sums[k] / counts[k];
+      seen += 1.0, sum += sums[k], points += counts[k], of_parts += counts[k] * counts[k];
     }
-    free += std::max(0.0, seen - 1.0);  // the level is the fit's
+    if (seen < 1.0) continue;
+    squares -= sum * sum / points;  // the level is the fit's
+    expected += (seen - 1.0) * fit.noise * fit.noise;
+    free += seen - 1.0, shared += points - of_parts / points;
   }
-  if (free < 1.0) return 0.0;
-  return std::max(0.0, squares - expected) / free / static_cast<double>(parts);
+  if (free < 1.0) return {};
+  const double each = shared * static_cast<double>(parts);
+  return {std::max(0.0, squares - expected) / each, std::sqrt(2.0 / free) * squares / each};
 }
 
 constexpr double kCell = 0.05;  // longer than most patches of a rough surface [m]
 
-/// Points of a fit on the band, each with its residual for z, in cells where their rays would meet the fit: there it is
-/// not chosen by their heights which are together. A row of the scan meets bumps farther out.
+/// Points of a fit on the band, each with its residual for z, in cells where their rays would meet the fit.
 using Cells = std::map<std::pair<long, long>, std::vector<FootPoint>>;
 
 Cells cellsOf(const FittedPoints& fitted, const FootProfile& profile) {
@@ -68,7 +82,7 @@ Cells cellsOf(const FittedPoints& fitted, const FootProfile& profile) {
   for (const FootPoint& p : fitted.points) {
     const double off = offOf(p, fitted.fit);
     if (!isOfBand(p, off, fitted.fit, profile)) continue;
-    const double d = p.d - off / fitted.steepness;
+    const double d = metAt(p, off, fitted).d;
     cells[{std::lround(p.t / kCell), std::lround((d - profile.band_from) / width - 0.5)}].push_back({p.t, d, off});
   }
   return cells;
@@ -153,8 +167,9 @@ Roughness roughnessOf(const std::vector<FittedPoints>& fits, const FootProfile& 
 }
 
 double sharedRoughness(const std::vector<FittedPoints>& fits, const FootProfile& profile) {
-  // patches of a surface may be as long as a third of the band or as short as a sixth
-  return std::max(roughnessIn(fits, profile, 3), roughnessIn(fits, profile, 6));
+  // patches of a surface may be as long as a third of the band or as short as a sixth, which few fits may have to tell
+  const Variance sixths = roughnessIn(fits, profile, 6);
+  return std::max(roughnessIn(fits, profile, 3).value, sixths.value - sixths.error);
 }
 
 }  // namespace tank_datum

@@ -19,6 +19,10 @@ struct FittedPoints {
 /// How far a point lies above a fit [m].
 double offOf(const FootPoint& p, const FootFit& fit);
 
+/// Where the ray of a point would meet the fit that it lies so far off. A row of the scan meets bumps farther out, and
+/// noise moves its points so: what lies together there is not chosen by its heights.
+FootPoint metAt(const FootPoint& p, double off, const FittedPoints& fitted);
+
 /// Whether a point that lies so far off a fit is one of the band's.
 bool isOfBand(const FootPoint& p, double off, const FootFit& fit, const FootProfile& profile);
 

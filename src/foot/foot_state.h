@@ -110,8 +110,11 @@ struct FootPriors {
   double sigma_seen = 0;                   ///< its standard error [m/m]
   BlendedLip blends;                       ///< where it is settled
   double scatter = 0;                      ///< of points about a wide surface [m]
+  std::vector<double> steepness;           ///< how rays slant to a narrow one, at every station; 0: not known
 
   FootPrior at(std::size_t station) const;
+  /// Tangent of the rays' angle to the surface; without limit, as if they were plumb, where it is not known.
+  double steepnessAt(std::size_t station) const;
 };
 
 /// The slope of a wide surface from the whole ring, that of a narrow one from arcs, each with what it leaves open.

@@ -47,7 +47,7 @@ double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& prof
   return countRays(points, profile, level, reach).steepness(reach);
 }
 
-std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double reach) {
+std::vector<double> pooledSteepness(const std::vector<RayCounts>& windows, double reach) {
   constexpr double kEnough = 50.0;  // points: of a few rows
   const std::size_t count = windows.size();
   std::vector<double> steepness;
@@ -57,8 +57,14 @@ std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double
       sum.add(windows[(i + away) % count]);
       sum.add(windows[(i + count - away) % count]);
     }
-    steepness.push_back(std::min(windows[i].steepness(reach), sum.steepness(reach)));
+    steepness.push_back(sum.steepness(reach));
   }
+  return steepness;
+}
+
+std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double reach) {
+  std::vector<double> steepness = pooledSteepness(windows, reach);
+  for (std::size_t i = 0; i < windows.size(); ++i) steepness[i] = std::min(steepness[i], windows[i].steepness(reach));
   return steepness;
 }
 

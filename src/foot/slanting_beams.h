@@ -38,6 +38,10 @@ struct RayCounts {
 /// @param points,profile,level,reach  as of steepnessOf()
 RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach);
 
+/// Steepness at windows round the ring, each with as many beside it as together have points of a few rows.
+/// @param reach  of the section [m]
+std::vector<double> pooledSteepness(const std::vector<RayCounts>& windows, double reach);
+
 /// Steepness at windows round the ring. Where few rows of the scan cross a lip, a window that shows some of it has more
 /// points than its share, as if rays were steep: it is seen no more steeply than with those beside it together, until
 /// there are enough points.

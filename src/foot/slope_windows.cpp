@@ -33,6 +33,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   });
   if (!windows.beams) return slopes;
   slopes.steepness = steepnessAlong(rays, foot.reach);
+  slopes.pooled_steepness = pooledSteepness(rays, foot.reach);
   slopes.ring_steepness = ringSteepness(rays, foot.reach);
   return slopes;
 }

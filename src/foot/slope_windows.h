@@ -12,8 +12,9 @@ namespace tank_datum {
 struct Slopes {
   std::size_t stride;
   std::vector<FootFit> fits;
-  std::vector<double> steepness;  ///< tan of the rays' angle to the foundation; none where not looked at
-  double ring_steepness = 0;      ///< of all windows together
+  std::vector<double> steepness;         ///< tan of the rays' angle to the foundation; none where not looked at
+  std::vector<double> pooled_steepness;  ///< the same of windows together, no flatter than they are
+  double ring_steepness = 0;             ///< of all windows together
   std::vector<BandPoints> bands;
 };
 
