@@ -129,8 +129,7 @@ struct LipSlopes {
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
                     double sigma_bend) {
   constexpr double kHalfWindow = 2.5 * kPi / 180.0;
-  constexpr double kAnySlope = 0.5;   // of a window, which is to say what its own points do [m/m]
-  constexpr double kUsualWeld = 0.5;  // of the largest
+  constexpr double kAnySlope = 0.5;  // of a window, which is to say what its own points do [m/m]
   const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kAnySlope, true}, sigma_bend);
   if (std::none_of(found.fits.begin(), found.fits.end(), [](const FootFit& fit) { return fit.valid(); })) return {};
   LipSlopes lips;
@@ -146,7 +145,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
     lips.series[k].sigma = std::hypot(lips.series[k].sigma, lips.lean.back());
   }
-  lips.ring_lean = ringBeamLean(found.ring_steepness, sections.whole.band_to - kUsualWeld * foot.scales.weld);
+  lips.ring_lean = ringBeamLean(found.ring_steepness, sections.whole.band_to, foot.scales.weld);
   lips.stride = found.stride;
   lips.steepness = found.pooled_steepness;
   lips.doubt = feignedSlopeOf(found, 0.25 * sections.whole.blur);

@@ -138,10 +138,12 @@ double beamLean(double steepness, double lip) {
   return std::max(0.0, kBeam / lip - steepness);
 }
 
-double ringBeamLean(double steepness, double lip) {
+double ringBeamLean(double steepness, double lip, double largest_weld) {
   constexpr double kBeam = 0.009;  // as beamLean's, of lips from the weld's toe on [m]
+  constexpr double kWeld = 0.5;    // of the largest, as usual
   constexpr double kEnds = 0.5;    // of the lip: footprints shorter by so much feign nothing
-  const double slope = kBeam / lip, shorter = steepness / slope - 1.0;  // by how much of a footprint
+  const double slope = kBeam / (lip - kWeld * largest_weld),
+               shorter = steepness / slope - 1.0;  // by how much of a footprint
   const double ends = std::clamp(kEnds - shorter, 0.0, 2.0 * kEnds);
   return slope * (ends * ends / (4.0 * kEnds) + std::max(0.0, -shorter - kEnds));
 }

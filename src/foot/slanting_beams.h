@@ -60,8 +60,9 @@ double beamLean(double steepness, double lip);
 
 /// The same of a whole ring's lips, whose slope is known so well that what beams feign at a lip's two ends counts
 /// though their footprint is shorter than the lip; as measured on simulated lips that are level.
-/// @param lip  width of the lip from the weld's toe on [m]
-double ringBeamLean(double steepness, double lip);
+/// @param lip           as of beamLean, wider than the largest weld
+/// @param largest_weld  to expect [m]
+double ringBeamLean(double steepness, double lip, double largest_weld);
 
 /// Whether a surface rises outwards by more than its error explains; no other can be grazed.
 bool risesOutwards(const FootFit& fit);
