@@ -134,7 +134,7 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   Plateau plateau = findPlateau(profile, first, last);
   // one that leans is plain along its own slope only; what is lower beside the shell no beam has drawn down
   const double inwards = plate ? robustLine(profile, first, last).slope : 0.0;
-  for (const double leans : {own.slope, std::max(inwards, own.slope)}) {
+  for (const double leans : {own.slope, inwards > std::max(0.0, own.slope) ? inwards : own.slope}) {
     if (!plate || std::abs(leans) >= kSteepestLip) continue;
     FootProfile leaning = profile;
     leaning.slope = leans;

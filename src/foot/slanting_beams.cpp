@@ -6,6 +6,7 @@
 
 #include "core/statistics.h"
 #include "foot/foot_profile.h"
+#include "foot/ring_slope.h"
 
 namespace tank_datum {
 namespace {
@@ -170,7 +171,8 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
     if (beyond > kClearOf && beyond < kClearTo && std::isfinite(level(i))) far.push_back(level(i));
   }
   const double below = median(far), plate = profile.offset + (profile.slope - profile.slope_beyond) * profile.edge;
-  if (far.empty() || !(plate - below > kLeastDrop)) return {};
+  // points in a gap before a crown rise more steeply than any surface that a plate lies on
+  if (far.empty() || !(plate - below > kLeastDrop) || profile.slope_beyond > kLipSlope) return {};
   const auto isBelow = [&](std::size_t i) { return level(i) < 0.5 * (plate + below); };
   auto face = static_cast<std::size_t>(profile.edge / profile.bin);
   while (face < profile.height.size() && !isBelow(face)) ++face;

@@ -96,6 +96,11 @@ TEST(BlendLean, WhatUnevenGroundMayHideCountsAsFarAsBeamsCanFeignIt) {
   EXPECT_GT(surely, 0.0);
 }
 
+TEST(BlendLean, OfWhatRisesBeyondAsBeamsInAGapBeforeACrownDoTellsNothing) {
+  EXPECT_GT(blendLean(edgeWith(0.003, 0.04), 0.1), 0.01);
+  EXPECT_EQ(blendLean(edgeWith(0.003, 0.06), 0.1), 0.0);
+}
+
 TEST(LiftOf, IsThatOfTheMiddleWhereTheLiftFallsOffWithTheSquareOfTheDistance) {
   // h (1 - d / b)^2 with h = 3 mm, b = 54 mm, seen from 15 to 54 mm
   constexpr double h = 0.003, b = 0.054, middle = 0.035;
