@@ -132,14 +132,18 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   profile.slope = plate ? profile.slope_beyond : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
   Plateau plateau = findPlateau(profile, first, last);
-  // one that leans is plain along its own slope only; what is lower beside the shell no beam has drawn down
-  const double inwards = plate ? robustLine(profile, first, last).slope : 0.0;
-  for (const double leans : {own.slope, inwards > std::max(0.0, own.slope) ? inwards : own.slope}) {
-    if (!plate || std::abs(leans) >= kSteepestLip) continue;
+  const auto leanBy = [&](double slope) {
+    if (std::abs(slope) >= kSteepestLip) return;
     FootProfile leaning = profile;
-    leaning.slope = leans;
+    leaning.slope = slope;
     const Plateau wider = findPlateau(leaning, first, last);
-    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = leans;
+    if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = slope;
+  };
+  if (plate) {  // one that leans is plain along its own slope only; what is lower beside the shell no beam has drawn
+                // down
+    leanBy(own.slope);
+    const double inwards = robustLine(profile, first, last).slope;
+    if (inwards > std::max(0.0, own.slope)) leanBy(inwards);
   }
   profile.offset = plateau.offset;
   profile.misfit = plateau.misfit;

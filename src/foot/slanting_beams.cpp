@@ -190,7 +190,8 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
 double blendLean(const FootProfile& profile, double most) {
   constexpr double kLean = 3.5;  // as lips lean on simulated scans whose beams are wide
   const LiftBeyond beyond = liftBeyond(profile);
-  return kLean / profile.edge * std::max(beyond.surely(), std::min(most * profile.edge / kLean, beyond.atMost()));
+  const double of_lift = kLean / profile.edge;
+  return std::max(of_lift * beyond.surely(), std::min(most, of_lift * beyond.atMost()));
 }
 
 double crownRise(const FootProfile& lip) {

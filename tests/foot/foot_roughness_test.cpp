@@ -7,12 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "support/level_fits.h"
 #include "support/rough_surface.h"
 
 namespace tank_datum {
 namespace {
 
-using made_feet::RoughSurface;
+using made_feet::levelOf, made_feet::RoughSurface;
 
 FootProfile pad() {
   FootProfile profile;
@@ -124,15 +125,6 @@ TEST(RoughnessOf, PatchesMayBeAsShortAsFewPairsLeaveOpen) {
   const double few = roughnessOf(windowsOf(surface, 60, 0.0), pad(), 0.0).length;
   EXPECT_NEAR(many, 0.012, 0.0012);
   EXPECT_NEAR(few, 0.0085, 0.0012);
-}
-
-/// A level fit of points.
-FittedPoints levelOf(std::vector<FootPoint> points, double noise, double steepness) {
-  FittedPoints fitted{std::move(points), {}, steepness};
-  FootFit& fit = fitted.fit;
-  fit.z = fit.slope = fit.along = fit.bend = 0.0;
-  fit.noise = noise, fit.sigma = noise, fit.points = fitted.points.size();
-  return fitted;
 }
 
 /// Windows of a few rows of a scan each, points 36 mm apart, whose rays meet bumps farther out.

@@ -8,13 +8,14 @@
 #include "foot/foot_patches.h"
 #include "foot/foot_roughness.h"
 #include "foot/slanting_beams.h"
+#include "support/level_fits.h"
 #include "support/made_feet.h"
 #include "support/rough_surface.h"
 
 namespace tank_datum {
 namespace {
 
-using made_feet::RoughSurface;
+using made_feet::levelOf, made_feet::RoughSurface;
 
 constexpr double kSteepness = 0.07, kPlumb = std::numeric_limits<double>::infinity();
 
@@ -23,14 +24,6 @@ FootProfile lip() {
   profile.band_from = 0.015, profile.band_to = profile.edge = 0.054;
   profile.blur = 0.004, profile.noise = 0.0005;
   return profile;
-}
-
-FittedPoints levelOf(std::vector<FootPoint> points, double noise, double steepness) {
-  FittedPoints fitted{std::move(points), {}, steepness};
-  FootFit& fit = fitted.fit;
-  fit.z = fit.slope = fit.along = fit.bend = 0.0;
-  fit.noise = noise, fit.sigma = noise, fit.points = fitted.points.size();
-  return fitted;
 }
 
 /// Stations of a lip on which one row of the scan lies, which creeps out by 10 mm. Its points err, along the rays.
