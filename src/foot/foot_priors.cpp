@@ -153,40 +153,40 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
 }
 
 /// What beams feign of each window's slope, as neighbours agree on it.
-std::vector<SeriesValue> blendedSlopes(const LipSlopes& lips, const std::vector<SeriesValue>& smooth,
-                                       std::size_t widest) {
-  std::vector<SeriesValue> blended = smoothed(lips.seen, widest);
+/// @param slopes  of the lip there
+std::vector<SeriesValue> blendedSlopes(const LipSlopes& lips, const std::vector<SeriesValue>& slopes) {
+  constexpr std::size_t kWidest = 4;
+  std::vector<SeriesValue> blended = smoothed(lips.seen, kWidest);
   for (std::size_t k = 0; k < blended.size(); ++k) {
-    blended[k] = blendedSlope(blended[k], smooth[k].value, lips.lean[k]);
+    blended[k] = blendedSlope(blended[k], slopes[k].value, lips.lean[k]);
   }
   return blended;
 }
 
-/// The slope of a narrow surface, window by window; what neighbours agree on is smoothed.
+/// The slope of a narrow surface, window by window.
 void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
-  constexpr std::size_t kWidest = 4;
   const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
   if (lips.series.empty()) return;
-  std::vector<SeriesValue> smooth = smoothed(lips.series, kWidest);
   const FootProfile& whole = sections.whole;
-  const ExpectedSlope expected{whole.slope_beyond, lips.doubt, blendLean(whole, lips.ring_lean), crownRise(whole)};
-  const MeanSlope ring = drawTogether(lips.seen, lips.series, expected, smooth);
+  const ExpectedSlope expected{whole.slope_beyond, lips.doubt, blendLean(whole, lips.ring_lean), crownRise(whole),
+                               whole.sigma_beyond};
+  auto [ring, slopes] = drawTogether(lips.seen, lips.series, expected);
   priors.seen = ring.seen, priors.sigma_seen = ring.sigma_seen;
-  for (std::size_t k = 0; k < smooth.size(); ++k) {
-    smooth[k].sigma += liftOf(lips.series[k].value, smooth[k].value, lips.lean[k]);
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    slopes[k].sigma += liftOf(lips.series[k].value, slopes[k].value, lips.lean[k]);
   }
   const double least = std::hypot(kLeastSigma, ring.sigma);  // what the windows together leave open
-  const std::vector<SeriesValue> blended = blendedSlopes(lips, smooth, kWidest);
+  const std::vector<SeriesValue> blended = blendedSlopes(lips, slopes);
   BlendedLip& blends = priors.blends;
   blends.level_at = 0.5 * (foot.scales.nearest() + seenTo(whole));
   blends.slope.assign(priors.slope.size(), 0.0), blends.sigma = blends.slope;
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
-    const BetweenValues at(smooth, i, lips.stride);
+    const BetweenValues at(slopes, i, lips.stride);
     priors.steepness.push_back(lips.steepness[(i + lips.stride / 2) / lips.stride % lips.steepness.size()]);
     if (!at.known()) continue;
-    priors.slope[i] = at.mean(smooth, &SeriesValue::value);
-    priors.sigma_slope[i] = std::hypot(least, at.mean(smooth, &SeriesValue::sigma));
+    priors.slope[i] = at.mean(slopes, &SeriesValue::value);
+    priors.sigma_slope[i] = std::hypot(least, at.mean(slopes, &SeriesValue::sigma));
     blends.slope[i] = at.mean(blended, &SeriesValue::value);
     blends.sigma[i] = at.mean(blended, &SeriesValue::sigma);
   }

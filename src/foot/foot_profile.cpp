@@ -128,7 +128,8 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
   const BinLine own = robustLine(profile, first + (last - first) / 3, last);  // clear of the corner's blend
   profile.surface = surfaceOf(profile, first, last, own, scales);
   const bool plate = profile.surface == Surface::AnnularPlate;
-  profile.slope_beyond = plate ? slopeBeyond(profile, last, reach) : 0.0;
+  const SlopeBeyond beyond = plate ? slopeBeyond(profile, last, reach) : SlopeBeyond{};
+  profile.slope_beyond = beyond.slope, profile.sigma_beyond = beyond.sigma;
   profile.slope = plate ? profile.slope_beyond : own.slope;
   last -= std::min(last - first - 3, static_cast<std::size_t>(std::ceil(profile.blur / profile.bin)));
   Plateau plateau = findPlateau(profile, first, last);

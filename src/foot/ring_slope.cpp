@@ -6,11 +6,13 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
+#include "fit/circle_process.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kTankSlope = 0.03;  // of the lips of one tank, on the average of its ring [m/m]
+constexpr double kTankSlope = 0.03;   // of the lips of one tank, on the average of its ring [m/m]
+constexpr double kRoundRing = 0.015;  // of lips about their ring's average, along which it may change [m/m]
 
 double withPrior(double sigma) { return 1.0 / std::hypot(1.0 / sigma, 1.0 / kTankSlope); }
 
@@ -26,12 +28,16 @@ MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
   if (std::abs(off) > kSteepestLip + expected.lean) return {seen, expected.parallel, kLipSlope};
   const double feigned = std::clamp(-off, 0.0, expected.lean), beams = kBeams * expected.lean;
   const double odd = std::hypot(doubt, beams), own = off + 0.5 * feigned;
-  const double parallel = density((off + feigned) / doubt, 1.0) / odd,
+  const double unsure = expected.sigma_parallel, told = unsure * unsure / (unsure * unsure + odd * odd);
+  const double parallel = density((off + feigned) / std::hypot(doubt, unsure), 1.0) / std::hypot(odd, unsure),
                leaning = density(own, std::hypot(odd, kTankSlope));
   const double share = leaning / (parallel + leaning);
   const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd), mean = weight * own;
-  const double variance = (1.0 - share) * beams * beams + share * (weight * odd * odd + (1.0 - share) * mean * mean);
-  return {seen, expected.parallel + share * mean, withPrior(std::hypot(std::sqrt(variance), kBeams * expected.more))};
+  const double near = told * own;
+  const double variance =
+      (1.0 - share) * (beams * beams + told * odd * odd + share * square(mean - near)) + share * weight * odd * odd;
+  return {seen, expected.parallel + share * mean + (1.0 - share) * near,
+          withPrior(std::hypot(std::sqrt(variance), kBeams * expected.more))};
 }
 
 /// Slopes that are known, and the variances of their errors.
@@ -56,10 +62,38 @@ struct KnownSlopes {
   }
 };
 
+/// How far the windows lie off the ring's slope, as a process that follows them says. Of what beams may feign windows
+/// have half alike, and half each its own.
+std::vector<SeriesValue> offRing(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+                                 double ring) {
+  std::vector<NoisyValue> off;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const double away = seen[k].value - ring, error = square(seen[k].sigma);
+    const double half = 0.5 * std::max(0.0, square(series[k].sigma) - error);
+    const double strange = std::abs(away) > kSteepestLip ? square(away) : 0.0;  // farther off than any lip
+    off.push_back({away, std::sqrt(error + half + strange), std::sqrt(half)});
+  }
+  const std::vector<ProcessValue> followed = followCircle(off, kRoundRing);
+  std::vector<SeriesValue> windows = seen;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (std::isfinite(seen[k].value)) windows[k] = {followed[k].value, followed[k].sigma, 1.0};
+  }
+  return windows;
+}
+
+/// The same of few windows, each by itself.
+std::vector<SeriesValue> eachOffRing(std::vector<SeriesValue> windows, double ring) {
+  for (SeriesValue& v : windows) {
+    const double weight = square(kLipSlope) / (square(kLipSlope) + square(v.sigma));
+    v = {weight * (v.value - ring), std::sqrt(weight) * v.sigma, 1.0};
+  }
+  return windows;
+}
+
 }  // namespace
 
-MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
-                       const ExpectedSlope& expected, std::vector<SeriesValue>& smooth) {
+RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+                        const ExpectedSlope& expected) {
   constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
   constexpr std::size_t kFewest = 6;
   std::vector<double> sigmas;
@@ -67,23 +101,20 @@ MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<S
     if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
   }
   const KnownSlopes best(series, 2.0 * quantile(sigmas, kBest));
-  MeanSlope ring{expected.parallel, expected.parallel, withPrior(kLipSlope)};
-  double own = kLipSlope * kLipSlope;
-  if (best.values.size() >= kFewest) {
+  RingSlopes slopes{{expected.parallel, expected.parallel, withPrior(kLipSlope)}, {}};
+  if (best.values.size() < kFewest) {
+    slopes.windows = eachOffRing(series, expected.parallel);
+  } else {
     const KnownSlopes all(seen, std::numeric_limits<double>::infinity());
-    own = std::clamp(std::min(best.amongThem(), all.amongThem()), 1e-12, own);
+    const double own = std::clamp(std::min(best.amongThem(), all.amongThem()), 1e-12, square(kLipSlope));
     const auto count = static_cast<double>(best.values.size());
     const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);
-    ring = ringSlope(median(best.values), mean, expected);
-    ring.sigma_seen = mean;
+    slopes.ring = ringSlope(median(best.values), mean, expected);
+    slopes.ring.sigma_seen = mean;
+    slopes.windows = offRing(seen, series, slopes.ring.seen);
   }
-  for (SeriesValue& v : smooth) {
-    if (!std::isfinite(v.value)) continue;
-    const double weight = own / (own + v.sigma * v.sigma);
-    v.value = weight * (v.value + ring.slope - ring.seen) + (1.0 - weight) * ring.slope;
-    v.sigma *= std::sqrt(weight);
-  }
-  return ring;
+  for (SeriesValue& v : slopes.windows) v.value += slopes.ring.slope;
+  return slopes;
 }
 
 }  // namespace tank_datum

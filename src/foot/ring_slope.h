@@ -11,10 +11,11 @@ constexpr double kLipSlope = 0.05;    ///< of the lips of annular plates: bent b
 
 /// What a lip's slope should be, and how far from it a ring's may seem to be by what scans do [m/m].
 struct ExpectedSlope {
-  double parallel;  ///< to what the plate lies on: most are
-  double noise;     ///< what range noise may feign, up or down
-  double lean;      ///< what beams that meet shell or edge too may feign, down only
-  double more = 0;  ///< what else may, either way: it widens the error only
+  double parallel;            ///< to what the plate lies on: most are
+  double noise;               ///< what range noise may feign, up or down
+  double lean;                ///< what beams that meet shell or edge too may feign, down only
+  double more = 0;            ///< what else may, either way: it widens the error only
+  double sigma_parallel = 0;  ///< standard error of parallel
 };
 
 /// A ring's slope, and its standard error [m/m].
@@ -24,11 +25,17 @@ struct MeanSlope {
   double sigma_seen = 0;  ///< of what the windows show
 };
 
-/// Draws smoothed slopes towards the ring's own by as much as the windows' scatter says that they differ from it no
-/// more than their errors explain (empirical Bayes).
+/// Slopes of a ring's lips.
+struct RingSlopes {
+  MeanSlope ring;                    ///< all together
+  std::vector<SeriesValue> windows;  ///< each, with the error of how far it lies off the ring's; NaN where not seen
+};
+
+/// The slopes of a ring's lips as its windows show them together: how they change along the ring is a random process of
+/// their own (followCircle()). Of few windows each is known by itself.
 /// @param seen    slopes of the windows with the errors of what is seen
 /// @param series  the same with what beams may feign in their errors too: that makes windows differ more, never less
-MeanSlope drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
-                       const ExpectedSlope& expected, std::vector<SeriesValue>& smooth);
+RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+                        const ExpectedSlope& expected);
 
 }  // namespace tank_datum

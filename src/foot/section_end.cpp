@@ -6,6 +6,7 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
+#include "foot/section_lines.h"
 #include "foot/section_stretches.h"
 
 namespace tank_datum {
@@ -46,6 +47,38 @@ bool isThin(const FootProfile& profile, std::size_t plate_end, std::size_t first
     (i <= plate_end ? plate : beyond).push_back(countIn(profile, i));
   }
   return median(beyond) < kThin * median(plate);
+}
+
+/// The last bin of a surface that may end in points of an upright face, too few for a step.
+/// @param deep  what lies lower than the surface by that is a face's [m]
+std::size_t lastAboveFace(const FootProfile& profile, std::size_t first, std::size_t last, double deep) {
+  const auto begin = profile.height.begin();
+  const double level = median(finiteOf({begin + static_cast<std::ptrdiff_t>(first),  //
+                                        begin + static_cast<std::ptrdiff_t>(last) + 1}));
+  while (last > first && !(profile.height[last] > level - deep)) --last;
+  return last;
+}
+
+/// Whether anything is seen beyond a bin.
+bool isSeenBeyond(const FootProfile& profile, std::size_t last) {
+  return std::any_of(profile.height.begin() + static_cast<std::ptrdiff_t>(last) + 1, profile.height.end(),
+                     [](double z) { return std::isfinite(z); });
+}
+
+/// The slope between two edges, where beams that meet one of them too do not reach; level, with what tops of ringwalls
+/// have for its error, where they reach everywhere.
+SlopeBeyond slopeBetweenEdges(const FootProfile& profile, std::size_t first, std::size_t last) {
+  constexpr double kClear = 0.030;  // of an edge [m]
+  constexpr double kTop = 0.05;     // of ringwalls, which drain [m/m]
+  std::vector<SectionBin> bins;
+  for (std::size_t i = first; i <= last; ++i) {
+    const double d = middle(profile, i), z = profile.height[i];
+    const bool clear = d > middle(profile, first) + kClear && d < middle(profile, last) - kClear;
+    if (clear && std::isfinite(z)) bins.push_back({d, z, profile.error[i]});
+  }
+  if (bins.empty()) return {0.0, kTop};
+  const SectionLine line = lineThrough(withErrorsSeen(bins), {0, bins.size()}, kTop);
+  return {line.slope, std::sqrt(line.variance_slope)};
 }
 
 }  // namespace
@@ -92,22 +125,23 @@ Surface surfaceOf(const FootProfile& profile, std::size_t first, std::size_t las
   if (middle(profile, last) > kWidestLip) return steps ? Surface::Ringwall : Surface::Foundation;
   if (steps || scales.arc) return steps ? Surface::AnnularPlate : Surface::Foundation;
   // an edge that is blurred looks like a surface that leads to what lies beyond: the inner half does not lead there
-  const BinLine inner = innerLine(profile, first, last, slopeBeyond(profile, last, scales.reach));
+  const BinLine inner = innerLine(profile, first, last, slopeBeyond(profile, last, scales.reach).slope);
   return stepsOff(profile, last, inner) ? Surface::AnnularPlate : Surface::Foundation;
 }
 
-double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach) {
+SlopeBeyond slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach) {
   constexpr double kThickest = 0.03;  // annular plate [m]
   constexpr double kFace = 0.5;       // what is steeper is the upright face of something [m/m]
   const std::size_t first = plate_end + 1 + static_cast<std::size_t>(std::ceil(2.0 * profile.blur / profile.bin));
-  if (first >= profile.height.size()) return 0.0;
-  const std::size_t last = lastBeforeStep(profile, first);
-  if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return 0.0;
+  if (first >= profile.height.size()) return {};
+  const std::size_t last = lastAboveFace(profile, first, lastBeforeStep(profile, first), kThickest);
+  if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return {};
   const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
-  if (!(drop > 0.0 && drop < kThickest)) return 0.0;
-  if (isThin(profile, plate_end, first, last)) return 0.0;
-  const double slope = robustLine(profile, first, last).slope;
-  return std::abs(slope) < kFace ? slope : 0.0;
+  if (!(drop > 0.0 && drop < kThickest)) return {};
+  if (isThin(profile, plate_end, first, last)) return {};
+  const SlopeBeyond top = isSeenBeyond(profile, last) ? slopeBetweenEdges(profile, first, last)
+                                                      : SlopeBeyond{robustLine(profile, first, last).slope, 0.0};
+  return std::abs(top.slope) < kFace ? top : SlopeBeyond{};
 }
 
 }  // namespace tank_datum

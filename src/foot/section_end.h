@@ -24,8 +24,15 @@ std::size_t lastBeforeStep(const FootProfile& profile, std::size_t first);
 Surface surfaceOf(const FootProfile& profile, std::size_t first, std::size_t last, const BinLine& own,
                   const FootScales& scales);
 
+/// Slope of what a lip lies on, and its standard error [m/m].
+struct SlopeBeyond {
+  double slope = 0, sigma = 0;
+};
+
 /// An annular plate lies on the ringwall, so its slope is that of the ringwall's top beyond it, where neither the shell
-/// nor the plate's own edge blends into the points; level where no ringwall is seen, or its face alone.
-double slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach);
+/// nor the plate's own edge blends into the points; level where no ringwall is seen, or its face alone. Where the
+/// ringwall's own edge is seen as well, beams that meet one edge lift a short top's points and those that meet the
+/// other lower them: it is read clear of both.
+SlopeBeyond slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach);
 
 }  // namespace tank_datum

@@ -124,6 +124,38 @@ TEST(SlopeBeyond, WhatIsSeenAFifthAsDenselyAsTheLipIsNoSurface) {
   EXPECT_NEAR(slopeBeyondOf(48), 0.08, 0.005);
 }
 
+/// A lip of 65 mm on a level ringwall so wide with it. Points within so far of an edge are lifted or lowered by up to
+/// 2 mm; of the ringwall's face so much is seen.
+FootProfile onRingwall(double width, double blend, double face = 0.3) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> noise(0.0, 0.0005);
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 24000; ++i) {
+    const double d = 0.3 * (i + 0.5) / 24000;
+    const double lifted = std::max(0.0, 1.0 - (d - 0.065) / blend), lowered = std::max(0.0, 1.0 - (width - d) / blend);
+    const double z = d < 0.065 ? 0.0 : d > width ? -0.3 : -0.010 + 0.002 * (lifted - lowered);
+    if (d < width + face) points.push_back({0.0, d, z + noise(random)});
+  }
+  return stackProfile({points}, {0.0}, {0.3, 0.001, 0.013});
+}
+
+TEST(SlopeBeyond, TheTopOfARingwallIsReadThreeCentimetresClearOfItsEdges) {
+  for (const double face : {0.3, 0.006}) {
+    const FootProfile profile = onRingwall(0.180, 0.038, face);
+    EXPECT_NEAR(profile.slope_beyond, 0.0, 3.0 * profile.sigma_beyond) << face;
+    EXPECT_NEAR(profile.slope_beyond, 0.0, 0.005) << face;
+    EXPECT_LT(profile.sigma_beyond, 0.01) << face;
+  }
+}
+
+TEST(SlopeBeyond, WhereEdgesReachEverywhereATopIsLevelToFiveHundredths) {
+  const FootProfile profile = onRingwall(0.139, 0.030);
+  EXPECT_NEAR(profile.slope_beyond, 0.0, 0.01);
+  EXPECT_NEAR(profile.sigma_beyond, 0.05, 0.005);
+}
+
+TEST(SlopeBeyond, ATopThatEndsBeyondTheSectionIsKnown) { EXPECT_EQ(onRingwall(0.4, 0.03).sigma_beyond, 0.0); }
+
 TEST(FootProfile, SaysThatNothingIsKnownYet) {
   EXPECT_FALSE(FootProfile().valid());
   EXPECT_EQ(FootProfile().surface, Surface::Unknown);

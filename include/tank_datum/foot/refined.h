@@ -43,6 +43,7 @@ struct FootProfile {
                                       ///< slanting ray, shows in the elevations [m]
   double slope = 0;                   ///< of that surface, positive rising outwards [m/m]
   double slope_beyond = 0;            ///< of what an annular plate lies on; 0 where that is not seen [m/m]
+  double sigma_beyond = 0;            ///< standard error of that, as far as beams at a ringwall's edges leave it [m/m]
   double offset = 0;                  ///< of that surface at the shell [m]
   double misfit = 0;  ///< root mean square, over the whole surface, of what departs from the band's level;
                       ///< what blends do outside the band, they do to a lesser degree inside [m]
