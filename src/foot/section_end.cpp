@@ -66,7 +66,7 @@ bool isSeenBeyond(const FootProfile& profile, std::size_t last) {
 }
 
 /// The slope between two edges, where beams that meet one of them too do not reach; level, with what tops of ringwalls
-/// have for its error, where they reach everywhere.
+/// have for its error, where that tells no better.
 SlopeBeyond slopeBetweenEdges(const FootProfile& profile, std::size_t first, std::size_t last) {
   constexpr double kClear = 0.030;  // of an edge [m]
   constexpr double kTop = 0.05;     // of ringwalls, which drain [m/m]
@@ -78,7 +78,8 @@ SlopeBeyond slopeBetweenEdges(const FootProfile& profile, std::size_t first, std
   }
   if (bins.empty()) return {0.0, kTop};
   const SectionLine line = lineThrough(withErrorsSeen(bins), {0, bins.size()}, kTop);
-  return {line.slope, std::sqrt(line.variance_slope)};
+  const double sigma = std::sqrt(line.variance_slope);
+  return sigma < kTop ? SlopeBeyond{line.slope, sigma} : SlopeBeyond{0.0, kTop};
 }
 
 }  // namespace

@@ -155,6 +155,7 @@ namespace {
 /// what beams at the shell's foot do as well.
 struct LiftBeyond {
   double lift = 0, uneven = 0;  ///< [m]
+  bool ramp = false;            ///< the plate comes down to what it lies on without a step: beams make that of it
 
   /// More than its unevenness explains, and as much as that may hide.
   double surely() const { return std::max(0.0, lift - 2.0 * uneven); }
@@ -172,7 +173,8 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
   }
   const double below = median(far), plate = profile.offset + (profile.slope - profile.slope_beyond) * profile.edge;
   // points in a gap before a crown rise more steeply than any surface that a plate lies on
-  if (far.empty() || !(plate - below > kLeastDrop) || profile.slope_beyond > kLipSlope) return {};
+  if (far.empty() || !(plate - below > kLeastDrop) || profile.slope_beyond > kLipSlope)
+    return {0.0, 0.0, std::abs(plate - below) <= kLeastDrop};
   const auto isBelow = [&](std::size_t i) { return level(i) < 0.5 * (plate + below); };
   auto face = static_cast<std::size_t>(profile.edge / profile.bin);
   while (face < profile.height.size() && !isBelow(face)) ++face;
@@ -190,6 +192,7 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
 double blendLean(const FootProfile& profile, double most) {
   constexpr double kLean = 3.5;  // as lips lean on simulated scans whose beams are wide
   const LiftBeyond beyond = liftBeyond(profile);
+  if (beyond.ramp) return std::max(most, profile.slope_beyond - profile.slope);
   const double of_lift = kLean / profile.edge;
   return std::max(of_lift * beyond.surely(), std::min(most, of_lift * beyond.atMost()));
 }

@@ -101,6 +101,18 @@ TEST(BlendLean, OfWhatRisesBeyondAsBeamsInAGapBeforeACrownDoTellsNothing) {
   EXPECT_EQ(blendLean(edgeWith(0.003, 0.06), 0.1), 0.0);
 }
 
+TEST(BlendLean, AllThatAPlateFallsByMayBeFeignedWhereItComesDownWithoutAStep) {
+  const auto falling = [](double slope, double drop) {
+    FootProfile ramp = edgeWith(0.0, 0.0, drop);
+    ramp.slope = slope;
+    return ramp;
+  };
+  EXPECT_NEAR(blendLean(falling(-0.07, 0.0070), 0.01), 0.07, 1e-12);  // 2.8 mm above what lies beyond
+  EXPECT_LT(blendLean(falling(-0.07, 0.0074), 0.01), 0.01);
+  EXPECT_NEAR(blendLean(falling(-0.07, 0.0070), 0.1), 0.1, 1e-12);
+  EXPECT_EQ(blendLean(falling(-0.01, -0.0040), 0.1), 0.0) << "a crown is higher";
+}
+
 TEST(LiftOf, IsThatOfTheMiddleWhereTheLiftFallsOffWithTheSquareOfTheDistance) {
   // h (1 - d / b)^2 with h = 3 mm, b = 54 mm, seen from 15 to 54 mm
   constexpr double h = 0.003, b = 0.054, middle = 0.035;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "foot/foot_profile.h"
@@ -133,7 +134,7 @@ FootProfile onRingwall(double width, double blend, double face = 0.3) {
   for (int i = 0; i < 24000; ++i) {
     const double d = 0.3 * (i + 0.5) / 24000;
     const double lifted = std::max(0.0, 1.0 - (d - 0.065) / blend), lowered = std::max(0.0, 1.0 - (width - d) / blend);
-    const double z = d < 0.065 ? 0.0 : d > width ? -0.3 : -0.010 + 0.002 * (lifted - lowered);
+    const double z = d < 0.065 ? 0.0 : d > width ? -0.25 : -0.010 + 0.002 * (lifted - lowered);
     if (d < width + face) points.push_back({0.0, d, z + noise(random)});
   }
   return stackProfile({points}, {0.0}, {0.3, 0.001, 0.013});
@@ -152,6 +153,19 @@ TEST(SlopeBeyond, WhereEdgesReachEverywhereATopIsLevelToFiveHundredths) {
   const FootProfile profile = onRingwall(0.139, 0.030);
   EXPECT_NEAR(profile.slope_beyond, 0.0, 0.01);
   EXPECT_NEAR(profile.sigma_beyond, 0.05, 0.005);
+}
+
+TEST(SlopeBeyond, AnUnevenTopTellsNoBetterThanTopsAre) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> noise(0.0, 0.0005);
+  std::vector<FootPoint> points;
+  for (int i = 0; i < 24000; ++i) {
+    const double d = 0.3 * (i + 0.5) / 24000, wave = 0.0015 * std::sin(d / 0.002);
+    points.push_back({0.0, d, noise(random) + (d < 0.065 ? 0.0 : d > 0.155 ? -0.25 : -0.012 - 0.04 * d + wave)});
+  }
+  const FootProfile profile = stackProfile({points}, {0.0}, {0.3, 0.001, 0.013});
+  EXPECT_EQ(profile.slope_beyond, 0.0);
+  EXPECT_EQ(profile.sigma_beyond, 0.05);
 }
 
 TEST(SlopeBeyond, ATopThatEndsBeyondTheSectionIsKnown) { EXPECT_EQ(onRingwall(0.4, 0.03).sigma_beyond, 0.0); }
