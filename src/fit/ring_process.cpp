@@ -1,6 +1,5 @@
 #include "fit/ring_process.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,110 +10,15 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
+#include "fit/ring_filter.h"
 #include "fit/ring_scatter.h"
 
 namespace tank_datum {
 namespace {
 
-using Eigen::Matrix2d;
-using Eigen::Vector2d;
-
-constexpr double kPad = 60.0 * kPi / 180.0;  // of the ring that is run through once more at either end
-
-struct Parameters {
-  double amplitude, length;
-  double scale, nugget;  // the values scatter by the hypotenuse of scale times their standard errors and of the nugget
-
-  double variance(double given) const { return scale * scale * given + nugget * nugget; }
-};
-
-struct State {
-  Vector2d mean, predicted_mean;
-  Matrix2d cov, predicted_cov;
-};
-
-struct Data {
-  std::vector<double> values, variances;
-  double step;
-};
-
-/// The process from one place to the next.
-struct Transition {
-  Matrix2d phi, noise, stationary;
-
-  Transition(const Parameters& p, double step) {
-    const double rate = std::sqrt(3.0) / p.length, decay = portable::exp(-rate * step);
-    phi << decay * (1.0 + rate * step), decay * step, -decay * rate * rate * step, decay * (1.0 - rate * step);
-    stationary << p.amplitude * p.amplitude, 0.0, 0.0, rate * rate * p.amplitude * p.amplitude;
-    noise = stationary - phi * stationary * phi.transpose();
-  }
-};
-
-std::size_t padOf(const Data& data) {
-  return std::min(data.values.size() / 2, static_cast<std::size_t>(kPad / data.step));
-}
-
-std::size_t placeAt(const Data& data, std::size_t k) {
-  return (k + data.values.size() - padOf(data)) % data.values.size();
-}
-
-/// Forwards through the padded ring.
-/// @return  how unlikely the values are, by Student's distribution with thirty degrees of freedom: no single stray
-/// value
-///          decides
-double filter(const Data& data, const Parameters& p, std::vector<State>* states) {
-  constexpr double kFreedom = 30.0;
-  const Transition transition(p, data.step);
-  const std::size_t count = data.values.size(), pad = padOf(data);
-  Vector2d mean = Vector2d::Zero();
-  Matrix2d cov = transition.stationary;
-  double unlikely = 0;
-  for (std::size_t k = 0; k < count + 2 * pad; ++k) {
-    if (k > 0) {
-      mean = transition.phi * mean;
-      cov = transition.phi * cov * transition.phi.transpose() + transition.noise;
-    }
-    const Vector2d predicted_mean = mean;
-    const Matrix2d predicted_cov = cov;
-    const std::size_t i = placeAt(data, k);
-    if (std::isfinite(data.values[i])) {
-      const double variance = cov(0, 0) + p.variance(data.variances[i]);
-      const double off = data.values[i] - mean[0];
-      const Vector2d gain = cov.col(0) / variance;
-      mean += gain * off;
-      cov -= gain * cov.row(0);
-      if (k >= pad && k < pad + count) {
-        unlikely += portable::log(variance) + (kFreedom + 1.0) * portable::log1p(off * off / variance / kFreedom);
-      }
-    }
-    if (states != nullptr) states->push_back({mean, predicted_mean, cov, predicted_cov});
-  }
-  return unlikely;
-}
-
-/// Backwards.
-void smooth(const Data& data, const Parameters& p, RingProcess& result) {
-  std::vector<State> states;
-  filter(data, p, &states);
-  const Transition transition(p, data.step);
-  const std::size_t count = data.values.size(), pad = padOf(data);
-  for (std::size_t k = states.size() - 1; k-- > 0;) {
-    const State& next = states[k + 1];
-    State& state = states[k];
-    const Matrix2d gain = state.cov * transition.phi.transpose() * next.predicted_cov.inverse();
-    state.mean += gain * (next.mean - next.predicted_mean);
-    state.cov += gain * (next.cov - next.predicted_cov) * gain.transpose();
-  }
-  for (std::size_t k = pad; k < pad + count; ++k) {
-    const std::size_t i = placeAt(data, k);
-    result.value[i] = states[k].mean[0];
-    result.sigma[i] = std::sqrt(std::max(0.0, states[k].cov(0, 0)));
-  }
-}
-
 /// @param scatter  usual standard error of the values
 /// @param ratio  how many of their standard errors values scatter by at least
-Parameters likeliest(const Data& data, double scatter, double ratio, double least_amplitude) {
+ProcessParameters likeliest(const RingData& data, double scatter, double ratio, double least_amplitude) {
   constexpr std::array kAmplitudes{1.0, 2.0, 4.0, 8.0, 16.0};  // of the least
   constexpr std::array kLengths{3.0, 5.0, 8.0, 12.0, 18.0};    // [deg]; longer ones would not follow a short dip
   constexpr double kLeastScale = 0.4;
@@ -127,13 +31,13 @@ Parameters likeliest(const Data& data, double scatter, double ratio, double leas
   std::vector<Scatter> scatters{{std::clamp(ratio, kLeastScale, 1.0), std::sqrt(std::max(0.0, ratio * ratio - 1.0))}};
   std::copy_if(kScatters.begin(), kScatters.end(), std::back_inserter(scatters),
                [&](const Scatter& s) { return std::hypot(s.scale, s.nugget) > ratio; });
-  Parameters best{};
+  ProcessParameters best{};
   double least = std::numeric_limits<double>::infinity();
   for (const double amplitude : kAmplitudes) {
     for (const double length : kLengths) {
       for (const Scatter& s : scatters) {
-        const Parameters p{amplitude * least_amplitude, length * kPi / 180.0, s.scale, s.nugget * scatter};
-        const double unlikely = filter(data, p, nullptr);
+        const ProcessParameters p{amplitude * least_amplitude, length * kPi / 180.0, s.scale, s.nugget * scatter};
+        const double unlikely = unlikeliness(data, p);
         if (unlikely < least) least = unlikely, best = p;
       }
     }
@@ -142,7 +46,7 @@ Parameters likeliest(const Data& data, double scatter, double ratio, double leas
 }
 
 /// How far each value lies off what the others say, in standard deviations with its sign.
-std::vector<double> offOthers(const Data& data, const Parameters& p, const RingProcess& result,
+std::vector<double> offOthers(const RingData& data, const ProcessParameters& p, const RingProcess& result,
                               std::vector<double>& offs) {
   std::vector<double> ratios(data.values.size(), 0.0);
   for (std::size_t i = 0; i < data.values.size(); ++i) {
@@ -156,7 +60,7 @@ std::vector<double> offOthers(const Data& data, const Parameters& p, const RingP
 }
 
 /// What is far off counts for what it is off, unless a neighbour is off the same way: that is a dip.
-void doubtStrays(Data& data, const Parameters& p, RingProcess& result) {
+void doubtStrays(RingData& data, const ProcessParameters& p, RingProcess& result) {
   constexpr double kFar = 4.0, kAlso = 1.5;
   const std::size_t count = data.values.size();
   std::vector<double> offs(count, 0.0);
@@ -190,6 +94,10 @@ double RingProcess::sigmaOfFollowed(std::size_t place) const {
   return std::sqrt(std::max(0.0, sigma[place] * sigma[place] - added * added));
 }
 
+double RingProcess::sigmaIfShaped(std::size_t place) const {
+  return std::sqrt(std::max(0.0, square(sigma[place]) - square(shape[place])));
+}
+
 RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude) {
   constexpr int kOrder = 4;
   constexpr std::size_t kFewestValues = 8;
@@ -207,7 +115,7 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
   const double usual = std::max(median(errors), 1e-9);
   for (const double error : errors) weights.push_back(1.0 / (1.0 + error * error / (usual * usual)));
   const PeriodicFit shape = fitHarmonics(azimuths, known, weights, {kOrder, true, 1e-4});
-  Data data{values, {}, step};
+  RingData data{values, {}, step};
   for (std::size_t i = 0; i < values.size(); ++i) {
     data.values[i] -= shape(static_cast<double>(i) * step);
     data.variances.push_back(sigmas[i] * sigmas[i]);
@@ -215,19 +123,20 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
   const double beyond_chance = 1.0 + kChance / std::sqrt(static_cast<double>(known.size()));
   const double scatter = ringScatter(data.values, sigmas);
   const double ratio = scatter > 0.0 ? scatter / beyond_chance : 1.0;  // errors that cannot be judged stand as given
-  const Parameters p = likeliest(data, usual, ratio, least_amplitude);
+  const ProcessParameters p = likeliest(data, usual, ratio, least_amplitude);
   result.amplitude = p.amplitude, result.length = p.length, result.nugget = p.nugget, result.scale = p.scale;
   result.value.resize(values.size());
   result.sigma.resize(values.size());
   result.doubt.assign(values.size(), 0.0);
   result.strayed.assign(values.size(), 0.0);
   for (int iteration = 0; iteration < 2; ++iteration) {
-    smooth(data, p, result);
+    smoothRing(data, p, result);
     doubtStrays(data, p, result);
   }
-  smooth(data, p, result);
+  smoothRing(data, p, result);
+  for (const double variance : varianceOfShape(data, p, kOrder)) result.shape.push_back(std::sqrt(variance));
   for (std::size_t i = 0; i < values.size(); ++i)
-    result.sigma[i] = std::hypot(result.sigma[i], kEither * result.strayed[i]);
+    result.sigma[i] = std::hypot(std::hypot(result.sigma[i], result.shape[i]), kEither * result.strayed[i]);
   for (std::size_t i = 0; i < values.size(); ++i) result.value[i] += shape(static_cast<double>(i) * step);
   return result;
 }

@@ -14,6 +14,7 @@ struct RingProcess {
   std::vector<double>
       doubt;  ///< how many standard deviations a value lies off what the others say; 0 where there is none
   std::vector<double> strayed;  ///< how far such a value lies off, at its place and up to the next values [m]
+  std::vector<double> shape;    ///< standard error of the harmonics that is in `sigma`: in long gaps they may do much
   double amplitude = 0;         ///< standard deviation of the process
   double length = 0;            ///< along which it is alike [rad]
   double nugget = 0;            ///< what the values scatter beside their standard errors
@@ -24,6 +25,8 @@ struct RingProcess {
   bool holds(double at_place, double its_sigma, std::size_t place) const;
   /// Its standard error as the values that it follows make it: without what those that it does not follow add.
   double sigmaOfFollowed(std::size_t place) const;
+  /// Its standard error if the harmonics go on through a gap as the values beside it say.
+  double sigmaIfShaped(std::size_t place) const;
 };
 
 /// What values at equal steps round a ring follow: low harmonics and a Matern process of order 3/2 (Rasmussen and

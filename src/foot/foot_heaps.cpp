@@ -97,6 +97,32 @@ std::vector<bool> findHeapedArcs(const Foot& foot, const FootPriors& priors, con
   return heaped;
 }
 
+std::vector<bool> findHeapsGoingOn(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own,
+                                   const std::vector<bool>& heaps) {
+  constexpr double kSlope = 0.03;          // a foundation's varies by less along the shell [m/m]
+  constexpr double kScatter = 0.5;         // of what the surface does elsewhere
+  constexpr double kFar = 20.0 * kDegree;  // over which a heap may go on unseen
+  constexpr std::size_t kPart = 6;         // of the ring: longer ones are no heaps
+  const std::size_t count = own.size(), far = foot.stationsIn(kFar);
+  std::vector<bool> going_on(count, false);
+  if (priors.settled) return going_on;
+  const auto tells = [&](const FootFit& fit) {
+    return fit.sigma_slope < kSlope && fit.own > kScatter * priors.scatter;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!heaps[i]) continue;
+    for (const bool ahead : {false, true}) {
+      for (std::size_t away = 1, last = 0; away <= std::min(last + far, count / kPart); ++away) {
+        const std::size_t k = (ahead ? i + away : i + count - away) % count;
+        if (!own[k].valid()) continue;
+        if (tells(own[k])) break;
+        going_on[k] = true, last = away;
+      }
+    }
+  }
+  return going_on;
+}
+
 std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
   constexpr double kSlope = 0.03;          // a foundation's varies by less along the shell [m/m]
   constexpr double kFar = 10.0 * kDegree;  // over which no gap is bridged

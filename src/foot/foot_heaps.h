@@ -29,6 +29,14 @@ bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors);
 /// @param own  of stations and their neighbours, where they stand
 std::vector<bool> findHeapedArcs(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own);
 
+/// Stations upon a wide surface beside a heap that do not tell whether they lie on it too: no station in between shows
+/// the foundation, and of their own points one row of the scan is seen, or too few for a slope. A row lies in the plane
+/// of its rays, whatever the surface does, and so scatters less than points of the surface do elsewhere.
+/// @param own    of stations and their neighbours, where they stand
+/// @param heaps  stations that lie on heaps by themselves
+std::vector<bool> findHeapsGoingOn(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own,
+                                   const std::vector<bool>& heaps);
+
 /// A few stations far from all others, which cannot be told by their elevation: whether they lie on soil, by a slope
 /// that the foundation does not have.
 /// @param own  of stations and their neighbours, where they stand

@@ -14,6 +14,7 @@
 #include "foot/lip_cover.h"
 #include "foot/shell_below.h"
 #include "foot/slanting_beams.h"
+#include "foot/soil_fillets.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -88,6 +89,16 @@ bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>
 
 }  // namespace
 
+std::vector<bool> stoodBefore(const FootElevations& elevations, const FootOutliers& before) {
+  const std::vector<Unmeasured>& reasons = before.reasons;
+  const bool tell = std::count(reasons.begin(), reasons.end(), Unmeasured::None) >
+                    std::count(reasons.begin(), reasons.end(), Unmeasured::OtherSurface);
+  std::vector<bool> stood;
+  for (std::size_t i = 0; i < elevations.known.size(); ++i)
+    stood.push_back(std::isfinite(elevations.known[i]) && (!tell || reasons[i] == Unmeasured::None));
+  return stood;
+}
+
 std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmeasured>& reasons) {
   for (std::size_t i = 0; i < fits.size(); ++i) {
     if (reasons[i] != Unmeasured::None) fits[i] = {};
@@ -98,7 +109,7 @@ std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmea
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
-  std::vector<char> before(reasons.size(), 0), no_foot(reasons.size(), 0);
+  std::vector<char> before(reasons.size(), 0), no_foot(reasons.size(), 0), heaps(reasons.size(), 0);
   std::vector<FootFit> own(reasons.size());
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     const FootFit& fit = pass.fits[i];
@@ -109,10 +120,8 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     } else {
       before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
       own[i] = ownFit(foot, i, pass, 3.0 * foot.half_step);
-      no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) ||
-                           isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass)
-                       ? 1
-                       : 0;
+      heaps[i] = isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass) ? 1 : 0;
+      no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || heaps[i] ? 1 : 0;
       const bool other = no_foot[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
       if (other) reasons[i] = Unmeasured::OtherSurface;
     }
@@ -128,11 +137,15 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     if (shell_below[i]) before[i] = 1;
   }
   own = standing(std::move(own), reasons);
+  const std::vector<bool> going_on = findHeapsGoingOn(foot, pass.priors, own, {heaps.begin(), heaps.end()});
   const std::vector<bool> heaped = findHeapedArcs(foot, pass.priors, own);
   const std::vector<FootFit> stand_so_far = standing(pass.fits, reasons);
   const std::vector<bool> grazed = findGrazedArcs(foot, pass, stand_so_far);
   LipCover cover = findLipCover(foot, pass, stand_so_far);
+  const std::vector<bool> fillets = findFillets(foot, pass, stand_so_far);
   refuse(heaped);
+  refuse(fillets);
+  refuse(going_on);
   refuse(grazed);
   refuse(cover.covered);
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);

@@ -91,7 +91,7 @@ struct Compared {
       const std::size_t i = beside[passed[passed.size() - n]];
       off += levels[i] - expected.value[i];
       own += sigmas[i] * sigmas[i] + expected.nugget * expected.nugget;
-      others += expected.sigma[i];  // what they share does not become less
+      others += expected.sigmaIfShaped(i);  // what they share does not become less; waves do not rise as soil does
       if (off > kFar * std::sqrt(own + others * others)) return n;
     }
     return 0;

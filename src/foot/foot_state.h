@@ -156,6 +156,10 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass);
 /// Why stations do not stand: their fit has no support of its own, lies on something else, or steps off its neighbours.
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass);
 
+/// Stations that stood in the pass before, where these are more than those that lay on something else; else all that a
+/// pass begins with.
+std::vector<bool> stoodBefore(const FootElevations& elevations, const FootOutliers& before);
+
 /// The fits without those of stations that do not stand.
 std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmeasured>& reasons);
 

@@ -79,7 +79,7 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
 /// @param before  the pass before, whose sections are kept where these show another surface
 FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
   FootPass pass;
-  for (const double z : elevations.known) pass.stood.push_back(std::isfinite(z));
+  pass.stood = stoodBefore(elevations, before.outliers);
   const std::vector<double> fitted = before.priors.settled ? elevationsOf(before.fits) : std::vector<double>{};
   pass.sections = stackKnown(foot, elevations.known, fitted);
   if (isResolved(foot)) pass.sections = heldTo(before.sections, std::move(pass.sections), foot.reach);

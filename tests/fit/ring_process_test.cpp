@@ -132,6 +132,26 @@ TEST(RingProcess, GapsAreBridgedWithALargerError) {
   EXPECT_NEAR(ring.error(process, 204), 0.0, 3.0 * process.sigma[204]);
 }
 
+/// Waves of 10 mm, which nothing tells over half the ring.
+TEST(RingProcess, SigmaHoldsWhatWavesDoInLongGaps) {
+  const auto waves = [](double degrees) {
+    const double t = degrees * M_PI / 180.0;
+    return 0.010 * (std::cos(t) + std::cos(2.0 * t + 1.0) + std::cos(3.0 * t + 2.0) + std::cos(4.0 * t + 3.0));
+  };
+  Ring ring(waves);
+  for (std::size_t i = 181; i < kCount; ++i) ring.values[i] = ring.sigmas[i] = NAN;
+  const RingProcess process = ring.followed();
+  for (std::size_t i = 181; i < kCount; ++i) EXPECT_LT(std::abs(ring.error(process, i)), 3.0 * process.sigma[i]) << i;
+  EXPECT_GT(process.sigma[270], 0.05);
+  EXPECT_GT(std::abs(ring.error(process, 270)), 3.0 * process.amplitude);
+}
+
+TEST(RingProcess, WavesAreNotHigherThanAMetre) {
+  Ring ring(quiet);
+  for (std::size_t i = 8; i < kCount; ++i) ring.values[i] = ring.sigmas[i] = NAN;
+  EXPECT_NEAR(ring.followed().sigma[184], 2.0, 0.4);  // of nine coefficients, whose sum at the values is known
+}
+
 TEST(RingProcess, TheRingHasNoEnds) {
   Ring ring(quiet), turned(quiet);
   for (std::size_t i = 0; i < kCount; ++i) turned.values[(i + 123) % kCount] = ring.values[i];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "support/made_feet.h"
 
@@ -124,6 +125,34 @@ TEST(FindBanks, AQuarterOfTheSectionsSaysWhatIsUsual) {
   EXPECT_TRUE(isBank(given));
 }
 
+/// Whether an arc is a bank where every so many stations show the ringwall, each in a row 3 mm wide that lies elsewhere
+/// at the next one.
+/// @param dense  stations from the first on that are 20 mm high and show all of the ringwall
+bool isBankInRows(int every, double from, double to, int dense = 0) {
+  MadeFoot made;
+  std::vector<double> levels;
+  for (int s = 0; s < 360; ++s) {
+    const double level = isInArc(s) || s < dense ? 0.020 : 0.0,
+                 d = from + (to - from) * std::fmod(0.618034 * (s / every), 1.0);
+    levels.push_back(level);
+    if (s < dense) made.addStation(s, 120, from, to, [](double) { return -0.015; });
+    if (s % every == 0) made.addStation(s, 12, d, d + 0.003, [](double) { return -0.015; });
+  }
+  return findBanks(made.foot(), lipOf(0.0), levels, kAll)[(kFirst + kLast) / 2];
+}
+
+TEST(FindBanks, BinsAreAsWideAsRowsLieApart) {
+  EXPECT_TRUE(isBankInRows(2, 0.1, 0.49));
+  EXPECT_FALSE(isBankInRows(10, 0.1, 0.49));  // half of the sections do not show most of six bins
+}
+
+TEST(FindBanks, ADenselySeenBankDoesNotSayAloneWhatIsUsual) { EXPECT_TRUE(isBankInRows(3, 0.1, 0.49, 80)); }
+
+TEST(FindBanks, BinsAreTwelveOrSixWhereRowsLieFarApart) {
+  EXPECT_TRUE(isBankInRows(7, 0.170, 0.245, 84));  // two of twelve, one of six
+  EXPECT_TRUE(isBankInRows(3, 0.1, 0.325));        // three of six, one of three
+}
+
 /// Whether soil, 30 mm high over so many stations, is a bank where all stations say what is usual, or but those on it,
 /// and so many others have a ringwall that stands 20 mm higher.
 bool isWideBank(int stations, bool stood = true, int higher = 0) {
@@ -149,6 +178,7 @@ TEST(FindBanks, TwoBinsFromTwelveHundredthsOfTheReachOnAreLookedAt) {
   EXPECT_TRUE(isBank({0.020, 0.010, 0.0605, 0.0995}));
   EXPECT_FALSE(isBank({0.020, 0.010, 0.0605, 0.0795}));
   EXPECT_FALSE(isBank({0.020, 0.010, 0.0205, 0.0595}));
+  EXPECT_FALSE(isBank({0.020, 0.010, 0.0405, 0.0795}));
 }
 
 TEST(FindBanks, ALipAndItsBlurSayNothingOfWhatLiesBeyond) {
@@ -165,85 +195,6 @@ TEST(FindBanks, NeighboursAreLookedForWithinTenDegrees) {
   EXPECT_FALSE(isBank(sector));
   sector.missing = 12;  // nobody can tell
   EXPECT_TRUE(isBank(sector));
-}
-
-/// Whether stations 40 to `last` hang, 30 mm high, where the shell beside them is seen down to so far below them.
-bool hangs(double before, double after, int last = kLast, int seen = 10, int points = 40) {
-  MadeFoot made;
-  std::vector<double> levels(360, kUnknown);
-  for (int s = kFirst; s <= last; ++s) levels[static_cast<std::size_t>(s)] = 0.030;
-  const auto add = [&](int station, double below) {
-    for (int i = 0; i < points; ++i) {
-      const double share = (i + 0.5) / points;
-      made.add((station + 0.4 - 0.8 * share) * made.step(), 0.0, 0.050 - (0.020 + below) * share);
-    }
-  };
-  for (int k = 1; k <= 10; ++k) add(kFirst - k, before), add(last + k, after);
-  Foot& foot = made.foot();
-  for (int s = 0; s < 360; ++s)
-    foot.shell_seen[static_cast<std::size_t>(s)] = s > kFirst - 1 - seen && s <= last + seen;
-  return findHangingRuns(foot, levels)[kFirst + 1];
-}
-
-TEST(FindHangingRuns, TheShellCannotGoOnBelowWhatItStandsOn) {
-  EXPECT_TRUE(hangs(0.020, 0.020));
-  EXPECT_FALSE(hangs(0.0, 0.0));
-}
-
-TEST(FindHangingRuns, AHundredthOfTheReachAndTheNoiseAreAllowed) {
-  EXPECT_FALSE(hangs(0.0105, 0.0105));  // 5 mm, 1 mm and three noises of 1 mm, then a fifth of the shell above
-  EXPECT_TRUE(hangs(0.0165, 0.0165));
-}
-
-TEST(FindHangingRuns, AFootThatLiesNotMuchLowerMayEndTheShell) {
-  EXPECT_TRUE(hangs(0.0145, 0.0145));  // a quarter of a fiftieth of the reach
-  EXPECT_FALSE(hangs(0.0107, 0.0107));
-}
-
-TEST(FindHangingRuns, ADatumMayDipBesideARunByFiveThousandths) {
-  const auto hangs_over = [](double falls) -> bool {  // so much from station to station, each 0.17 m wide
-    MadeFoot made;
-    std::vector<double> levels(360, kUnknown);
-    for (int s = kFirst; s <= kLast; ++s) levels[static_cast<std::size_t>(s)] = 0.030;
-    for (int k = 1; k <= 10; ++k) {
-      for (int i = 0; i < 40; ++i) {
-        const double height = 0.050 - (0.020 + falls * k) * (i + 0.5) / 40;
-        for (const int station : {kFirst - k, kLast + k})
-          made.add((station + 0.01 * (i - 20)) * made.step(), 0.0, height);
-      }
-    }
-    return findHangingRuns(made.foot(), levels)[kFirst + 1];
-  };
-  EXPECT_FALSE(hangs_over(0.0044));
-  EXPECT_TRUE(hangs_over(0.0052));
-}
-
-TEST(FindHangingRuns, StationsBesideTellTogetherWhereEachSeesFewPoints) {
-  EXPECT_TRUE(hangs(0.020, 0.020, kLast, 10, 10));
-  EXPECT_FALSE(hangs(0.020, 0.020, kLast, 3, 4));  // three points in all
-}
-
-TEST(FindHangingRuns, OneEndIsEnoughForASixthOfTheRing) {
-  EXPECT_TRUE(hangs(0.020, 0.0, kFirst + 55));
-  EXPECT_FALSE(hangs(0.020, 0.0, kFirst + 65));
-  EXPECT_TRUE(hangs(0.020, 0.020, kFirst + 65));
-}
-
-TEST(FindHangingRuns, HalfTheRingIsNoBank) {
-  EXPECT_TRUE(hangs(0.020, 0.020, kFirst + 170));
-  EXPECT_FALSE(hangs(0.020, 0.020, kFirst + 190));
-}
-
-TEST(FindHangingRuns, ThreeStationsBesideAnEndSaySo) {
-  EXPECT_FALSE(hangs(0.020, 0.020, kLast, 2));
-  EXPECT_TRUE(hangs(0.020, 0.020, kLast, 3));
-}
-
-TEST(FindHangingRuns, AWholeRingHasNoEnds) {
-  MadeFoot made;
-  made.addAll(40, -0.001, 0.001, [](double) { return -0.01; });
-  const std::vector<bool> hanging = findHangingRuns(made.foot(), std::vector<double>(360, 0.0));
-  EXPECT_EQ(std::count(hanging.begin(), hanging.end(), true), 0);
 }
 
 }  // namespace

@@ -81,5 +81,59 @@ TEST(FindHeapedArcs, AreNotOfWideSurfaces) {
   EXPECT_EQ(heaped(11, -0.1, 0.0001, wide), 0);
 }
 
+/// How many stations after a heap at the 50th go on with it, of those whose slope and scatter are told so, from some
+/// station on; those before it tell.
+struct GoingOn {
+  double sigma_slope = 0.1, scatter = 0.001;
+  int first = 51, last = 70;
+  bool settled = false;
+
+  std::ptrdiff_t count() const {
+    MadeFoot made;
+    FootPriors wide = levelLip();
+    wide.settled = settled, wide.scatter = 0.001;
+    std::vector<FootFit> own(360);
+    std::vector<bool> heaps(360, false);
+    heaps[50] = true;
+    const auto put = [&](int from, int to, double sigma, double off) {
+      for (int i = from; i <= to; ++i) {
+        FootFit& fit = own[static_cast<std::size_t>(i)] = fitOf(0.0, sigma);
+        fit.own = off;
+      }
+    };
+    put(40, 49, 0.001, 0.001);
+    put(first, last, sigma_slope, scatter);
+    put(last + 1, last + 10, 0.001, 0.001);
+    put(last + 11, 350, 0.1, 0.001);
+    const std::vector<bool> found = findHeapsGoingOn(made.foot(), wide, own, heaps);
+    return std::count(found.begin(), found.end(), true);
+  }
+};
+
+TEST(FindHeapsGoingOn, AreStationsThatTellNoSlope) {
+  EXPECT_EQ(GoingOn{}.count(), 20);  // and none beyond those that tell
+  EXPECT_EQ((GoingOn{0.028}.count()), 0);
+  EXPECT_EQ((GoingOn{0.032}.count()), 20);
+}
+
+TEST(FindHeapsGoingOn, AreRowsThatScatterByHalfOfWhatTheSurfaceDoes) {
+  EXPECT_EQ((GoingOn{0.001, 0.00055}.count()), 0);
+  EXPECT_EQ((GoingOn{0.001, 0.00045}.count()), 20);
+}
+
+TEST(FindHeapsGoingOn, AreWithinTwentyDegreesOfTheHeapOrOneAnother) {
+  EXPECT_EQ((GoingOn{0.1, 0.001, 70}.count()), 1);
+  EXPECT_EQ((GoingOn{0.1, 0.001, 71, 80}.count()), 0);
+  EXPECT_EQ((GoingOn{0.1, 0.001, 69, 90}.count()), 22);
+}
+
+TEST(FindHeapsGoingOn, AreNoMoreThanASixthOfTheRing) { EXPECT_EQ((GoingOn{0.1, 0.001, 51, 150}.count()), 60); }
+
+TEST(FindHeapsGoingOn, AreNotUponLips) {
+  GoingOn lip;
+  lip.settled = true;
+  EXPECT_EQ(lip.count(), 0);
+}
+
 }  // namespace
 }  // namespace tank_datum

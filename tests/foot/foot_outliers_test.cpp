@@ -29,6 +29,27 @@ FootPass levelPass(double half_width, double band_to) {
   return pass;
 }
 
+/// Whether a station stood that lay on something else, where so many did and so many more were hidden.
+bool stoodAmong(int other, int hidden) {
+  FootElevations elevations;
+  elevations.known.assign(360, 0.0);
+  FootOutliers before;
+  before.reasons.assign(360, Unmeasured::None);
+  std::fill_n(before.reasons.begin(), other, Unmeasured::OtherSurface);
+  std::fill_n(before.reasons.begin() + other, hidden, Unmeasured::Hidden);
+  EXPECT_EQ(stoodBefore(elevations, before).size(), 360u);
+  return stoodBefore(elevations, before)[0];
+}
+
+TEST(StoodBefore, AreNotThoseOnSomethingElseUnlessTheseAreMore) {
+  EXPECT_FALSE(stoodAmong(100, 100));
+  EXPECT_TRUE(stoodAmong(140, 100));
+  const FootOutliers none;
+  FootElevations elevations;
+  elevations.known = {0.0, kUnknown};
+  EXPECT_EQ(stoodBefore(elevations, none), (std::vector<bool>{true, false}));
+}
+
 Unmeasured reasonAt50(const Foot& foot, const FootPass& pass) { return findOutliers(foot, pass).reasons[50]; }
 
 /// Whether a station on a level pad is dropped beside which the shell is seen by so many points a centimetre below the
