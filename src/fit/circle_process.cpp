@@ -22,7 +22,7 @@ struct Known {
 
   explicit Known(const std::vector<NoisyValue>& series) {
     for (std::size_t i = 0; i < series.size(); ++i) {
-      if (std::isfinite(series[i].value)) at.push_back(static_cast<Index>(i));
+      if (std::isfinite(series[i].value + series[i].sigma + series[i].alike)) at.push_back(static_cast<Index>(i));
     }
     const auto pick = [&](double NoisyValue::*what) {
       VectorXd picked(static_cast<Index>(at.size()));
@@ -88,22 +88,32 @@ std::vector<ProcessValue> averageOf(const std::vector<Followed>& all) {
 
 }  // namespace
 
-std::vector<ProcessValue> followCircle(const std::vector<NoisyValue>& series, double largest) {
-  constexpr double kAlike = 1.0;                                    // [rad]
-  constexpr std::array kLengths{0.04, 0.1, 0.2, 0.4, 0.8, 1.6};     // [rad]
-  constexpr std::array kAmplitudes{1.0, 0.5, 0.25, 0.125, 0.0625};  // of the largest
+std::vector<ProcessValue> followCircle(const std::vector<NoisyValue>& series, double common, double usual) {
+  constexpr double kAlike = 1.0;                                              // [rad]
+  constexpr std::array kLengths{0.04, 0.1, 0.2, 0.4, 0.8, 1.6};               // [rad]
+  constexpr std::array kAmplitudes{4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625};  // of the usual one
+  constexpr std::array kCommon{0.0, 0.5, 1.0};
   const Known known(series);
   const auto steps = static_cast<Index>(series.size());
-  if (known.at.empty()) return std::vector<ProcessValue>(series.size(), {0.0, largest});
-  MatrixXd noise = alikeOver(steps, kAlike)(known.at, known.at);
-  noise.array() *= (known.alike * known.alike.transpose()).array();
-  noise.diagonal() += known.sigmas.cwiseAbs2();
-  std::vector<Followed> all{followUnder(MatrixXd::Zero(steps, steps), noise, known)};
-  all.front().share = static_cast<double>(kLengths.size());  // as of each amplitude
+  if (known.at.empty()) return std::vector<ProcessValue>(series.size(), {0.0, usual});
+  MatrixXd alike = alikeOver(steps, kAlike)(known.at, known.at);
+  alike.array() *= (known.alike * known.alike.transpose()).array();
+  std::vector<MatrixXd> noises;
+  std::vector<Followed> all;
+  for (const double part : kCommon) {
+    noises.push_back(alike);
+    noises.back().diagonal() += (known.sigmas.cwiseAbs2().array() + square(part * common)).matrix();
+    all.push_back(followUnder(MatrixXd::Zero(steps, steps), noises.back(), known));
+    all.back().share = static_cast<double>(kLengths.size());  // as of each amplitude
+  }
   for (const double length : kLengths) {
-    const MatrixXd alike = alikeOver(steps, length);
-    for (const double amplitude : kAmplitudes)
-      all.push_back(followUnder(square(amplitude * largest) * alike, noise, known));
+    const MatrixXd round = alikeOver(steps, length);
+    for (const double amplitude : kAmplitudes) {
+      for (const MatrixXd& noise : noises) {
+        all.push_back(followUnder(square(amplitude * usual) * round, noise, known));
+        all.back().share = 1.0 / square(std::max(1.0, amplitude));
+      }
+    }
   }
   return averageOf(all);
 }

@@ -91,7 +91,7 @@ bool RingProcess::holds(double at_place, double its_sigma, std::size_t place) co
 
 double RingProcess::sigmaOfFollowed(std::size_t place) const {
   const double added = kEither * strayed[place];
-  return std::sqrt(std::max(0.0, sigma[place] * sigma[place] - added * added));
+  return std::sqrt(std::max(0.0, square(sigmaIfShaped(place)) - square(added)));
 }
 
 double RingProcess::sigmaIfShaped(std::size_t place) const {

@@ -23,7 +23,8 @@ struct RingProcess {
   bool valid() const { return amplitude > 0.0; }
   /// Whether a value lies on it at a place, within three standard errors of both.
   bool holds(double at_place, double its_sigma, std::size_t place) const;
-  /// Its standard error as the values that it follows make it: without what those that it does not follow add.
+  /// Its standard error as the values that it follows make it: without what those that it does not follow add, and what
+  /// harmonics may do in gaps.
   double sigmaOfFollowed(std::size_t place) const;
   /// Its standard error if the harmonics go on through a gap as the values beside it say.
   double sigmaIfShaped(std::size_t place) const;

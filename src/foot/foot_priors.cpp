@@ -105,14 +105,16 @@ void doubtStray(std::vector<SeriesValue>& series) {
   }
 }
 
-/// What the windows' formal standard errors leave out, roughness common to many points, as their scatter shows it.
-void addCommonSigma(std::vector<SeriesValue>& series) {
+/// Adds to the windows' errors what they leave out, roughness common to many points, as their scatter shows it.
+/// @return what is added
+double addCommonSigma(std::vector<SeriesValue>& series) {
   std::vector<FootFit> fits(series.size());
   for (std::size_t k = 0; k < series.size(); ++k) {
     if (std::isfinite(series[k].value)) fits[k].z = series[k].value, fits[k].sigma = series[k].sigma;
   }
   const double common = commonSigma(fits, 1);
   for (SeriesValue& v : series) v.sigma = std::hypot(v.sigma, common);
+  return common;
 }
 
 /// Slopes of a lip window by window, each with the lean that its slanting rays may feign.
@@ -124,6 +126,7 @@ struct LipSlopes {
   std::vector<double> steepness;  ///< of the rays, 0: not known
   double ring_lean = 0;           ///< of all windows' rays together [m/m]
   double doubt = 0;               ///< the lean that range noise may feign, typical [m/m]
+  double common = 0;              ///< in the errors of all windows, as their scatter shows it [m/m]
 };
 
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
@@ -139,7 +142,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
   }
   doubtStray(lips.series);
-  addCommonSigma(lips.series);
+  lips.common = addCommonSigma(lips.series);
   lips.seen = lips.series;
   for (std::size_t k = 0; k < lips.series.size(); ++k) {
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
@@ -171,7 +174,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   const FootProfile& whole = sections.whole;
   const ExpectedSlope expected{whole.slope_beyond, lips.doubt, blendLean(whole, lips.ring_lean), crownRise(whole),
                                whole.sigma_beyond};
-  auto [ring, slopes] = drawTogether(lips.seen, lips.series, expected);
+  auto [ring, slopes] = drawTogether(lips.seen, lips.series, lips.common, expected);
   priors.seen = ring.seen, priors.sigma_seen = ring.sigma_seen;
   for (std::size_t k = 0; k < slopes.size(); ++k) {
     slopes[k].sigma += liftOf(lips.series[k].value, slopes[k].value, lips.lean[k]);

@@ -160,6 +160,7 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
 std::size_t lastOfRaised(const FootProfile& profile, std::size_t first, double reach) {
   constexpr double kFar = 0.2;      // of the reach
   constexpr double kStep = 0.0025;  // as of an edge that is sharp [m]
+  constexpr double kSunk = 0.0012;  // below the band's line: no beam draws points down there [m]
   const auto begin = static_cast<std::size_t>(std::lround(profile.band_from / profile.bin));
   if (!profile.valid() || begin <= first + 3) return 0;
   const std::size_t half = (first + begin) / 2;
@@ -174,7 +175,8 @@ std::size_t lastOfRaised(const FootProfile& profile, std::size_t first, double r
       above.push_back(profile.height[i] - profile.offset - profile.slope * middle(profile, i));
     }
   }
-  return above.size() >= 4 && std::abs(median(above)) > kStep ? begin - 1 : 0;
+  const double off = median(above);
+  return above.size() >= 4 && (off > kStep || off < -kSunk) ? begin - 1 : 0;
 }
 
 }  // namespace

@@ -65,15 +65,15 @@ struct KnownSlopes {
 /// How far the windows lie off the ring's slope, as a process that follows them says. Of what beams may feign windows
 /// have half alike, and half each its own.
 std::vector<SeriesValue> offRing(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
-                                 double ring) {
+                                 double common, double ring) {
   std::vector<NoisyValue> off;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const double away = seen[k].value - ring, error = square(seen[k].sigma);
     const double half = 0.5 * std::max(0.0, square(series[k].sigma) - error);
     const double strange = std::abs(away) > kSteepestLip ? square(away) : 0.0;  // farther off than any lip
-    off.push_back({away, std::sqrt(error + half + strange), std::sqrt(half)});
+    off.push_back({away, std::sqrt(error - square(common) + half + strange), std::sqrt(half)});
   }
-  const std::vector<ProcessValue> followed = followCircle(off, kRoundRing);
+  const std::vector<ProcessValue> followed = followCircle(off, common, kRoundRing);
   std::vector<SeriesValue> windows = seen;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     if (std::isfinite(seen[k].value)) windows[k] = {followed[k].value, followed[k].sigma, 1.0};
@@ -92,7 +92,7 @@ std::vector<SeriesValue> eachOffRing(std::vector<SeriesValue> windows, double ri
 
 }  // namespace
 
-RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series, double common,
                         const ExpectedSlope& expected) {
   constexpr double kBest = 0.1;  // of the windows: those seen best tell the ring's own slope
   constexpr std::size_t kFewest = 6;
@@ -111,7 +111,7 @@ RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<
     const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);
     slopes.ring = ringSlope(median(best.values), mean, expected);
     slopes.ring.sigma_seen = mean;
-    slopes.windows = offRing(seen, series, slopes.ring.seen);
+    slopes.windows = offRing(seen, series, common, slopes.ring.seen);
   }
   for (SeriesValue& v : slopes.windows) v.value += slopes.ring.slope;
   return slopes;

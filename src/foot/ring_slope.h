@@ -35,7 +35,8 @@ struct RingSlopes {
 /// their own (followCircle()). Of few windows each is known by itself.
 /// @param seen    slopes of the windows with the errors of what is seen
 /// @param series  the same with what beams may feign in their errors too: that makes windows differ more, never less
-RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+/// @param common  what is in the errors of all of them as their scatter has it, and may be the lips' own [m/m]
+RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series, double common,
                         const ExpectedSlope& expected);
 
 }  // namespace tank_datum

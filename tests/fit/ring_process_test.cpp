@@ -144,6 +144,7 @@ TEST(RingProcess, SigmaHoldsWhatWavesDoInLongGaps) {
   for (std::size_t i = 181; i < kCount; ++i) EXPECT_LT(std::abs(ring.error(process, i)), 3.0 * process.sigma[i]) << i;
   EXPECT_GT(process.sigma[270], 0.05);
   EXPECT_GT(std::abs(ring.error(process, 270)), 3.0 * process.amplitude);
+  EXPECT_LE(process.sigmaOfFollowed(270), 1.001 * process.amplitude) << "a station there is told by what it follows";
 }
 
 TEST(RingProcess, WavesAreNotHigherThanAMetre) {

@@ -25,7 +25,7 @@ double sigmaWhere(double best, double others) {
     series.push_back(seen.back());
     if (!steep) series.back().sigma = std::hypot(kError, kLean);
   }
-  return drawTogether(seen, series, kLevel).windows.front().sigma;
+  return drawTogether(seen, series, 0.0, kLevel).windows.front().sigma;
 }
 
 TEST(DrawTogether, SlopesDifferByWhatTheyShow) {
@@ -44,7 +44,7 @@ TEST(DrawTogether, SlopesThatDifferLittleMayDifferUnseen) {
 double besideOneOff(double off) {
   std::vector<SeriesValue> seen(72, {0.0, 0.01, 1.0});
   seen[0].value = off;
-  return drawTogether(seen, seen, kLevel).windows[1].value;
+  return drawTogether(seen, seen, 0.0, kLevel).windows[1].value;
 }
 
 TEST(DrawTogether, AWindowFartherOffThanAnyLipDrawsNoOther) {
@@ -61,7 +61,7 @@ TEST(DrawTogether, SlopesThatChangeAlongTheRingAreFollowed) {
     const double error = k % 5 == 0 ? kError : 5.0 * kError;  // few are seen well
     seen.push_back({slopeAt(k) + error * normal(random), error, 1.0});
   }
-  const std::vector<SeriesValue> windows = drawTogether(seen, seen, kLevel).windows;
+  const std::vector<SeriesValue> windows = drawTogether(seen, seen, 0.0, kLevel).windows;
   double squares = 0;
   for (int k = 0; k < 72; ++k) squares += std::pow(windows[static_cast<std::size_t>(k)].value - slopeAt(k), 2) / 72.0;
   EXPECT_LT(std::sqrt(squares), kError);
@@ -69,14 +69,14 @@ TEST(DrawTogether, SlopesThatChangeAlongTheRingAreFollowed) {
 
 TEST(DrawTogether, SlopesThatNothingTellsMayDifferByAHundredAndFifty) {
   const std::vector<SeriesValue> seen(72, {0.0, 1.0, 1.0});
-  EXPECT_NEAR(drawTogether(seen, seen, kLevel).windows[5].sigma, 0.015 * std::sqrt(1.333 / 6.0), 0.0007);
+  EXPECT_NEAR(drawTogether(seen, seen, 0.0, kLevel).windows[5].sigma, 0.015 * std::sqrt(3.333 / 6.3125), 0.0007);
 }
 
 /// The ring's slope where its windows fall by 0.01, of which beams may feign all, and what the lips lie on is level,
 /// known to that.
 MeanSlope ringOnLevel(double sigma) {
   const std::vector<SeriesValue> seen(72, {-0.01, 0.004, 1.0});
-  return drawTogether(seen, seen, {0.0, 0.0, 0.01, 0.0, sigma}).ring;
+  return drawTogether(seen, seen, 0.0, {0.0, 0.0, 0.01, 0.0, sigma}).ring;
 }
 
 TEST(DrawTogether, WhatTheLipsLieOnTellsTheirSlopeAsFarAsItIsKnown) {
@@ -87,7 +87,7 @@ TEST(DrawTogether, WhatTheLipsLieOnTellsTheirSlopeAsFarAsItIsKnown) {
 
 TEST(DrawTogether, OfWhatBeamsMayFeignBesidesSixTenthsAreDoubted) {
   const std::vector<SeriesValue> seen(72, {0.0, 1e-5, 1.0});
-  const double sigma = drawTogether(seen, seen, {0.0, 1e-4, 0.0, 0.02}).ring.sigma;
+  const double sigma = drawTogether(seen, seen, 0.0, {0.0, 1e-4, 0.0, 0.02}).ring.sigma;
   EXPECT_NEAR(sigma, 1.0 / std::hypot(1.0 / 0.012, 1.0 / 0.03), 1e-5);
 }
 
