@@ -95,7 +95,8 @@ double RingProcess::sigmaOfFollowed(std::size_t place) const {
 }
 
 double RingProcess::sigmaIfShaped(std::size_t place) const {
-  return std::sqrt(std::max(0.0, square(sigma[place]) - square(shape[place])));
+  const double waves = shape.empty() ? 0.0 : shape[place];
+  return std::sqrt(std::max(0.0, square(sigma[place]) - square(waves)));
 }
 
 RingProcess followRing(const std::vector<double>& values, const std::vector<double>& sigmas, double least_amplitude) {
