@@ -200,7 +200,7 @@ TEST(LearnPriors, NeighboursTellALipsSlopeAsFarAsTheyAreAlike) {
   const FootPriors priors = learntOfLips(window, noise);
   // a parabola through seven values knows its middle to the root of a third
   EXPECT_LT(priors.sigma_slope[100], std::hypot(0.001, own / std::sqrt(3.0)));
-  for (const std::size_t s : {0, 100, 300})
+  for (const std::size_t s : {0U, 100U, 300U})
     EXPECT_NEAR(priors.slope[s], window(static_cast<int>(s / 5)).slope, 3.0 * priors.sigma_slope[s]);
 }
 
