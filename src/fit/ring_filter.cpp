@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/portable_math.h"
 #include "core/units.h"
@@ -73,13 +74,8 @@ double filter(const RingData& data, const ProcessParameters& p, std::vector<Stat
   return unlikely;
 }
 
-}  // namespace
-
-double unlikeliness(const RingData& data, const ProcessParameters& p) { return filter(data, p, nullptr); }
-
-void smoothRing(const RingData& data, const ProcessParameters& p, RingProcess& result) {
-  std::vector<State> states;
-  filter(data, p, &states);
+/// Backwards through what filter() went.
+void smoothBack(std::vector<State> states, const RingData& data, const ProcessParameters& p, RingProcess& result) {
   const Transition transition(p, data.step);
   const std::size_t count = data.values.size(), pad = padOf(data);
   for (std::size_t k = states.size() - 1; k-- > 0;) {
@@ -94,6 +90,16 @@ void smoothRing(const RingData& data, const ProcessParameters& p, RingProcess& r
     result.value[i] = states[k].mean[0];
     result.sigma[i] = std::sqrt(std::max(0.0, states[k].cov(0, 0)));
   }
+}
+
+}  // namespace
+
+double unlikeliness(const RingData& data, const ProcessParameters& p) { return filter(data, p, nullptr); }
+
+void smoothRing(const RingData& data, const ProcessParameters& p, RingProcess& result) {
+  std::vector<State> states;
+  filter(data, p, &states);
+  smoothBack(std::move(states), data, p, result);
 }
 
 std::vector<double> varianceOfShape(const RingData& data, const ProcessParameters& p, int order) {
@@ -116,7 +122,7 @@ std::vector<double> varianceOfShape(const RingData& data, const ProcessParameter
       const double variance = state.predicted_cov(0, 0) + p.variance(data.variances[place]);
       scaled(i, term) = (column.values[place] - state.predicted_mean[0]) / std::sqrt(variance);
     }
-    smoothRing(column, p, followed);
+    smoothBack(std::move(states), column, p, followed);
     left.col(term) -= Eigen::Map<const Eigen::VectorXd>(followed.value.data(), count);
   }
   constexpr double kHighest = 1.0;  // of a wave of a foundation, as where fewer values are known than waves [m]

@@ -140,8 +140,8 @@ void readSurface(FootProfile& profile, std::size_t first, std::size_t last, cons
     const Plateau wider = findPlateau(leaning, first, last);
     if (wider.last - wider.first > plateau.last - plateau.first + 1) plateau = wider, profile.slope = slope;
   };
-  if (plate) {  // one that leans is plain along its own slope only; what is lower beside the shell no beam has drawn
-                // down
+  // one that leans is plain along its own slope only; what is lower beside the shell no beam has drawn down
+  if (plate) {
     leanBy(own.slope);
     const double inwards = robustLine(profile, first, last).slope;
     if (inwards > std::max(0.0, own.slope)) leanBy(inwards);

@@ -1,26 +1,22 @@
 #include "foot/lip_cover.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_roughness.h"
+#include "foot/part_levels.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kParts = 3;  // of what is seen beyond a lip's edge, from there outwards
-
-/// Something of each part.
-template <typename T>
-using PerPart = std::array<T, kParts>;
-
-/// Which part a bin of the section is in; kParts: none, since it has no height of its own, as an upright face.
+/// Which part of what is seen beyond a lip's edge a bin of the section is in; kParts: none, since it has no height of
+/// its own, as an upright face.
 struct SectionParts {
   std::vector<std::size_t> of_bin;
   double apart = 0.0;  ///< from the middle of the first to that of the last [m]
@@ -57,28 +53,7 @@ PerPart<WeightedValue> levelsOf(const std::vector<FootPoint>& points, const Foot
     const double height = offOf(p, fit) + fit.slope * p.d - (section.height[bin] - section.offset);
     if (std::abs(height) < most) heights[parts.of_bin[bin]].push_back(height);
   }
-  PerPart<WeightedValue> levels;
-  for (std::size_t part = 0; part < kParts; ++part) {
-    const auto weight = static_cast<double>(heights[part].size());
-    levels[part] = {median(std::move(heights[part])), weight};
-  }
-  return levels;
-}
-
-/// The same of an arc; not known where there are few points.
-PerPart<double> levelsIn(const std::vector<PerPart<WeightedValue>>& own, std::size_t first, std::size_t last) {
-  constexpr double kFewest = 10.0;
-  PerPart<double> levels;
-  for (std::size_t part = 0; part < kParts; ++part) {
-    std::vector<WeightedValue> of_arc;
-    double points = 0.0;
-    for (std::size_t k = first; k <= last; ++k) {
-      const WeightedValue& level = own[k % own.size()][part];
-      if (level.weight > 0.0) of_arc.push_back(level), points += level.weight;
-    }
-    levels[part] = points < kFewest ? kUnknown : weightedMedian(std::move(of_arc));
-  }
-  return levels;
+  return mediansOf(std::move(heights));
 }
 
 }  // namespace

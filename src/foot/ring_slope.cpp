@@ -28,7 +28,7 @@ MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
   if (std::abs(off) > kSteepestLip + expected.lean) return {seen, expected.parallel, kLipSlope};
   const double feigned = std::clamp(-off, 0.0, expected.lean), beams = kBeams * expected.lean;
   const double odd = std::hypot(doubt, beams), own = off + 0.5 * feigned;
-  const double unsure = expected.sigma_parallel, told = unsure * unsure / (unsure * unsure + odd * odd);
+  const double unsure = expected.sigma_parallel, told = square(unsure) / (square(unsure) + square(odd));
   const double parallel = density((off + feigned) / std::hypot(doubt, unsure), 1.0) / std::hypot(odd, unsure),
                leaning = density(own, std::hypot(odd, kTankSlope));
   const double share = leaning / (parallel + leaning);

@@ -1,8 +1,7 @@
 #include "foot/soil_fillets.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/ring_runs.h"
@@ -10,18 +9,13 @@
 #include "core/units.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_roughness.h"
+#include "foot/part_levels.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kParts = 3;  // of the surface, from the weld to where it ends
-
-/// Something of each part.
-template <typename T>
-using PerPart = std::array<T, kParts>;
-
-/// The parts of a surface, all as wide.
+/// The parts of a surface, from the weld to where it ends, all as wide.
 struct SurfaceParts {
   double from, width;  ///< [m]
 
@@ -39,28 +33,13 @@ PerPart<WeightedValue> levelsOf(const std::vector<FootPoint>& points, const Foot
     if (part >= 0.0 && part < static_cast<double>(kParts) && std::abs(off) < most)
       heights[static_cast<std::size_t>(part)].push_back(off);
   }
-  PerPart<WeightedValue> levels;
-  for (std::size_t part = 0; part < kParts; ++part) {
-    const auto weight = static_cast<double>(heights[part].size());
-    levels[part] = {median(std::move(heights[part])), weight};
-  }
-  return levels;
+  return mediansOf(std::move(heights));
 }
 
 /// How far the inner part of an arc lies above the line through the others; NaN where few points tell [m].
 double bendIn(const std::vector<PerPart<WeightedValue>>& own, std::size_t first, std::size_t last) {
-  constexpr double kFewest = 10.0;
-  PerPart<double> levels{};
-  for (std::size_t part = 0; part < kParts; ++part) {
-    std::vector<WeightedValue> of_arc;
-    double points = 0.0;
-    for (std::size_t k = first; k <= last; ++k) {
-      const WeightedValue& level = own[k % own.size()][part];
-      if (level.weight > 0.0) of_arc.push_back(level), points += level.weight;
-    }
-    levels[part] = points < kFewest ? kUnknown : weightedMedian(std::move(of_arc));
-  }
-  return levels[0] - 2.0 * levels[1] + levels[2];
+  const auto [inner, between, outer] = levelsIn(own, first, last);
+  return inner - 2.0 * between + outer;
 }
 
 }  // namespace
