@@ -18,6 +18,7 @@
 #include "foot/foot_state.h"
 #include "foot/hidden_strip.h"
 #include "foot/polar_ring.h"
+#include "foot/rough_arcs.h"
 #include "foot/shell_below.h"
 #include "foot/shell_circle.h"
 #include "foot/shell_fits.h"
@@ -136,7 +137,7 @@ FootPass runPasses(const Foot& foot, FootElevations& elevations) {
   }
   if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
-  return isResolved(foot) ? withoutCladding(foot, std::move(pass), elevations.filled) : pass;
+  return isResolved(foot) ? withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled)) : pass;
 }
 
 /// What the report shows of each station; an outlier's points are shown without the line that was refused.
