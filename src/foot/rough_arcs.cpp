@@ -47,9 +47,8 @@ double varianceAboutTwo(const Foot& foot, const FootPass& pass, std::size_t stat
 }  // namespace
 
 std::vector<bool> findRoughArcs(const Foot& foot, const FootPass& pass) {
-  constexpr double kRougher = 3.0;   // times the usual variance: no foundation differs by more along the shell
-  constexpr double kSteepest = 0.5;  // sine of the rays' angle to the foundation: of their noise, what is height
-  constexpr double kApart = 0.2;     // of the variance is left about two levels that lie four deviations apart
+  constexpr double kRougher = 3.0;  // times the usual variance: no foundation differs by more along the shell
+  constexpr double kApart = 0.2;    // of the variance is left about two levels that lie four deviations apart
   const std::size_t count = pass.fits.size(), near = foot.stationsBeside(kArc);
   std::vector<FootFit> own(count);
   std::vector<double> squares(count), variances(count), about_two(count);
@@ -61,7 +60,8 @@ std::vector<bool> findRoughArcs(const Foot& foot, const FootPass& pass) {
   const std::vector<double> known = finiteOf(variances);
   std::vector<bool> rough(count, false);
   if (known.empty()) return rough;
-  const double most = kRougher * median(known) + square(kSteepest * foot.scales.shell_noise);
+  // where rays come down steeply all of their noise is height
+  const double most = kRougher * median(known) + square(foot.scales.shell_noise);
   std::vector<char> asked(count, 0);  // whose levels tell of a rough arc
   for (std::size_t i = 0; i < count; ++i) {
     rough[i] = variances[i] > most;

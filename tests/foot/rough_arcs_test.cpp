@@ -16,7 +16,7 @@ using namespace made_feet;
 
 /// Scatter of a foundation's points, and of those about the shell [m].
 constexpr double kUsual = 0.0005, kShellNoise = 0.001;
-const double kMost = std::sqrt(3.0 * kUsual * kUsual + 0.25 * kShellNoise * kShellNoise);
+const double kMost = std::sqrt(3.0 * kUsual * kUsual + kShellNoise * kShellNoise);
 
 /// What a point of a station has for its height, from a standard normal number and the point's own.
 using Height = std::function<double(int station, int point, double normal)>;
@@ -86,14 +86,14 @@ TEST(FindRoughArcs, ThriceTheVarianceIsUsual) {
   EXPECT_GT(smooth(std::sqrt(4.0)), 20);
 }
 
-TEST(FindRoughArcs, NoiseIsUpToHalfOfThatAboutTheShell) {
+TEST(FindRoughArcs, NoiseIsUpToThatAboutTheShell) {
   const auto noisy = [](double shell_noise) {
     MadeFoot made;
     Pad{}.build(made, scattering(0.002));
     return countOf(findRoughArcs(made.foot({0.3, shell_noise, 0.013}), Pad{}.pass()));
   };
-  EXPECT_GT(noisy(0.0031), 20);
-  EXPECT_EQ(noisy(0.0045), 0);
+  EXPECT_GT(noisy(0.0014), 20);
+  EXPECT_EQ(noisy(0.0022), 0);
 }
 
 /// Stations found where only every so many have points.
