@@ -24,8 +24,9 @@ using Height = std::function<double(int station, int point, double normal)>;
 bool isInArc(int station) { return station >= 100 && station < 130; }
 
 struct Pad {
-  int points = 60;  ///< of a station
-  int unknown_from = 0, unknown = 0;
+  int points = 60, every = 1;  ///< of a station, and of so many
+  double shell_noise = kShellNoise;
+  int unknown_from = 0, unknown = 0;  ///< stations that do not stand
 
   FootPass pass() const {
     FootFit fit;
@@ -44,19 +45,19 @@ struct Pad {
     return pass;
   }
 
-  void build(MadeFoot& made, const Height& height) const {
+  Foot& foot(MadeFoot& made, const Height& height) const {
     std::mt19937_64 random(4);
     std::normal_distribution<double> normal;
-    for (int s = 0; s < 360; ++s) {
+    for (int s = 0; s < 360; s += every) {
       int point = 0;
       made.addStation(s, points, 0.01, 0.29, [&](double) { return height(s, point++, normal(random)); });
     }
+    return made.foot({0.3, shell_noise, 0.013});
   }
 
   std::vector<bool> rough(const Height& height) const {
     MadeFoot made;
-    build(made, height);
-    return findRoughArcs(made.foot({0.3, kShellNoise, 0.013}), pass());
+    return findRoughArcs(foot(made, height), pass());
   }
 };
 
@@ -77,40 +78,19 @@ TEST(FindRoughArcs, AreThoseThatScatterFarMoreThanUsualAndThanNoise) {
 }
 
 TEST(FindRoughArcs, ThriceTheVarianceIsUsual) {
-  const auto smooth = [](double of_usual) {
-    MadeFoot made;
-    Pad{}.build(made, scattering(of_usual * kUsual));
-    return countOf(findRoughArcs(made.foot({0.3, 1e-5, 0.013}), Pad{}.pass()));
-  };
-  EXPECT_EQ(smooth(std::sqrt(2.4)), 0);
-  EXPECT_GT(smooth(std::sqrt(4.0)), 20);
+  const Pad still{60, 1, 1e-5};
+  EXPECT_EQ(countOf(still.rough(scattering(std::sqrt(2.4) * kUsual))), 0);
+  EXPECT_GT(countOf(still.rough(scattering(std::sqrt(4.0) * kUsual))), 20);
 }
 
 TEST(FindRoughArcs, NoiseIsUpToThatAboutTheShell) {
-  const auto noisy = [](double shell_noise) {
-    MadeFoot made;
-    Pad{}.build(made, scattering(0.002));
-    return countOf(findRoughArcs(made.foot({0.3, shell_noise, 0.013}), Pad{}.pass()));
-  };
-  EXPECT_GT(noisy(0.0014), 20);
-  EXPECT_EQ(noisy(0.0022), 0);
-}
-
-/// Stations found where only every so many have points.
-std::ptrdiff_t countOfSparse(int points, int every, const Height& height) {
-  MadeFoot made;
-  std::mt19937_64 random(4);
-  std::normal_distribution<double> normal;
-  for (int s = 0; s < 360; s += every) {
-    int point = 0;
-    made.addStation(s, points, 0.01, 0.29, [&](double) { return height(s, point++, normal(random)); });
-  }
-  return countOf(findRoughArcs(made.foot({0.3, kShellNoise, 0.013}), Pad{}.pass()));
+  EXPECT_GT(countOf(Pad{60, 1, 0.0014}.rough(scattering(0.002))), 20);
+  EXPECT_EQ(countOf(Pad{60, 1, 0.0022}.rough(scattering(0.002))), 0);
 }
 
 TEST(FindRoughArcs, FifteenPointsTell) {
-  EXPECT_GT(countOfSparse(8, 3, scattering(0.004)), 10) << "24 points in 9 degrees";
-  EXPECT_EQ(countOfSparse(13, 9, scattering(0.008)), 0) << "13";
+  EXPECT_GT(countOf(Pad{8, 3}.rough(scattering(0.004))), 10) << "24 points in 9 degrees";
+  EXPECT_EQ(countOf(Pad{13, 9}.rough(scattering(0.008))), 0) << "13";
 }
 
 /// Two scans, each as smooth as elsewhere, so far apart in an arc.
@@ -126,8 +106,8 @@ TEST(FindRoughArcs, TwoScansThatDisagreeAreNone) {
 }
 
 TEST(FindRoughArcs, EightPointsOfAWindowTellTwoLevels) {
-  EXPECT_EQ(countOfSparse(12, 3, doubled(0.008, 0.0001)), 0);
-  EXPECT_GT(countOfSparse(7, 3, doubled(0.008, 0.0001)), 10) << "any few points lie about two levels";
+  EXPECT_EQ(countOf(Pad{12, 3}.rough(doubled(0.008, 0.0001))), 0);
+  EXPECT_GT(countOf(Pad{7, 3}.rough(doubled(0.008, 0.0001))), 10) << "any few points lie about two levels";
 }
 
 TEST(FindRoughArcs, TwoLevelsThatAreRoughOrCloseAreRough) {
@@ -142,18 +122,17 @@ TEST(FindRoughArcs, TwoLevelsThatAreRoughOrCloseAreRough) {
 }
 
 TEST(FindRoughArcs, StationsThatDoNotStandTellNothing) {
-  const std::vector<bool> found = Pad{60, 95, 40}.rough(scattering(0.004));
+  const std::vector<bool> found = Pad{60, 1, kShellNoise, 95, 40}.rough(scattering(0.004));
   EXPECT_EQ(countOf(found), 0);
   MadeFoot none;
   none.add(0.0, 0.1, 0.0);
-  EXPECT_EQ(countOf(findRoughArcs(none.foot(), Pad{60, 0, 360}.pass())), 0);
+  EXPECT_EQ(countOf(findRoughArcs(none.foot(), Pad{60, 1, kShellNoise, 0, 360}.pass())), 0);
 }
 
 TEST(WithoutRoughArcs, TheirStationsAreOfAnotherSurfaceAndMayBeTheDatumNevertheless) {
   MadeFoot made;
-  const Pad pad{60, 110, 2};
-  pad.build(made, scattering(0.004));
-  const FootPass pass = withoutRoughArcs(made.foot({0.3, kShellNoise, 0.013}), pad.pass());
+  const Pad pad{60, 1, kShellNoise, 110, 2};
+  const FootPass pass = withoutRoughArcs(pad.foot(made, scattering(0.004)), pad.pass());
   EXPECT_FALSE(pass.fits[115].valid());
   EXPECT_EQ(pass.outliers.reasons[115], Unmeasured::OtherSurface);
   EXPECT_EQ(pass.outliers.refused[115], 0.0);
