@@ -119,7 +119,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
       reasons[i] = Unmeasured::Hidden;
     } else {
       before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
-      own[i] = ownFit(foot, i, pass, 3.0 * foot.half_step);
+      own[i] = ownFit(foot, i, pass, kWithNeighbours * foot.half_step);
       heaps[i] = isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass) ? 1 : 0;
       no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || heaps[i] ? 1 : 0;
       const bool other = no_foot[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
@@ -164,7 +164,8 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     const bool may_be = !none && no_foot[i] == 0 && !hanging[i] && !islands[i];
     if (reasons[i] == Unmeasured::OtherSurface && may_be) refused[i] = pass.fits[i].z;
   }
-  return {std::move(reasons), std::move(steps.dips), std::move(refused), std::move(cover.maybe)};
+  own = standing(std::move(own), reasons);
+  return {std::move(reasons), std::move(steps.dips), std::move(refused), std::move(cover.maybe), std::move(own)};
 }
 
 std::vector<double> elevationsOf(const std::vector<FootFit>& fits) {

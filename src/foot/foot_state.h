@@ -132,6 +132,7 @@ struct FootOutliers {
   std::vector<bool> dips;           ///< stations that stand, below those beside them by a step
   std::vector<double> refused;      ///< elevations of those that may be the datum nevertheless, else NaN [m]
   std::vector<double> maybe_cover;  ///< how thick something may be that covers the foot where they stand [m]
+  std::vector<FootFit> own;         ///< ownFit() of them and their neighbours, where they stand
 };
 
 /// What one pass found.

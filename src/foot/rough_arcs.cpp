@@ -15,12 +15,11 @@ namespace tank_datum {
 namespace {
 
 constexpr double kArc = 4.0 * kDegree;  // to either side, that is looked at together
-constexpr double kShared = 3.0;         // a point is in the fits of so many stations
 
 /// Mean of a station's value and those beside it, weighed by their points; NaN where these are few.
 double pooledAround(const std::vector<FootFit>& own, const std::vector<double>& values, std::size_t station,
                     std::size_t near) {
-  constexpr double kFewest = 15.0;  // points that tell a threefold variance from chance
+  constexpr double kFewest = 15.0;  // points that tell a threefold variance from chance, each in several fits
   double sum = 0, points = 0;
   for (std::size_t k = station + own.size() - near; k <= station + own.size() + near; ++k) {
     const FootFit& fit = own[k % own.size()];
@@ -28,7 +27,7 @@ double pooledAround(const std::vector<FootFit>& own, const std::vector<double>& 
     const auto weight = static_cast<double>(fit.points);
     sum += weight * values[k % own.size()], points += weight;
   }
-  return points >= kShared * kFewest ? sum / points : kUnknown;
+  return points >= kWithNeighbours * kFewest ? sum / points : kUnknown;
 }
 
 /// Variance about two levels of the points that a fit of a station with its neighbours goes through.
@@ -36,26 +35,23 @@ double varianceAboutTwo(const Foot& foot, const FootPass& pass, std::size_t stat
   constexpr std::size_t kFewest = 8, kPlenty = 500;
   const FootProfile& profile = pass.sections.at(station);
   std::vector<double> all, offs;
-  foot.ring.visitAround(foot.directions[station], kShared * foot.half_step, own.z, foot.reach, [&](const FootPoint& p) {
-    const double off = offOf(p, own);
-    if (isOfBand(p, off, own, profile)) all.push_back(off);
-  });
+  foot.ring.visitAround(foot.directions[station], kWithNeighbours * foot.half_step, own.z, foot.reach,
+                        [&](const FootPoint& p) {
+                          const double off = offOf(p, own);
+                          if (isOfBand(p, off, own, profile)) all.push_back(off);
+                        });
   for (std::size_t i = 0; i < all.size(); i += all.size() / kPlenty + 1) offs.push_back(all[i]);
   return offs.size() < kFewest ? own.own * own.own : square(fitTwoLevels(offs).sigma);
 }
 
 }  // namespace
 
-std::vector<bool> findRoughArcs(const Foot& foot, const FootPass& pass) {
+std::vector<bool> findRoughArcs(const Foot& foot, const FootPass& pass, const std::vector<FootFit>& own) {
   constexpr double kRougher = 3.0;  // times the usual variance: no foundation differs by more along the shell
   constexpr double kApart = 0.2;    // of the variance is left about two levels that lie four deviations apart
-  const std::size_t count = pass.fits.size(), near = foot.stationsBeside(kArc);
-  std::vector<FootFit> own(count);
-  std::vector<double> squares(count), variances(count), about_two(count);
-  forEachIndex(count, 0, [&](std::size_t i) {
-    if (pass.fits[i].valid()) own[i] = ownFit(foot, i, pass, kShared * foot.half_step);
-    squares[i] = own[i].own * own[i].own;
-  });
+  const std::size_t count = own.size(), near = foot.stationsBeside(kArc);
+  std::vector<double> squares, variances(count), about_two(count);
+  for (const FootFit& fit : own) squares.push_back(square(fit.own));
   for (std::size_t i = 0; i < count; ++i) variances[i] = pooledAround(own, squares, i, near);
   const std::vector<double> known = finiteOf(variances);
   std::vector<bool> rough(count, false);
@@ -78,7 +74,7 @@ std::vector<bool> findRoughArcs(const Foot& foot, const FootPass& pass) {
 }
 
 FootPass withoutRoughArcs(const Foot& foot, FootPass pass) {
-  const std::vector<bool> rough = findRoughArcs(foot, pass);
+  const std::vector<bool> rough = findRoughArcs(foot, pass, standing(pass.outliers.own, pass.outliers.reasons));
   for (std::size_t i = 0; i < rough.size(); ++i) {
     if (!rough[i] || !pass.fits[i].valid()) continue;
     pass.outliers.reasons[i] = Unmeasured::OtherSurface;

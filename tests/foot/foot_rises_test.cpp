@@ -29,7 +29,7 @@ struct Ring {
     MadeFoot made;
     Foot& foot = made.foot();
     foot.radius = radius;
-    FootOutliers outliers{std::vector<Unmeasured>(360, Unmeasured::None), {}, {}, {}};
+    FootOutliers outliers{std::vector<Unmeasured>(360, Unmeasured::None), {}, {}, {}, {}};
     std::vector<double> known = levels;
     for (std::size_t i = 100; i <= kLast; ++i) outliers.reasons[i] = reason, known[i] = kUnknown;
     return findRises(foot, outliers, known, std::vector<double>(360, sigma));

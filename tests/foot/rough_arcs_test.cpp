@@ -6,7 +6,10 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
+#include <vector>
 
+#include "foot/foot_heaps.h"
 #include "support/made_feet.h"
 
 namespace tank_datum {
@@ -57,7 +60,17 @@ struct Pad {
 
   std::vector<bool> rough(const Height& height) const {
     MadeFoot made;
-    return findRoughArcs(foot(made, height), pass());
+    const Foot& scanned = foot(made, height);
+    return findRoughArcs(scanned, pass(), ownOf(scanned));
+  }
+
+  std::vector<FootFit> ownOf(const Foot& scanned) const {
+    const FootPass here = pass();
+    std::vector<FootFit> own(360);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (here.fits[i].valid()) own[i] = ownFit(scanned, i, here, kWithNeighbours * scanned.half_step);
+    }
+    return own;
   }
 };
 
@@ -126,13 +139,16 @@ TEST(FindRoughArcs, StationsThatDoNotStandTellNothing) {
   EXPECT_EQ(countOf(found), 0);
   MadeFoot none;
   none.add(0.0, 0.1, 0.0);
-  EXPECT_EQ(countOf(findRoughArcs(none.foot(), Pad{60, 1, kShellNoise, 0, 360}.pass())), 0);
+  EXPECT_EQ(countOf(findRoughArcs(none.foot(), Pad{}.pass(), std::vector<FootFit>(360))), 0);
 }
 
 TEST(WithoutRoughArcs, TheirStationsAreOfAnotherSurfaceAndMayBeTheDatumNevertheless) {
   MadeFoot made;
   const Pad pad{60, 1, kShellNoise, 110, 2};
-  const FootPass pass = withoutRoughArcs(pad.foot(made, scattering(0.004)), pad.pass());
+  const Foot& foot = pad.foot(made, scattering(0.004));
+  FootPass before = pad.pass();
+  before.outliers.own = pad.ownOf(foot);
+  const FootPass pass = withoutRoughArcs(foot, std::move(before));
   EXPECT_FALSE(pass.fits[115].valid());
   EXPECT_EQ(pass.outliers.reasons[115], Unmeasured::OtherSurface);
   EXPECT_EQ(pass.outliers.refused[115], 0.0);
