@@ -139,6 +139,24 @@ def beside(seed: int, radius: float) -> list[dict[str, Any]]:
     return made + (bushes(draw) if draw.random() < 0.2 else [])
 
 
+def registration(seed: int) -> dict[str, float]:
+    """How badly the setups of one scene in three are registered, drawn apart from the rest."""
+    draw = random.Random(seed + 3_000_003)
+    if draw.random() > 1.0 / 3.0:
+        return {}
+    height = math.exp(draw.uniform(math.log(0.0005), math.log(0.005)))
+    return {
+        "sigma_dz": height,
+        "sigma_plan": height * draw.uniform(0.5, 1.5),
+        "sigma_tilt_arcsec": draw.uniform(0.0, 20.0),
+    }
+
+
+def has_files(seed: int) -> bool:
+    """Whether each setup is a file of its own; else one file holds all, without labels."""
+    return random.Random(seed + 4_000_003).random() < 0.5
+
+
 def scene_of(seed: int) -> Scene:
     draw = random.Random(seed)
     made = tank(draw)
@@ -170,6 +188,7 @@ def scene_of(seed: int) -> Scene:
             "min_elevation_deg": -45,
             "max_elevation_deg": 15,
             "max_range": distance + radius,
+            "registration": registration(seed),
         },
         "measurement": {
             "range_sigma": draw.uniform(0.0005, 0.004),

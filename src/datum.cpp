@@ -16,7 +16,7 @@
 #include "locate/locate.h"
 #include "refusals.h"
 #include "setups/agreement.h"
-#include "setups/double_surface.h"
+#include "setups/merged_scans.h"
 #include "setups/setup_shares.h"
 #include "shape/analysis.h"
 #include "shell/shell_measures.h"
@@ -37,10 +37,14 @@ void tell(const Callbacks& callbacks, const char* stage) {
   if (callbacks.stage) callbacks.stage(stage);
 }
 
-/// The setups of a ring compared and adjusted to each other; the ring has its points for the search then.
+/// The setups of a ring compared and adjusted to each other; the ring has its points for the search then: of labelled
+/// setups as they were adjusted, else as they were given.
 SetupAgreement adjustSetups(Ring& ring, const Scan& scan, const Tank& tank, const DatumOptions& options) {
-  SetupAgreement agreement = agreeSetups(ring, scan, tank, options.setups, options.threads);
-  if (ring.search.empty() || agreement.repeated_points > 0) thinForSearch(ring, tank, options.crop, options.threads);
+  const bool labelled = ring.search.empty();
+  const RepeatedPoints repeated = removeRepeated(ring);
+  if (!labelled && repeated.removed > 0) thinForSearch(ring, tank, options.crop, options.threads);
+  SetupAgreement agreement = agreeSetups(ring, repeated, scan, tank, options.setups, options.threads);
+  if (labelled) thinForSearch(ring, tank, options.crop, options.threads);
   return agreement;
 }
 
@@ -89,11 +93,7 @@ void shareErrors(Datum& datum, const Ring& ring) {
   const FootProfile& profile = datum.refined.profile;
   const FoundationBand band{profile.band_from, profile.band_to, profile.slope, profile.noise};
   const SetupShares shares = setupShares(ring, datum.tank, datum.stations, datum.circle.center, band);
-  if (ring.setupCount() == 1) {
-    const double doubled = doubleDisagreement(ring, datum.tank, datum.stations, datum.circle.center, band);
-    double& discrepancy = datum.agreement.unlabelled_discrepancy;
-    discrepancy = std::max(discrepancy, std::sqrt(2.0) * doubled);
-  }
+  if (ring.setupCount() == 1) judgeMerged(datum.agreement, ring, datum.tank, datum.stations, datum.circle.center, band);
   SharedErrors shared = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
   datum.covariance = std::move(shared.covariance);
   datum.stations = withParts(std::move(datum.stations), shared.stations);
@@ -131,6 +131,7 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
     add(testsOfGap(datum.refined.shell_from, ring.reach, evidence));
     add(testsUnderShell(datum.refined.under_shell));
     add(testsAboveShell(datum.refined.above_shell));
+    add(testsOfRaised(datum.refined.raised));
   }
   return judgeTests(std::move(datum), options);
 }

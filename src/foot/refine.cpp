@@ -18,6 +18,7 @@
 #include "foot/foot_state.h"
 #include "foot/hidden_strip.h"
 #include "foot/polar_ring.h"
+#include "foot/raised_foot.h"
 #include "foot/rough_arcs.h"
 #include "foot/shell_below.h"
 #include "foot/shell_circle.h"
@@ -223,6 +224,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
   found.refined.above_shell = shareAboveShell(foot, levels.fits);
+  found.refined.raised = raisedAboveRest(foot, levels.fits);
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
   const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
   found.refined.circle = round.circle;

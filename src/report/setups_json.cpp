@@ -80,7 +80,12 @@ Json agreementSection(const Datum& datum) {
                {"rms_after", number(agreement.rms_after)},
                {"repeated_points", agreement.repeated_points},
                {"unlabelled_discrepancy", number(agreement.unlabelled_discrepancy)}};
+  if (agreement.merged_sigma > 0.0) {
+    json["sigma_height"] = agreement.merged_sigma;
+    json["height_from"] = agreement.unlabelled_discrepancy > 0.0 ? "overlaps" : sourceOf(false, agreement.given.height);
+  }
   if (!agreement.adjusted()) return json;
+  json["told_apart_by"] = agreement.by_order ? "order" : "labels";
   json["sigma_height"] = agreement.spread.height;
   json["sigma_tilt_arcsec"] = toArcSeconds(agreement.spread.tilt);
   json["sigma_plan"] = agreement.spread.plan;

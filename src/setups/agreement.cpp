@@ -6,7 +6,7 @@
 
 #include "core/parallel.h"
 #include "setups/merged_scans.h"
-#include "setups/repeated_points.h"
+#include "setups/parts_by_order.h"
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
 #include "setups/setup_verdicts.h"
@@ -63,6 +63,27 @@ void requireKnown(const Scan& scan, const std::vector<Setup>& setups, const Setu
     if (std::any_of(scan.paths().begin(), scan.paths().end(), is_stem)) continue;
     throw Error(Error::Kind::Option, "setups", "origin of", name, "the stem of a scan, or a label");
   }
+}
+
+/// Tells the setups of a cloud merged without labels apart by the order of its points. False where that says nothing.
+bool partByOrder(Ring& ring, const Tank& tank, SetupAgreement& agreement, int threads) {
+  const std::vector<std::size_t> begins = partsByOrder(ring, tank, threads);
+  if (begins.size() < 2) return false;
+  ring.setups.assign(begins.size(), SetupKey{});
+  ring.point_setups.assign(ring.points.size(), 0);
+  agreement.setups.assign(begins.size(), Setup{});
+  for (std::size_t part = 0; part < begins.size(); ++part) {
+    const std::size_t end = part + 1 < begins.size() ? begins[part + 1] : ring.points.size();
+    Setup& setup = agreement.setups[part];
+    setup.name = "part " + std::to_string(part + 1);
+    for (std::size_t i = begins[part]; i < end; ++i) {
+      ring.point_setups[i] = static_cast<std::uint16_t>(part);
+      setup.origin += ring.points[i];
+      ++setup.points;
+    }
+    setup.origin /= static_cast<double>(std::max<std::size_t>(1, setup.points));
+  }
+  return true;
 }
 
 void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
@@ -123,27 +144,30 @@ const char* nameOf(SetupVerdict verdict) {
   return "";
 }
 
-SetupAgreement agreeSetups(Ring& ring, const Scan& scan, const Tank& tank, const SetupOptions& options, int threads) {
+SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Scan& scan, const Tank& tank,
+                           const SetupOptions& options, int threads) {
   SetupAgreement agreement;
   if (ring.points.empty()) return agreement;
-  const RepeatedPoints repeated = removeRepeated(ring);
   agreement.repeated_points = repeated.removed;
+  agreement.given = {options.error, options.tilt, options.error};
   agreement.setups = setupsOf(ring, scan, options);
   requireKnown(scan, agreement.setups, options);
   const auto has_points = [](const Setup& setup) { return setup.points > 0; };
   if (std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points) < 2) {
     markDuplicates(agreement.setups, repeated);
     ring.point_setups.clear();
-    agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
-    return agreement;
+    agreement.by_order = partByOrder(ring, tank, agreement, threads);
+    if (!agreement.by_order) {
+      agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
+      return agreement;
+    }
   }
   std::vector<Eigen::Vector3d> origins;
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
   const SetupRing polar(ring, tank, threads);
   const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
-  agreement.given = {options.error, options.tilt, options.error};
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
-  markDuplicates(agreement.setups, repeated);
+  if (!agreement.by_order) markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);
   return agreement;

@@ -7,7 +7,9 @@
 #include "core/parts.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
+#include "setups/double_surface.h"
 #include "setups/setup_ring.h"
+#include "setups/setup_system.h"
 #include "setups/setup_views.h"
 
 namespace tank_datum {
@@ -97,6 +99,24 @@ double commonExcess(const std::vector<ArcVariance>& arcs) {
   return excess > kPlain / std::sqrt(known) ? excess : 0.0;
 }
 
+/// Whether more of the shell is seen than one setup sees: from outside it is never half of it.
+bool isSeenBySeveral(const Ring& ring, const Tank& tank) {
+  constexpr double kFrom = 0.3, kNear = 0.2;  // of the reach: above the foot, and off the circle
+  constexpr std::size_t kFewestPoints = 5;    // of an arc
+  constexpr std::size_t kAllowance = 4;       // arcs: shells are not round, their centres not known
+  if (tank.side != Side::Outside) return false;
+  std::vector<std::size_t> counts(SetupRing::kArcs, 0);
+  for (const Eigen::Vector3d& p : ring.points) {
+    const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
+    if (std::abs(arm.norm() - tank.circle.radius) > kNear * ring.reach) continue;
+    if (p.z() > tank.foot(portable::atan2(arm.y(), arm.x())) + kFrom * ring.reach) {
+      ++counts[SetupRing::arcOf(p, tank.circle.center)];
+    }
+  }
+  const auto seen = std::count_if(counts.begin(), counts.end(), [](std::size_t n) { return n >= kFewestPoints; });
+  return static_cast<std::size_t>(seen) > SetupRing::kArcs / 2 + kAllowance;
+}
+
 }  // namespace
 
 double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
@@ -121,6 +141,21 @@ double mergedDisagreement(const Ring& ring, const Tank& tank, int threads) {
     if (v.excess <= most) usual.push_back(v);
   }
   return std::sqrt(commonExcess(withoutLoneArcs(usual)));
+}
+
+double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given) {
+  constexpr double kUsual = 0.0022;   // a setup's height known to 2 mm and its tilt to 10 arc-seconds, 20 m away [m]
+  constexpr double kDifferences = 5;  // that six scans round a tank tell
+  const double usual = given > 0.0 ? given : kUsual;
+  if (discrepancy > 0.0) return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, usual);
+  return isSeenBySeveral(ring, tank) ? usual : 0.0;
+}
+
+void judgeMerged(SetupAgreement& agreement, const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
+                 const Eigen::Vector2d& center, const FoundationBand& band) {
+  const double doubled = doubleDisagreement(ring, tank, stations, center, band);
+  agreement.unlabelled_discrepancy = std::max(agreement.unlabelled_discrepancy, std::sqrt(2.0) * doubled);
+  agreement.merged_sigma = mergedSigma(ring, tank, agreement.unlabelled_discrepancy, agreement.given.height);
 }
 
 Eigen::MatrixXd mergedFactors(const std::vector<Station>& stations, double sigma) {

@@ -90,9 +90,17 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
 std::string setupSummary(const SetupAgreement& agreement, const std::vector<Station>& stations) {
   const auto has_points = [](const Setup& setup) { return setup.points > 0; };
   const auto seen = std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points);
+  if (agreement.merged_sigma > 0.0) {
+    const bool seen_to_disagree = agreement.unlabelled_discrepancy > 0.0;
+    return "several, not told apart; shared error " + millimetres(sharedError(stations)) +
+           (seen_to_disagree               ? ""
+            : agreement.given.height > 0.0 ? ", as given"
+                                           : ", assumed");
+  }
   std::string text = std::to_string(agreement.adjusted() ? static_cast<std::ptrdiff_t>(agreement.setups.size())
                                                          : std::max<std::ptrdiff_t>(1, seen));
   if (!agreement.adjusted()) return text;
+  if (agreement.by_order) text += " by the order of the points";
   if (std::isfinite(agreement.rms_before)) {
     text += ", disagreeing by " + millimetres(agreement.rms_before) + ", adjusted";
   } else {

@@ -7,7 +7,6 @@
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "setups/merged_scans.h"
-#include "setups/setup_system.h"
 #include "setups/station_cells.h"
 #include "stations/station_covariance.h"
 #include "tank_datum/core/unknown.h"
@@ -66,13 +65,6 @@ void CellCounts::add(std::size_t cell, double half_window, Eigen::Ref<Eigen::Row
     foundation += foundation_.row(row);
     shell += shell_.row(row);
   }
-}
-
-/// Of one of the scans that disagree by so much, each pair of neighbours telling of one difference.
-double mergedSigma(double discrepancy) {
-  constexpr double kUsual = 0.0022;   // a setup's height known to 2 mm and its tilt to 10 arc-seconds, 20 m away [m]
-  constexpr double kDifferences = 5;  // that six scans round a tank tell
-  return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, kUsual);
 }
 
 /// An interpolated station leans on both sides alike.
@@ -152,8 +144,8 @@ SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector
                               const SetupShares& shares, double slope) {
   SharedErrors shared;
   shared.covariance = independentCovariance(stations);
-  shared.covariance.factors = agreement.unlabelled_discrepancy > 0.0
-                                  ? mergedFactors(stations, mergedSigma(agreement.unlabelled_discrepancy))
+  shared.covariance.factors = agreement.merged_sigma > 0.0
+                                  ? mergedFactors(stations, agreement.merged_sigma)
                                   : setupFactors(agreement, shares, stations, slope);
   shared.stations.resize(stations.size());
   shared.seen.resize(agreement.setups.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -13,9 +14,6 @@
 
 namespace tank_datum {
 namespace {
-
-constexpr std::size_t kCellsOfArc = SetupRing::kCells / SetupRing::kArcs;
-constexpr double kArc = kTwoPi / static_cast<double>(SetupRing::kArcs);
 
 // Lengths are shares of the ring's reach, which is 0.5 m, or half of the radius of what is smaller than a metre.
 constexpr double kClear = 0.04;             // of the shell: no weld, no blend [reach]
@@ -36,12 +34,22 @@ bool seesSeveral(const SetupRing::Entry* begin, const SetupRing::Entry* end) {
   return std::any_of(begin, end, [&](const SetupRing::Entry& e) { return e.setup != begin->setup; });
 }
 
-ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, std::size_t arc) {
-  const SetupRing::Entry* begin = ring.begin(arc * kCellsOfArc);
-  const SetupRing::Entry* end = ring.end((arc + 1) * kCellsOfArc - 1);
+/// How the ring is cut into arcs.
+struct ArcWidth {
+  std::size_t cells;  ///< of the ring in one arc
+
+  std::size_t count() const { return SetupRing::kCells / cells; }
+  double middleOf(std::size_t arc) const {
+    return (static_cast<double>(arc) + 0.5) * kTwoPi / static_cast<double>(count());
+  }
+};
+
+ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, ArcWidth width, std::size_t arc) {
+  const SetupRing::Entry* begin = ring.begin(arc * width.cells);
+  const SetupRing::Entry* end = ring.end((arc + 1) * width.cells - 1);
   ArcPoints all;
   if (begin == end || !seesSeveral(begin, end)) return all;
-  const double middle = (static_cast<double>(arc) + 0.5) * kArc, foot = tank.foot(middle);
+  const double middle = width.middleOf(arc), foot = tank.foot(middle);
   const double side = tank.side == Side::Outside ? 1.0 : -1.0;
   const std::size_t every = static_cast<std::size_t>(end - begin) / kMostOfArc + 1;
   for (const SetupRing::Entry* e = begin; e < end;
@@ -62,6 +70,25 @@ ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, std::s
   all.foot_z /= std::max<double>(1.0, static_cast<double>(all.foot.size()));
   all.shell_z /= std::max<double>(1.0, static_cast<double>(all.shell.size()));
   return all;
+}
+
+/// The narrowest arcs in which setups have points enough of the foundation to fill its bins.
+ArcWidth widthOf(const SetupRing& ring, const Tank& tank, double reach, int threads) {
+  constexpr std::size_t kNarrowest = SetupRing::kCells / SetupRing::kArcs, kLongest = 8 * kNarrowest;
+  constexpr double kPlenty = 100.0;  // points of a setup in an arc
+  std::vector<std::vector<double>> counts(SetupRing::kArcs);
+  forEachIndex(SetupRing::kArcs, threads, [&](std::size_t arc) {
+    std::map<std::uint16_t, double> of_setups;
+    for (const ArcPoint& p : pointsOf(ring, tank, reach, {kNarrowest}, arc).foot) of_setups[p.setup] += 1.0;
+    for (const auto& [setup, points] : of_setups) counts[arc].push_back(points);
+  });
+  std::vector<double> all;
+  for (const auto& some : counts) all.insert(all.end(), some.begin(), some.end());
+  if (all.empty()) return {kNarrowest};
+  const double usual = median(std::move(all));
+  std::size_t cells = kNarrowest;
+  while (cells < kLongest && usual * static_cast<double>(cells / kNarrowest) < kPlenty) cells *= 2;
+  return {cells};
 }
 
 /// How steeply the points of a foundation fall away from the shell: the median slope between their bins [m/m].
@@ -102,10 +129,11 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
   constexpr double kLobe = 0.02;        // slope that the shell's outline leaves over [m/m]
   const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, kWindow * reach};
   const ArcPrior shell_prior{kLobe, 10.0 * kHighestWave / tank.circle.radius, kWindow * reach};
-  std::vector<std::optional<ArcView>> found(2 * SetupRing::kArcs);
-  forEachIndex(SetupRing::kArcs, threads, [&](std::size_t arc) {
-    const ArcPoints points = pointsOf(ring, tank, reach, arc);
-    const double azimuth = (static_cast<double>(arc) + 0.5) * kArc;
+  const ArcWidth width = widthOf(ring, tank, reach, threads);
+  std::vector<std::optional<ArcView>> found(2 * width.count());
+  forEachIndex(width.count(), threads, [&](std::size_t arc) {
+    const ArcPoints points = pointsOf(ring, tank, reach, width, arc);
+    const double azimuth = width.middleOf(arc);
     const Eigen::Vector2d out(portable::cos(azimuth), portable::sin(azimuth));
     for (const bool shell : {false, true}) {
       const auto seen = compareArc(shell ? points.shell : points.foot, shell ? shell_prior : foot_prior);

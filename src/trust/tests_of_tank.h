@@ -36,6 +36,9 @@ std::vector<TankTest> testsUnderShell(double under_shell);
 /// @param above_shell  share of the stations below which some of it is seen, and nothing as low before it
 std::vector<TankTest> testsAboveShell(double above_shell);
 
+/// @param raised  how far the stations stand above where the shell is seen elsewhere, over how far that scatters
+std::vector<TankTest> testsOfRaised(double raised);
+
 /// Numbers of the measured stations that do not lie on their shell, whose elevation is another thing's.
 std::vector<std::size_t> stationsOffCircle(const std::vector<Station>& stations, const Circle& circle,
                                            const ShellEvidence& shell);

@@ -24,6 +24,11 @@ SceneOptions closeRows() {
   return scene;
 }
 
+SetupAgreement agreed(Ring& ring, const Scan& scan, const Tank& tank, const SetupOptions& options) {
+  const RepeatedPoints repeated = removeRepeated(ring);
+  return agreeSetups(ring, repeated, scan, tank, options);
+}
+
 /// Four setups of a small tank, one file each, each with an error of its own.
 class SetupAgreementTest : public testing::Test {
  protected:
@@ -60,7 +65,7 @@ TEST_F(SetupAgreementTest, HeightsThatDisagreeAreFoundAndTakenOut) {
   ASSERT_EQ(ring.setupCount(), 4U);
   EXPECT_TRUE(ring.search.empty());
   const Points before = ring.points;
-  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  const SetupAgreement agreement = agreed(ring, scan, tank, {});
   ASSERT_EQ(agreement.setups.size(), 4U);
   EXPECT_EQ(agreement.setups[1].name, "scan_2");
   EXPECT_TRUE(agreement.setups[1].origin_known);
@@ -83,7 +88,7 @@ TEST_F(SetupAgreementTest, AgreeingSetupsStayAndBarelyWidenSigma) {
   const Scan scan = Scan::open(filesOf(scene, {0, 0, 0, 0}));
   const Tank tank = roughTank(scene, scan.origin());
   Ring ring = cropRing(scan, tank, {});
-  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  const SetupAgreement agreement = agreed(ring, scan, tank, {});
   for (const tank_datum::Setup& setup : agreement.setups) {
     EXPECT_LT(std::abs(setup.correction.dz), 0.0003) << setup.name;
     EXPECT_NE(setup.verdict, SetupVerdict::Bad) << setup.name;
@@ -103,7 +108,7 @@ TEST_F(SetupAgreementTest, AFileGivenTwiceIsUsedOnceAndSaid) {
   paths.push_back(again);
   const Scan scan = Scan::open(paths);
   Ring ring = cropRing(scan, tank, {});
-  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  const SetupAgreement agreement = agreed(ring, scan, tank, {});
   EXPECT_EQ(ring.points.size(), points);
   EXPECT_EQ(agreement.setups[4].verdict, SetupVerdict::Duplicate);
   EXPECT_NE(setupMessage(agreement, {}).find("setup again holds the points of another one"), std::string::npos);
@@ -115,11 +120,11 @@ TEST_F(SetupAgreementTest, TheBadOneCanBeDroppedWhereOthersSeeTheFoot) {
   const Tank tank = roughTank(scene, scan.origin());
   Ring ring = cropRing(scan, tank, {}), freed = ring;
   SetupOptions options;
-  const SetupAgreement agreement = agreeSetups(freed, scan, tank, options);
+  const SetupAgreement agreement = agreed(freed, scan, tank, options);
   EXPECT_EQ(agreement.setups[1].verdict, SetupVerdict::Bad);
   EXPECT_EQ(freed.points.size(), ring.points.size());
   options.bad = BadSetups::Drop;
-  agreeSetups(ring, scan, tank, options);
+  agreed(ring, scan, tank, options);
   EXPECT_LT(ring.points.size(), freed.points.size());
   EXPECT_EQ(ring.points.size(), ring.point_setups.size());
 }
@@ -131,9 +136,9 @@ TEST_F(SetupAgreementTest, OriginsOfNoSetupAreRefused) {
   SetupOptions options;
   options.origins["scan_9"] = {1.0, 2.0, 3.0};
   Ring ring = cropRing(scan, tank, {});
-  EXPECT_THROW(agreeSetups(ring, scan, tank, options), Error);
+  EXPECT_THROW(agreed(ring, scan, tank, options), Error);
   options.origins = {{"scan_2", scan.origin() + Eigen::Vector3d(1.0, 2.0, 3.0)}};
-  EXPECT_EQ(agreeSetups(ring, scan, tank, options).setups[1].origin, Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_EQ(agreed(ring, scan, tank, options).setups[1].origin, Eigen::Vector3d(1.0, 2.0, 3.0));
 }
 
 TEST_F(SetupAgreementTest, ARingOfOneSetupIsLeftAsItIs) {
@@ -144,7 +149,7 @@ TEST_F(SetupAgreementTest, ARingOfOneSetupIsLeftAsItIs) {
   EXPECT_TRUE(ring.point_setups.empty());
   EXPECT_FALSE(ring.search.empty());
   const Points before = ring.points;
-  const SetupAgreement agreement = agreeSetups(ring, scan, tank, {});
+  const SetupAgreement agreement = agreed(ring, scan, tank, {});
   EXPECT_EQ(ring.points, before);
   EXPECT_FALSE(agreement.adjusted());
   ASSERT_EQ(agreement.setups.size(), 1U);

@@ -77,6 +77,52 @@ TEST(MergedScans, PlantsAreNoDisagreement) {
   EXPECT_NEAR(mergedDisagreement(overgrown(madeRing(errors)), madeTank()), 0.004 / std::sqrt(2.0), 0.0003);
 }
 
+/// The sigma of scans that disagree by sqrt(2) times so much.
+double sigmaOf(double of_one, double given = 0.0) {
+  return mergedSigma(Ring(), madeTank(), std::sqrt(2.0) * of_one, given);
+}
+
+TEST(MergedSigma, IsAsUncertainAsAVarianceFromFiveDifferences) {
+  EXPECT_NEAR(sigmaOf(0.0050), 0.0050 * std::sqrt(1.0 + 2.0 / 5.0), 1e-9);
+}
+
+TEST(MergedSigma, OfScansThatAgreeWellIsDrawnTowardsTheUsualTwoMillimetres) {
+  // a height of 2 mm and a tilt of 10 arc-seconds over 20 m; a quarter of it is worth one and a half parameters
+  const double usual = std::hypot(0.002, 20.0 * toRadians(10.0 / 3600.0)), found = usual / 4.0;
+  const double drawn = std::exp((5.0 * std::log(found) + 1.5 * std::log(usual)) / 6.5) * std::sqrt(1.0 + 2.0 / 6.5);
+  EXPECT_NEAR(sigmaOf(found), drawn, 0.02 * drawn);
+}
+
+/// A shell seen from outside from x on, over so many degrees, from so high above the foot on and so far off its circle.
+double sigmaOfShell(double degrees, double from = 0.2, double off = 0.0, double given = 0.0,
+                    Side side = Side::Outside) {
+  Ring ring;
+  ring.reach = kReach;
+  for (double at = 0.25; at < degrees; at += 0.5) {
+    const double radius = kRadius + off, z = from;
+    ring.points.push_back({radius * std::cos(toRadians(at)), radius * std::sin(toRadians(at)), z});
+  }
+  Tank tank = madeTank();
+  tank.side = side;
+  return mergedSigma(ring, tank, 0.0, given);
+}
+
+TEST(MergedSigma, OfScansThatDoNotShowToDisagreeIsWhatIsUsualWhereOneSetupDoesNotSeeAllOfThem) {
+  EXPECT_NEAR(sigmaOfShell(200.0), 0.0022, 1e-9);
+  EXPECT_EQ(sigmaOfShell(185.0), 0.0);  // a shell and its centre are not known to a degree
+  EXPECT_NEAR(sigmaOfShell(200.0, 0.2, 0.0, 0.0005), 0.0005, 1e-9);
+  EXPECT_EQ(sigmaOfShell(360.0, 0.2, 0.0, 0.0, Side::Inside), 0.0);
+}
+
+TEST(MergedSigma, TheShellIsLookedForWhereItStands) {
+  EXPECT_EQ(sigmaOfShell(360.0, 0.14), 0.0);
+  EXPECT_GT(sigmaOfShell(360.0, 0.16), 0.0);
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_GT(sigmaOfShell(360.0, 0.2, side * 0.09), 0.0);
+    EXPECT_EQ(sigmaOfShell(360.0, 0.2, side * 0.11), 0.0);
+  }
+}
+
 TEST(MergedScans, FactorsHaveTheVarianceEverywhereAndFadeWithDistance) {
   StationOptions options;
   std::vector<Station> stations = emptyStations(options);

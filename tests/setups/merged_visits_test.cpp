@@ -76,7 +76,7 @@ TEST(MergedVisits, PointsOfAnArcAreOfTwoScansWhenAHalfPercentOfAllLiesBetween) {
 TEST(MergedVisits, BeyondTheTwelfthTheyAreRowsOfOneScan) {
   MergedCloud cloud;
   for (int visit = 0; visit < 24; ++visit) {
-    for (int arc = 0; arc < 8; ++arc) cloud.visit(arc, visit >= 6 && visit < 12 ? 0.004 : 0.0, 80);
+    for (int arc = 0; arc < 8; ++arc) cloud.visit(arc, visit >= 6 && visit < 12 ? 0.004 : 0.0, 200);
   }
   EXPECT_NEAR(cloud.disagreement(), 0.004 * std::sqrt(6.0 * 7.0 / 13.0 / 12.0), 0.0001);
 }

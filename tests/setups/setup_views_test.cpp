@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -124,6 +125,28 @@ TEST(ViewArcs, OfAnArcWithMoreThanSixtyThousandPointsEverySecondIsTaken) {
     return overlap.views().at(0).seen.information(0, 0);
   };
   EXPECT_NEAR(information(70'000) / information(50'000), 0.7, 0.05);
+}
+
+/// In how many arcs the foundation is compared of which two setups have so many points every 2.5 degrees.
+std::size_t comparedArcs(int points) {
+  Overlap overlap;
+  for (int i = 0; i < 1440 * 6; ++i) overlap.add(0, kTwoPi * kRadius * (i + 0.5) / (1440 * 6), 0.0, 0.45);
+  for (int i = 0; i < 144 * points; ++i) {
+    for (const int setup : {0, 1}) overlap.add(setup, kArcLength * ((i + 0.5) / points - 0.5), 0.11, 0.0);
+  }
+  const std::vector<ArcView> views = overlap.views();
+  return static_cast<std::size_t>(
+      std::count_if(views.begin(), views.end(), [](const ArcView& view) { return !view.shell; }));
+}
+
+TEST(ViewArcs, AreAsWideAsSetupsNeedForAHundredPoints) {
+  EXPECT_EQ(comparedArcs(100), 144U);
+  EXPECT_EQ(comparedArcs(98), 72U);
+  EXPECT_EQ(comparedArcs(50), 72U);
+  EXPECT_EQ(comparedArcs(48), 36U);
+  EXPECT_EQ(comparedArcs(25), 36U);
+  EXPECT_EQ(comparedArcs(5), 18U);
+  EXPECT_EQ(comparedArcs(2), 18U);
 }
 
 }  // namespace

@@ -203,6 +203,15 @@ TEST(TestsAboveShell, AShellThatIsSeenBelowItsFootIsDoubtfulAndNeverMore) {
   EXPECT_TRUE(testsAboveShell(kUnknown).empty());
 }
 
+TEST(TestsOfRaised, AFootAboveWhereItsShellIsSeenElsewhereIsDoubtfulAndNeverMore) {
+  const auto at = [](double raised) { return outcomeOf(testsOfRaised(raised), "raised"); };
+  EXPECT_EQ(at(-20.0), TestOutcome::Pass);
+  EXPECT_EQ(at(2.9), TestOutcome::Pass);
+  EXPECT_EQ(at(3.1), TestOutcome::Doubtful);
+  EXPECT_EQ(at(100.0), TestOutcome::Doubtful);
+  EXPECT_TRUE(testsOfRaised(kUnknown).empty());
+}
+
 TEST(TestsOfSigma, StationsKnownToMoreThanAPlatesThicknessAreDoubtfulAndNeverNone) {
   std::vector<Station> stations = stationsOf(101, 0.0, 0.0);
   const auto at = [&](double sigma, double unit) {

@@ -82,6 +82,7 @@ struct Refined {
   Circle circle;                         ///< of the shell at the datum, from the stations [m]
   double sigma_radius = kUnknown;        ///< standard error of its radius [m]
   double shell_from = kUnknown;          ///< height above the datum from which on the shell is seen, typical [m]
+  double raised = kUnknown;              ///< of the stations above where the shell is seen elsewhere, over its scatter
   double above_shell = kUnknown;         ///< share of the stations below which the shell, and only it, is seen
   double under_shell = kUnknown;         ///< share of the stations under whose wall the foundation goes on; 0 when few
   std::vector<StationProfile> sections;  ///< one per station where RefineOptions::profile_points > 0, else none

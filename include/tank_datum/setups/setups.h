@@ -91,11 +91,14 @@ struct SetupAgreement {
   SetupSpread given;              ///< by the options; zeros where not
   bool height_estimated = false;  ///< whether spread.height and tilt come from the overlaps; else given or assumed
   bool plan_estimated = false;    ///< whether spread.plan does
+  bool by_order = false;          ///< told apart by the order of the points, not by files or labels
   double rms_before = kUnknown, rms_after = kUnknown;  ///< over all [m]
   Eigen::MatrixXd covariance;       ///< of all setups' motions, in order, that are left unknown; empty for one setup
   std::size_t repeated_points = 0;  ///< points of the ring left out because they were there already
   double unlabelled_discrepancy =
-      0.0;  ///< between two scans merged without labels, where it shows in the residuals [m]
+      0.0;                    ///< between two scans merged without labels, where it shows in the residuals [m]
+  double merged_sigma = 0.0;  ///< of the height of each of several scans merged without labels that nothing tells apart
+                              ///< [m]; 0 of one scan
 
   bool adjusted() const { return covariance.size() > 0; }
 };
