@@ -108,7 +108,7 @@ std::vector<bool> badSetups(const SetupSystem& system, const KindSigmas& usual, 
 /// The sigmas to adjust with, and which of them come from the overlaps.
 KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, const SetupOptions& options,
                         const std::vector<bool>& freed, SetupAdjustment& result) {
-  constexpr double kEnough = 3.0;  // parameters determined
+  constexpr double kEnough = 3.1;  // parameters determined: more than two setups tell of heights and tilts
   std::array<bool, kParameterKinds> held = {options.error > 0.0, options.tilt > 0.0, options.error > 0.0};
   const SetupSolution first = solveSetups(system, priorSigmas(usual, freed));
   const auto free_count = static_cast<double>(std::count(freed.begin(), freed.end(), true));
@@ -119,10 +119,11 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
   held = {held[0] || !heights, held[1] || !heights, held[2] || !places};
   KindSigmas sigmas = estimateSigmas(system, usual, held, freed);
   const SetupSolution solution = solveSetups(system, priorSigmas(sigmas, freed));
+  const KindSigmas others = {held[1] ? 0.0 : sigmas[1] / usual[1], held[0] ? 0.0 : sigmas[0] / usual[0], 0.0};
   for (std::size_t k = 0; k < kParameterKinds; ++k) {
     if (held[k]) continue;
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
-    sigmas[k] = temperedSigma(sigmas[k], known, usual[k]);
+    sigmas[k] = temperedSigma(sigmas[k], known, usual[k], others[k]);
   }
   return sigmas;
 }

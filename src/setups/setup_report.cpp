@@ -83,6 +83,10 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
   if (agreement.unlabelled_discrepancy > kPlain * ownError(stations)) {
     addClause(text, "scans of several setups disagree by about " + millimetres(agreement.unlabelled_discrepancy) +
                         " here: give them as separate files");
+  } else if (agreement.merged_sigma > 0.0 && agreement.unlabelled_discrepancy == 0.0) {
+    addClause(text, "scans of several setups are not told apart, their heights " +
+                        std::string(agreement.given.height > 0.0 ? "given" : "taken") + " to be known to " +
+                        millimetres(agreement.merged_sigma) + ": give them as separate files");
   }
   return text;
 }

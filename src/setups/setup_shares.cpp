@@ -144,9 +144,8 @@ SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector
                               const SetupShares& shares, double slope) {
   SharedErrors shared;
   shared.covariance = independentCovariance(stations);
-  shared.covariance.factors = agreement.merged_sigma > 0.0
-                                  ? mergedFactors(stations, agreement.merged_sigma)
-                                  : setupFactors(agreement, shares, stations, slope);
+  shared.covariance.factors = agreement.merged_sigma > 0.0 ? mergedFactors(stations, agreement.merged_sigma)
+                                                           : setupFactors(agreement, shares, stations, slope);
   shared.stations.resize(stations.size());
   shared.seen.resize(agreement.setups.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
