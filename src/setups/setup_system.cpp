@@ -65,7 +65,7 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
 double temperedSigma(double sigma, double known, double usual, double others) {
   constexpr double kUsualWorth = 3.0;  // parameters
   constexpr double kFarBetter = 0.25;  // of the usual sigma
-  const double ratio = std::max(sigma / usual, others) / kFarBetter;
+  const double ratio = std::max(sigma / (kFarBetter * usual), others);
   const double worth = sigma < usual ? kUsualWorth * ratio * ratio / (1.0 + ratio * ratio) : 0.0;
   const double drawn =
       worth > 0.0 ? portable::exp((known * portable::log(sigma) + worth * portable::log(usual)) / (known + worth))

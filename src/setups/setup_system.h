@@ -45,8 +45,8 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
 /// if that came from three parameters; but not where the setups agree far better than usual, as scans that one
 /// adjustment has fitted to each other do. Wider by what a variance from few parameters is uncertain itself (Student).
 /// @param known   how many parameters it comes from
-/// @param others  the same setups' other sigma, over what is usual of it: where their tilts do not agree far better
-///                either, no adjustment has fitted them, and heights that seem to are chance
+/// @param others  the same setups' other sigma, over what is usual of it: where their tilts are as usual, no adjustment
+///                has fitted them, and heights that seem to be fitted are chance
 double temperedSigma(double sigma, double known, double usual, double others = 0.0);
 
 }  // namespace tank_datum

@@ -4,6 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+AGREEMENT_OF_SEVERAL = {
+    "told_apart_by": "",
+    **dict.fromkeys(["sigma_height", "sigma_tilt_arcsec", "sigma_plan"], 0.0),
+    **dict.fromkeys(["height_from", "tilt_from", "plan_from"], ""),
+}
+"""Keys of `agreement` that one setup does not have."""
+
+
 NUMBER, TEXT, LIST = (int, float), str, list
 OPTIONAL = (int, float, type(None))
 # Every key there is, with its type; a method that has no such figure gives null.
@@ -80,9 +88,12 @@ KEYS: dict[str, Any] = {
     },
     "notes": LIST,
     "setups": LIST,
-    "agreement": dict.fromkeys(
-        ["rms_before", "rms_after", "repeated_points", "unlabelled_discrepancy"], OPTIONAL
-    ),
+    "agreement": {
+        **dict.fromkeys(
+            ["rms_before", "rms_after", "repeated_points", "unlabelled_discrepancy"], OPTIONAL
+        ),
+        **{name: type(value) for name, value in AGREEMENT_OF_SEVERAL.items()},
+    },
     "covariance": {"independent": LIST, "factors": LIST},
     "stations": LIST,
     "shell": dict,

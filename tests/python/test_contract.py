@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from contract_keys import KEYS, check_keys
+from contract_keys import AGREEMENT_OF_SEVERAL, KEYS, check_keys
 from results import (
     FOLDER,
     HEADER,
@@ -73,6 +73,8 @@ def test_datum_json(result: tuple[str, Path]) -> None:
         assert set(datum["antipodal"].pop("h")) == {None}
         assert set(datum["antipodal"].values()) == {None}
         datum["antipodal"] = dict.fromkeys(datum["antipodal"], 0.0) | {"h": []}
+        assert "told_apart_by" not in datum["agreement"]  # one setup: nothing to adjust
+        datum["agreement"] |= AGREEMENT_OF_SEVERAL
     check_keys(datum, KEYS)
     assert datum["schema"] == 1
     assert datum["status"] == ("partial" if name == "one side" else "ok")

@@ -60,11 +60,11 @@ TEST(TemperedSigma, FarBelowTheUsualSetupsAgreeAsOneAdjustmentMakesThem) {
   EXPECT_NEAR(temperedSigma(2e-6, 10.0, 0.002), 2e-6 * std::sqrt(1.2), 2e-9);
 }
 
-TEST(TemperedSigma, BesideTiltsThatDoNotAgreeFarBetterHeightsThatDoAreChance) {
-  const double usual = 0.002, known = 3.0, others = 0.25;  // as at a quarter of the usual: worth one and a half
+TEST(TemperedSigma, BesideTiltsThatAreAsUsualHeightsThatAgreeFarBetterAreChance) {
+  const double usual = 0.002, known = 3.0, others = 1.0;  // worth one and a half
   const double drawn = std::exp((known * std::log(2e-6) + 1.5 * std::log(usual)) / (known + 1.5));
   EXPECT_NEAR(temperedSigma(2e-6, known, usual, others), drawn * std::sqrt(1.0 + 2.0 / (known + 1.5)), 1e-9);
-  EXPECT_EQ(temperedSigma(usual / 2.0, known, usual, 0.1), temperedSigma(usual / 2.0, known, usual));
+  EXPECT_EQ(temperedSigma(usual / 2.0, known, usual, 1.9), temperedSigma(usual / 2.0, known, usual));
 }
 
 TEST(TemperedSigma, AboveTheUsualItIsOnlyWidened) {

@@ -102,6 +102,8 @@ class Agreement(Record):
     rms_after: float | None
     repeated_points: int | None
     unlabelled_discrepancy: float | None
+    told_apart_by: str | None
+    """whence the setups are known: labels, or the order of the points"""
     sigma_height: float | None
     sigma_tilt_arcsec: float | None
     sigma_plan: float | None
