@@ -22,7 +22,6 @@ struct Seen {
 struct Visit {
   std::size_t arc, first, last;
   std::vector<float> heights;
-
   std::size_t points() const { return heights.size(); }
 };
 
@@ -31,7 +30,6 @@ struct Part {
   std::size_t first, last;                  ///< of its points
   std::size_t first_arc, last_arc;          ///< that it sees first and last
   std::array<std::size_t, kArcs> points{};  ///< of each arc
-
   bool sees(std::size_t arc) const { return points[arc % kArcs] > 0; }
   std::size_t size() const { return last - first; }
 };
@@ -108,6 +106,19 @@ std::vector<std::size_t> chainsOf(const std::vector<Visit>& visits, std::size_t 
   }
   for (std::size_t i = 0; i < visits.size(); ++i) first[i] = root(i);
   return first;
+}
+
+/// Whether arcs are seen one after the other: each for a short while of its part, not all the time as in rows.
+bool areSwept(const std::vector<Visit>& visits, const std::vector<Part>& parts) {
+  constexpr double kWhile =
+      0.4;  // of all arcs' time in all parts; a sweep of 120 degrees has 0.03, and more at its ends
+  double visited = 0.0, seen = 0.0;
+  for (const Visit& v : visits) visited += static_cast<double>(v.last - v.first);
+  for (const Part& part : parts) {
+    const auto arcs = std::count_if(part.points.begin(), part.points.end(), [](std::size_t n) { return n > 0; });
+    seen += static_cast<double>(part.size()) * static_cast<double>(arcs);
+  }
+  return visited < kWhile * seen;
 }
 
 /// Two parts as one, the second later in the file.
@@ -200,19 +211,15 @@ std::vector<Part> setupsOf(std::vector<Part> parts) {
   return setups;
 }
 
-/// Whether a part sees more of a shell than one setup does: from outside it is never half of it.
-bool seesTooMuch(const Part& part) {
+/// Whether some parts see the same arcs, and none more of a shell than one setup does, from outside never half of it.
+bool areOfSetups(const std::vector<Part>& parts, Side side) {
   constexpr std::size_t kAllowance = 4;  // arcs
-  return spanOf(part, part) > kArcs / 2 + kAllowance;
-}
-
-bool anyOverlap(const std::vector<Part>& parts) {
+  bool any = false;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (overlap(parts[i], parts[j])) return true;
-    }
+    if (side == Side::Outside && spanOf(parts[i], parts[i]) > kArcs / 2 + kAllowance) return false;
+    for (std::size_t j = 0; j < i && !any; ++j) any = overlap(parts[i], parts[j]);
   }
-  return false;
+  return any;
 }
 
 }  // namespace
@@ -231,9 +238,10 @@ std::vector<std::size_t> partsByOrder(const Ring& ring, const Tank& tank, int th
   }));
   const auto apart = static_cast<std::size_t>(kApart * static_cast<double>(count));
   const std::vector<Visit> sweeps = sweepsOf(visitsOf(points, apart));
-  const std::vector<Part> parts = setupsOf(partsOf(sweeps, chainsOf(sweeps, apart)));
-  if (!anyOverlap(parts)) return {};
-  if (tank.side == Side::Outside && std::any_of(parts.begin(), parts.end(), seesTooMuch)) return {};
+  const std::vector<Part> pieces = partsOf(sweeps, chainsOf(sweeps, apart));
+  if (!areSwept(sweeps, pieces)) return {};
+  const std::vector<Part> parts = setupsOf(pieces);
+  if (!areOfSetups(parts, tank.side)) return {};
   std::vector<std::size_t> begins(1, 0);
   for (std::size_t i = 1; i < parts.size(); ++i) begins.push_back(every * (parts[i - 1].last + parts[i].first + 1) / 2);
   return begins;

@@ -128,6 +128,19 @@ TEST(PartsByOrder, ShuffledPointsAndRowsSayNothing) {
   EXPECT_TRUE(cloud.parts().empty());
 }
 
+/// Setups whose rows follow each other see all their arcs all the time: where one ends and the next begins is not told.
+TEST(PartsByOrder, SetupsOfWhichEachIsInRowsSayNothing) {
+  std::vector<std::size_t> begins;
+  Cloud cloud = sixSetups(&begins);
+  Points& points = cloud.ring().points;
+  for (std::size_t s = 0; s < begins.size(); ++s) {
+    const auto end = s + 1 < begins.size() ? points.begin() + static_cast<std::ptrdiff_t>(begins[s + 1]) : points.end();
+    std::sort(points.begin() + static_cast<std::ptrdiff_t>(begins[s]), end,
+              [](const auto& a, const auto& b) { return a.z() < b.z(); });
+  }
+  EXPECT_TRUE(cloud.parts().empty());
+}
+
 /// Slices of a cloud that was sorted by height see each arc again and again, but never from its foot to its top.
 TEST(PartsByOrder, SlicesOfHeightAreNoSetups) {
   Cloud cloud = sixSetups();
