@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "core/parallel.h"
-#include "setups/merged_scans.h"
 #include "setups/parts_by_order.h"
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
@@ -157,10 +156,7 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     markDuplicates(agreement.setups, repeated);
     ring.point_setups.clear();
     agreement.by_order = partByOrder(ring, tank, agreement, threads);
-    if (!agreement.by_order) {
-      agreement.unlabelled_discrepancy = std::sqrt(2.0) * mergedDisagreement(ring, tank, threads);
-      return agreement;
-    }
+    if (!agreement.by_order) return agreement;
   }
   std::vector<Eigen::Vector3d> origins;
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);

@@ -10,12 +10,6 @@
 
 namespace tank_datum {
 
-/// How far scans that were merged without labels disagree in height: the standard deviation of one of them [m], 0 where
-/// nothing shows. Scans are told apart by the order of the points alone: those of one place that stand far apart in the
-/// file were measured from different setups. They cannot be adjusted by that, since which pieces belong together is not
-/// known, but what they disagree by is plain.
-double mergedDisagreement(const Ring& ring, const Tank& tank, int threads = 0);
-
 /// Standard deviation of the height of one of several scans that nothing tells apart [m]; 0 of one scan. Scans are
 /// several where they are seen to disagree, and where more of a shell is seen from outside than one setup sees.
 /// @param discrepancy  what two of them are seen to disagree by [m], each pair of neighbours telling of one difference;

@@ -12,7 +12,6 @@ namespace tank_datum {
 struct ArcView {
   bool shell = false;      ///< radii of the shell, else elevations of the foundation
   ArcOffsets seen;         ///< of the points as they were given
-  double fall = 0.0;       ///< of the foundation away from the shell [m/m]; of radii 0
   Eigen::MatrixXd motion;  ///< [k x 5] what the parameters of each setup's error do to its offset here
 };
 

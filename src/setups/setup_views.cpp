@@ -91,25 +91,6 @@ ArcWidth widthOf(const SetupRing& ring, const Tank& tank, double reach, int thre
   return {cells};
 }
 
-/// How steeply the points of a foundation fall away from the shell: the median slope between their bins [m/m].
-double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
-  std::vector<std::vector<double>> heights;
-  for (const ArcPoint& p : foot) {
-    if (p.bin >= heights.size()) heights.resize(p.bin + std::size_t{1});
-    heights[p.bin].push_back(p.value);
-  }
-  std::vector<std::pair<double, double>> bins;  // distance, height
-  for (std::size_t bin = 0; bin < heights.size(); ++bin) {
-    if (!heights[bin].empty()) bins.emplace_back(bin_width * static_cast<double>(bin), median(std::move(heights[bin])));
-  }
-  std::vector<double> slopes;
-  for (std::size_t i = 0; i < bins.size(); ++i) {
-    for (std::size_t j = i + 1; j < bins.size(); ++j)
-      slopes.push_back((bins[i].second - bins[j].second) / (bins[j].first - bins[i].first));
-  }
-  return slopes.empty() ? 0.0 : median(std::move(slopes));
-}
-
 /// What a setup's error does to an elevation at a place.
 SetupMotion::Vector motionOfFoot(const Eigen::Vector3d& arm) {
   return (SetupMotion::Vector() << 1.0, arm.x(), arm.y(), 0.0, 0.0).finished();
@@ -144,7 +125,6 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
       ArcView view;
       view.shell = shell;
       view.seen = *seen;
-      if (!shell) view.fall = fallOf(points.foot, kFootBin * reach);
       view.motion.resize(static_cast<Eigen::Index>(seen->setups.size()), SetupMotion::kParameters);
       for (std::size_t i = 0; i < seen->setups.size(); ++i) {
         const Eigen::Vector3d arm = place - origins[seen->setups[i]];

@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <random>
 
 #include "core/units.h"
 #include "stations/stations.h"
@@ -15,66 +12,11 @@ namespace {
 
 constexpr double kRadius = 10.0, kReach = 0.5;
 
-/// Six setups, each seeing 100 degrees, one after the other; setup s is too high by errors[s].
-Ring madeRing(const std::vector<double>& errors, bool shuffled = false) {
-  std::mt19937_64 random(9);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  Ring ring;
-  ring.reach = kReach;
-  ring.setups = {{0, 0}};
-  for (std::size_t s = 0; s < errors.size(); ++s) {
-    const double middle = kTwoPi * static_cast<double>(s) / static_cast<double>(errors.size());
-    for (int column = 0; column < 2000; ++column) {
-      const double azimuth = middle + toRadians(100.0) * (column / 2000.0 - 0.5);
-      for (int row = 0; row < 12; ++row) {
-        const bool shell = row % 3 == 0;
-        const double radius = shell ? kRadius + 0.001 * normal(random) : kRadius + 0.03 + 0.3 * unit(random);
-        const double z = shell ? 0.1 + 0.4 * unit(random) : 0.0005 * normal(random);
-        ring.points.push_back({radius * std::cos(azimuth), radius * std::sin(azimuth), z + errors[s]});
-      }
-    }
-  }
-  if (shuffled) std::shuffle(ring.points.begin(), ring.points.end(), random);
-  return ring;
-}
-
-/// The same with plants on the foundation of some arcs, a third of the points there.
-Ring overgrown(Ring ring) {
-  std::mt19937_64 random(4);
-  std::exponential_distribution<double> height(1.0 / 0.05);
-  std::bernoulli_distribution is_plant(0.3);
-  for (Eigen::Vector3d& p : ring.points) {
-    const double azimuth = std::atan2(p.y(), p.x());
-    if (p.head<2>().norm() > kRadius + 0.02 && std::sin(6.0 * azimuth) > -0.5 && is_plant(random))
-      p.z() += height(random);
-  }
-  return ring;
-}
-
 Tank madeTank() {
   Tank tank;
   tank.circle = {{0.0, 0.0}, kRadius};
   tank.foot.coefficients = Eigen::Vector3d::Zero();
   return tank;
-}
-
-TEST(MergedScans, ScansThatDisagreeShowBySoMuch) {
-  const std::vector<double> errors = {0.002, -0.002, 0.002, -0.002, 0.002, -0.002};
-  // two scans 4 mm apart: the standard deviation of one is 4 mm / sqrt(2)
-  EXPECT_NEAR(mergedDisagreement(madeRing(errors), madeTank()), 0.004 / std::sqrt(2.0), 0.0002);
-}
-
-TEST(MergedScans, ScansThatAgreeShowNothing) {
-  EXPECT_LT(mergedDisagreement(madeRing({0, 0, 0, 0, 0, 0}), madeTank()), 0.0001);
-  EXPECT_EQ(mergedDisagreement(madeRing({0.003}), madeTank()), 0.0);
-}
-
-TEST(MergedScans, PlantsAreNoDisagreement) {
-  const std::vector<double> none(6, 0.0), errors = {0.002, -0.002, 0.002, -0.002, 0.002, -0.002};
-  for (const bool shuffled : {true, false})
-    EXPECT_LT(mergedDisagreement(overgrown(madeRing(none, shuffled)), madeTank()), 0.0001);
-  EXPECT_NEAR(mergedDisagreement(overgrown(madeRing(errors)), madeTank()), 0.004 / std::sqrt(2.0), 0.0003);
 }
 
 /// The sigma of scans that disagree by sqrt(2) times so much.
@@ -144,77 +86,6 @@ TEST(MergedScans, TheShortestWaveOfTheFactorsHasAHundredthOfThePowerOfTheLongest
   const double power = factors.row(last).squaredNorm() / factors.row(1).squaredNorm();
   EXPECT_GT(power, 0.005);
   EXPECT_LT(power, 0.03);
-}
-
-/// What two scans 4 mm apart that meet in so many arcs of 2.5 degrees disagree by.
-double disagreementIn(int arcs) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> any;
-  Ring ring;
-  ring.reach = 0.5;
-  for (const double error : {0.002, -0.002}) {
-    for (int i = 0; i < 400 * arcs; ++i) {
-      const double azimuth = toRadians(2.5 * (i + 0.5) / 400.0);
-      const bool shell = i % 4 == 0;
-      const double d = shell ? 0.0 : 0.03 + 0.3 * any(random), z = shell ? 0.2 + 0.3 * any(random) : error;
-      ring.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), z});
-    }
-  }
-  return mergedDisagreement(ring, madeTank());
-}
-
-TEST(MergedScans, SixArcsTellADisagreementFiveDoNot) {
-  EXPECT_EQ(disagreementIn(5), 0.0);
-  EXPECT_GT(disagreementIn(8), 0.002);
-}
-
-/// What two scans of twenty arcs disagree by, whose points beside the shell lie at heights of their scan, arc and
-/// distance, with noise.
-double disagreementOfTwo(std::uint64_t seed, double sigma, const std::function<double(bool, int, double)>& height) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> any;
-  std::normal_distribution<double> noise(0.0, sigma);
-  Ring ring;
-  ring.reach = 0.5;
-  for (const bool second : {false, true}) {
-    for (int i = 0; i < 200 * 20; ++i) {
-      const double azimuth = toRadians(2.5 * (i + 0.5) / 200.0);
-      const bool shell = i % 4 == 0;
-      const double d = shell ? 0.0 : 0.03 + 0.3 * any(random);
-      const double z = shell ? 0.2 + 0.3 * any(random) : height(second, i / 200, d) + noise(random);
-      ring.points.push_back({(kRadius + d) * std::cos(azimuth), (kRadius + d) * std::sin(azimuth), z});
-    }
-  }
-  return mergedDisagreement(ring, madeTank());
-}
-
-/// Of two scans 2 mm apart, where the surface falls so steeply away from the shell.
-double disagreementOnFall(double fall) {
-  return disagreementOfTwo(6, 0.0005,
-                           [fall](bool second, int, double d) { return (second ? -0.001 : 0.001) - fall * d; });
-}
-
-TEST(MergedScans, BanksLookAnotherFromEachPlace) {
-  EXPECT_NEAR(disagreementOnFall(0.10), 0.002 / std::sqrt(2.0), 0.0002);
-  EXPECT_EQ(disagreementOnFall(0.20), 0.0);
-}
-
-/// Of two scans of which the second is 1.5 mm higher in some arcs.
-double withHigher(const std::vector<int>& arcs, std::uint64_t seed) {
-  return disagreementOfTwo(seed, 0.004, [&arcs](bool second, int arc, double) {
-    return second && std::find(arcs.begin(), arcs.end(), arc) != arcs.end() ? 0.0015 : 0.0;
-  });
-}
-
-TEST(MergedScans, ArcsTellADisagreementWhereTheirNeighboursDoToo) {
-  const auto told = [](const std::vector<int>& arcs) {  // of twenty such pairs of scans
-    int count = 0;
-    for (std::uint64_t seed = 0; seed < 20; ++seed) count += withHigher(arcs, seed) > 0.0 ? 1 : 0;
-    return count;
-  };
-  EXPECT_EQ(told({}), 0);
-  EXPECT_LE(told({4}), 4) << "one beside it seems to as well, by chance";
-  EXPECT_GE(told({4, 5, 6, 7}), 16);
 }
 
 }  // namespace
