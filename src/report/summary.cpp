@@ -191,7 +191,8 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   text += tankLine(datum, display);
   text += azimuthsLine(provenance.options.stations) + passedOverLine(datum.counts) + stationsLine(datum) +
           unmeasuredLines(datum);
-  const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations);
+  const auto length = [&](double metres) { return display.shortText(metres); };
+  const std::string setups = datum.levelled ? "" : setupSummary(datum.agreement, datum.stations, length);
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",
                display.longText(level.mean + z, 4).c_str(), display.shortText(level.range()).c_str(),

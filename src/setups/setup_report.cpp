@@ -91,12 +91,13 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
   return text;
 }
 
-std::string setupSummary(const SetupAgreement& agreement, const std::vector<Station>& stations) {
+std::string setupSummary(const SetupAgreement& agreement, const std::vector<Station>& stations,
+                         const std::function<std::string(double)>& length) {
   const auto has_points = [](const Setup& setup) { return setup.points > 0; };
   const auto seen = std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points);
   if (agreement.merged_sigma > 0.0) {
     const bool seen_to_disagree = agreement.unlabelled_discrepancy > 0.0;
-    return "several, not told apart; shared error " + millimetres(sharedError(stations)) +
+    return "several, not told apart; shared error " + length(sharedError(stations)) +
            (seen_to_disagree               ? ""
             : agreement.given.height > 0.0 ? ", as given"
                                            : ", assumed");
@@ -106,14 +107,14 @@ std::string setupSummary(const SetupAgreement& agreement, const std::vector<Stat
   if (!agreement.adjusted()) return text;
   if (agreement.by_order) text += " by the order of the points";
   if (std::isfinite(agreement.rms_before)) {
-    text += ", disagreeing by " + millimetres(agreement.rms_before) + ", adjusted";
+    text += ", disagreeing by " + length(agreement.rms_before) + ", adjusted";
   } else {
     text += ", none sees what another sees";
   }
   for (const Setup& setup : agreement.setups) {
     if (setup.verdict == SetupVerdict::Bad) text += ", " + setup.name + " bad";
   }
-  return text + "; shared error " + millimetres(sharedError(stations));
+  return text + "; shared error " + length(sharedError(stations));
 }
 
 }  // namespace tank_datum

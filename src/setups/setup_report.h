@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "tank_datum/setups/setups.h"
@@ -12,6 +13,8 @@ namespace tank_datum {
 std::string setupMessage(const SetupAgreement& agreement, const std::vector<Station>& stations);
 
 /// "6, disagreeing by 2.1 mm, adjusted; shared error 0.9 mm".
-std::string setupSummary(const SetupAgreement& agreement, const std::vector<Station>& stations);
+/// @param length  of a short length [m], in the units that are shown
+std::string setupSummary(const SetupAgreement& agreement, const std::vector<Station>& stations,
+                         const std::function<std::string(double)>& length);
 
 }  // namespace tank_datum

@@ -38,7 +38,7 @@ def test_sparkline_on_a_terminal(synth: Synth, tmp_path: Path) -> None:
     lines = on_terminal("stdout", *args, LC_ALL="C.UTF-8")[1].splitlines()
     row = next(line for line in lines if line.startswith("elevation"))
     assert {"▁", "█"} <= set(row)
-    assert len(lines) <= 15
+    assert len(lines) <= 16
     plain = on_terminal("stdout", *args, LC_ALL="C")[1].splitlines()
     assert plain == [line for line in lines if line != row]
 
