@@ -22,6 +22,7 @@ constexpr double kFootBin = 0.04;           // of distance [reach]
 constexpr double kShellFrom = 0.15;         // above the foot the shell is looked at from here [reach]
 constexpr double kShellBin = 0.1;           // of height [reach]
 constexpr double kDeepest = 0.4;            // the foundation lies no further from the coarse foot [reach]
+constexpr double kBank = 0.15;              // fall of a surface that looks another from each place [m/m]
 constexpr double kWindow = 0.08;            // what lies further off its bin's densest place is something else [reach]
 constexpr std::size_t kMostOfArc = 60'000;  // points of an arc; of more every n-th is taken
 
@@ -91,6 +92,25 @@ ArcWidth widthOf(const SetupRing& ring, const Tank& tank, double reach, int thre
   return {cells};
 }
 
+/// How steeply the points of a foundation fall away from the shell: the median slope between their bins [m/m].
+double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
+  std::vector<std::vector<double>> heights;
+  for (const ArcPoint& p : foot) {
+    if (p.bin >= heights.size()) heights.resize(p.bin + std::size_t{1});
+    heights[p.bin].push_back(p.value);
+  }
+  std::vector<std::pair<double, double>> bins;  // distance, height
+  for (std::size_t bin = 0; bin < heights.size(); ++bin) {
+    if (!heights[bin].empty()) bins.emplace_back(bin_width * static_cast<double>(bin), median(std::move(heights[bin])));
+  }
+  std::vector<double> slopes;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    for (std::size_t j = i + 1; j < bins.size(); ++j)
+      slopes.push_back((bins[i].second - bins[j].second) / (bins[j].first - bins[i].first));
+  }
+  return slopes.empty() ? 0.0 : median(std::move(slopes));
+}
+
 /// What a setup's error does to an elevation at a place.
 SetupMotion::Vector motionOfFoot(const Eigen::Vector3d& arm) {
   return (SetupMotion::Vector() << 1.0, arm.x(), arm.y(), 0.0, 0.0).finished();
@@ -117,6 +137,7 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
     const double azimuth = width.middleOf(arc);
     const Eigen::Vector2d out(portable::cos(azimuth), portable::sin(azimuth));
     for (const bool shell : {false, true}) {
+      if (!shell && fallOf(points.foot, kFootBin * reach) > kBank) continue;
       const auto seen = compareArc(shell ? points.shell : points.foot, shell ? shell_prior : foot_prior);
       if (!seen) continue;
       const double radius = shell ? tank.circle.radius : points.foot_radius;

@@ -149,5 +149,19 @@ TEST(ViewArcs, AreAsWideAsSetupsNeedForAHundredPoints) {
   EXPECT_EQ(comparedArcs(2), 18U);
 }
 
+/// Whether two setups are compared on a surface that falls so steeply from the shell.
+bool isComparedOnFall(double fall) {
+  Overlap overlap;
+  for (const double d : {0.05, 0.15, 0.25}) {
+    for (const int setup : {0, 1}) overlap.addRow(setup, d, -fall * d);
+  }
+  return !overlap.views().empty();
+}
+
+TEST(ViewArcs, BanksLookAnotherFromEachPlace) {
+  EXPECT_TRUE(isComparedOnFall(0.14));
+  EXPECT_FALSE(isComparedOnFall(0.16));
+}
+
 }  // namespace
 }  // namespace tank_datum
