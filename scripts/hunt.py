@@ -62,8 +62,9 @@ def result_of(seed: int, folder: Path) -> dict[str, Any]:
     ]
     subprocess.run(made if units == "m" else [*made, "--ascii"], check=True)
     scans = sorted(folder.glob("scan*.pcd"))
-    for one in scans if units != "m" else []:
-        in_units(one, units)
+    if units != "m":
+        for one in scans:
+            in_units(one, units)
     begun = time.monotonic()
     asked = [str(binaries / "tank_datum"), *map(str, scans), "-o", str(out), "--units", units]
     done = subprocess.run(

@@ -15,13 +15,20 @@
 namespace tank_datum {
 namespace {
 
-std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, const SetupOptions& options) {
+/// The setups of a ring with the number of their points, whose middle is the origin.
+std::vector<Setup> countSetups(const Ring& ring) {
   std::vector<Setup> setups(ring.setupCount());
-  std::vector<Eigen::Vector3d> sums(setups.size(), Eigen::Vector3d::Zero());
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    sums[ring.setupOf(i)] += ring.points[i];
-    ++setups[ring.setupOf(i)].points;
+    Setup& setup = setups[ring.setupOf(i)];
+    setup.origin += ring.points[i];
+    ++setup.points;
   }
+  for (Setup& setup : setups) setup.origin /= static_cast<double>(std::max<std::size_t>(1, setup.points));
+  return setups;
+}
+
+std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, const SetupOptions& options) {
+  std::vector<Setup> setups = countSetups(ring);
   for (std::size_t s = 0; s < setups.size() && s < ring.setups.size(); ++s) {
     Setup& setup = setups[s];
     setup.name = scan.setupName(ring.setups[s]);
@@ -32,8 +39,6 @@ std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, const SetupOptio
       setup.origin = given->second - scan.origin();
     } else if (said) {
       setup.origin = *said;
-    } else if (setup.points > 0) {
-      setup.origin = sums[s] / static_cast<double>(setup.points);
     }
   }
   return setups;
@@ -70,17 +75,16 @@ bool partByOrder(Ring& ring, const Tank& tank, SetupAgreement& agreement, int th
   if (begins.size() < 2) return false;
   ring.setups.assign(begins.size(), SetupKey{});
   ring.point_setups.assign(ring.points.size(), 0);
-  agreement.setups.assign(begins.size(), Setup{});
+  const auto at = [&](std::size_t part) {
+    return ring.point_setups.begin() + static_cast<std::ptrdiff_t>(begins[part]);
+  };
+  for (std::size_t part = 1; part < begins.size(); ++part) {
+    std::fill(at(part), part + 1 < begins.size() ? at(part + 1) : ring.point_setups.end(),
+              static_cast<std::uint16_t>(part));
+  }
+  agreement.setups = countSetups(ring);
   for (std::size_t part = 0; part < begins.size(); ++part) {
-    const std::size_t end = part + 1 < begins.size() ? begins[part + 1] : ring.points.size();
-    Setup& setup = agreement.setups[part];
-    setup.name = "part " + std::to_string(part + 1);
-    for (std::size_t i = begins[part]; i < end; ++i) {
-      ring.point_setups[i] = static_cast<std::uint16_t>(part);
-      setup.origin += ring.points[i];
-      ++setup.points;
-    }
-    setup.origin /= static_cast<double>(std::max<std::size_t>(1, setup.points));
+    agreement.setups[part].name = "part " + std::to_string(part + 1);
   }
   return true;
 }

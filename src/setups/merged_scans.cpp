@@ -15,7 +15,6 @@ namespace {
 bool isSeenBySeveral(const Ring& ring, const Tank& tank) {
   constexpr double kFrom = 0.3, kNear = 0.2;  // of the reach: above the foot, and off the circle
   constexpr std::size_t kFewestPoints = 5;    // of an arc
-  constexpr std::size_t kAllowance = 4;       // arcs: shells are not round, their centres not known
   if (tank.side != Side::Outside) return false;
   std::vector<std::size_t> counts(SetupRing::kArcs, 0);
   for (const Eigen::Vector3d& p : ring.points) {
@@ -26,7 +25,7 @@ bool isSeenBySeveral(const Ring& ring, const Tank& tank) {
     }
   }
   const auto seen = std::count_if(counts.begin(), counts.end(), [](std::size_t n) { return n >= kFewestPoints; });
-  return static_cast<std::size_t>(seen) > SetupRing::kArcs / 2 + kAllowance;
+  return static_cast<std::size_t>(seen) > SetupRing::kMostOfOneSetup;
 }
 
 }  // namespace

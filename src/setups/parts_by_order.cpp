@@ -213,10 +213,9 @@ std::vector<Part> setupsOf(std::vector<Part> parts) {
 
 /// Whether some parts see the same arcs, and none more of a shell than one setup does, from outside never half of it.
 bool areOfSetups(const std::vector<Part>& parts, Side side) {
-  constexpr std::size_t kAllowance = 4;  // arcs
   bool any = false;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (side == Side::Outside && spanOf(parts[i], parts[i]) > kArcs / 2 + kAllowance) return false;
+    if (side == Side::Outside && spanOf(parts[i], parts[i]) > SetupRing::kMostOfOneSetup) return false;
     for (std::size_t j = 0; j < i && !any; ++j) any = overlap(parts[i], parts[j]);
   }
   return any;

@@ -13,6 +13,10 @@ class SetupRing {
   static constexpr std::size_t kCells = 1440;
   static constexpr std::size_t kArcs = 144;  ///< arcs of ten cells, in which setups are compared
 
+  /// Arcs of a shell that one setup sees from outside at most, never half of it: shells are not round, their centres
+  /// not known.
+  static constexpr std::size_t kMostOfOneSetup = kArcs / 2 + 4;
+
   struct Entry {
     double azimuth, radius, z;  ///< [rad], [m], [m]
     std::uint16_t setup;

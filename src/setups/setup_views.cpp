@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/parts.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -83,8 +84,7 @@ ArcWidth widthOf(const SetupRing& ring, const Tank& tank, double reach, int thre
     for (const ArcPoint& p : pointsOf(ring, tank, reach, {kNarrowest}, arc).foot) of_setups[p.setup] += 1.0;
     for (const auto& [setup, points] : of_setups) counts[arc].push_back(points);
   });
-  std::vector<double> all;
-  for (const auto& some : counts) all.insert(all.end(), some.begin(), some.end());
+  std::vector<double> all = concatenated(counts);
   if (all.empty()) return {kNarrowest};
   const double usual = median(std::move(all));
   std::size_t cells = kNarrowest;
