@@ -20,12 +20,14 @@ METRES = {"m": 1.0, "mm": 0.001, "ft": 0.3048, "us-ft": 1200.0 / 3937.0}
 
 
 def in_units(scan: Path, units: str) -> None:
-    """Rewrites an ascii scan's coordinates in other units."""
+    """Rewrites an ascii scan's coordinates, and where its scanner stood, in other units."""
     lines = scan.read_text().splitlines()
     begin = next(i for i, line in enumerate(lines) if line.startswith("DATA")) + 1
-    for i in range(begin, len(lines)):
+    place = next(i for i, line in enumerate(lines) if line.startswith("VIEWPOINT"))
+    for i, first in [(place, 1), *((row, 0) for row in range(begin, len(lines)))]:
         cells = lines[i].split()
-        cells[:3] = [repr(float(cell) / METRES[units]) for cell in cells[:3]]
+        metres = cells[first : first + 3]
+        cells[first : first + 3] = [repr(float(cell) / METRES[units]) for cell in metres]
         lines[i] = " ".join(cells)
     scan.write_text("\n".join(lines) + "\n")
 

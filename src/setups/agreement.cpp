@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/parallel.h"
+#include "core/plain_text.h"
 #include "setups/parts_by_order.h"
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
@@ -27,18 +28,29 @@ std::vector<Setup> countSetups(const Ring& ring) {
   return setups;
 }
 
-std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, const SetupOptions& options) {
+/// The setups of a ring, their names, and where they stood as the options say, or the files.
+/// @throws Error{Option} when a place given by the options is too far from the setup's points to be true
+std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, double radius, const SetupOptions& options) {
+  constexpr double kFarthest = 100.0;  // radii: a beam of 0.3 milliradians is 3 % of the radius wide there
   std::vector<Setup> setups = countSetups(ring);
   for (std::size_t s = 0; s < setups.size() && s < ring.setups.size(); ++s) {
     Setup& setup = setups[s];
     setup.name = scan.setupName(ring.setups[s]);
     const auto given = options.origins.find(setup.name);
-    const auto said = scan.setupOrigin(ring.setups[s]);
-    setup.origin_known = given != options.origins.end() || said;
-    if (given != options.origins.end()) {
-      setup.origin = given->second - scan.origin();
-    } else if (said) {
-      setup.origin = *said;
+    const bool is_given = given != options.origins.end();
+    auto place = scan.setupOrigin(ring.setups[s]);
+    if (is_given) place = given->second - scan.origin();
+    if (!place) continue;
+    const double distance = setup.points > 0 ? (*place - setup.origin).norm() : 0.0;
+    setup.origin_known = distance <= kFarthest * radius;
+    if (setup.origin_known) {
+      setup.origin = *place;
+    } else if (is_given) {
+      throw Error(Error::Kind::Option, "setups", "origin of " + setup.name,
+                  fixedText(distance, 0) + " m from its points",
+                  fixedText(kFarthest, 0) + " radii of the tank or less, in the frame and units of the scan");
+    } else {
+      setup.origin_refused = distance;
     }
   }
   return setups;
@@ -153,7 +165,7 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   if (ring.points.empty()) return agreement;
   agreement.repeated_points = repeated.removed;
   agreement.given = {options.error, options.tilt, options.error};
-  agreement.setups = setupsOf(ring, scan, options);
+  agreement.setups = setupsOf(ring, scan, tank.circle.radius, options);
   requireKnown(scan, agreement.setups, options);
   const auto has_points = [](const Setup& setup) { return setup.points > 0; };
   if (std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points) < 2) {

@@ -28,6 +28,21 @@ std::size_t seenByBadAlone(const SetupAgreement& agreement, const std::vector<St
   return alone;
 }
 
+/// Which setups are said to have stood where they cannot have; empty where none is.
+std::string refusedOrigins(const SetupAgreement& agreement) {
+  std::size_t refused = 0;
+  const Setup* farthest = nullptr;
+  for (const Setup& setup : agreement.setups) {
+    if (setup.origin_refused == 0.0) continue;
+    ++refused;
+    if (!farthest || setup.origin_refused > farthest->origin_refused) farthest = &setup;
+  }
+  if (!farthest) return "";
+  const std::string other = refused > 1 ? " and " + std::to_string(refused - 1) + " more" : "";
+  return "setup " + farthest->name + other + " cannot have stood where the file says, " +
+         fixedText(farthest->origin_refused, 0) + " m from the tank: taken as unknown";
+}
+
 /// What is wrong with a bad setup, the larger of the two.
 std::string faultOf(const Setup& setup) {
   constexpr double kFar = 30.0;  // [m], at which a tilt is compared with a shift
@@ -73,6 +88,7 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
     if (setup.verdict == SetupVerdict::Duplicate)
       addClause(text, "setup " + setup.name + " holds the points of another one: used once");
   }
+  if (agreement.adjusted()) addClause(text, refusedOrigins(agreement));
   const std::size_t alone = seenByBadAlone(agreement, stations);
   if (alone > 0) addClause(text, std::to_string(alone) + " stations are seen by it alone");
   const bool named = std::any_of(agreement.setups.begin(), agreement.setups.end(),

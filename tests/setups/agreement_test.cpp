@@ -32,8 +32,8 @@ SetupAgreement agreed(Ring& ring, const Scan& scan, const Tank& tank, const Setu
 /// Four setups of a small tank, one file each, each with an error of its own.
 class SetupAgreementTest : public testing::Test {
  protected:
-  /// Scans the scene, and puts dz on each setup's points.
-  std::vector<std::string> filesOf(const SceneOptions& scene, const std::vector<double>& dz) const {
+  /// Scans the scene, and puts dz on each setup's points. Their scanners are said to have stood so far off their place.
+  std::vector<std::string> filesOf(const SceneOptions& scene, const std::vector<double>& dz, double off = 0.0) const {
     const auto stations = synth::scanStations(synth::Scene(scene));
     std::vector<std::vector<double>> rows(stations.size());
     synth::scanScene(synth::Scene(scene), [&](std::size_t s, const synth::Rows& block) {
@@ -46,7 +46,7 @@ class SetupAgreementTest : public testing::Test {
       paths.push_back(folder_.path("scan_" + std::to_string(s + 1) + ".pcd"));
       const Eigen::Vector3d& at = stations[s].position;
       PcdWriter writer(paths.back(), {{"x", 'F', 8}, {"y", 'F', 8}, {"z", 'F', 8}}, PcdWriter::Format::Binary,
-                       {"", {at.x(), at.y(), at.z() + dz[s]}});
+                       {"", {at.x() + off, at.y(), at.z() + dz[s]}});
       writer.append(rows[s]);
       writer.commit();
     }
@@ -139,6 +139,40 @@ TEST_F(SetupAgreementTest, OriginsOfNoSetupAreRefused) {
   EXPECT_THROW(agreed(ring, scan, tank, options), Error);
   options.origins = {{"scan_2", scan.origin() + Eigen::Vector3d(1.0, 2.0, 3.0)}};
   EXPECT_EQ(agreed(ring, scan, tank, options).setups[1].origin, Eigen::Vector3d(1.0, 2.0, 3.0));
+}
+
+TEST_F(SetupAgreementTest, OriginsTooFarFromTheTankAreRefused) {
+  const SceneOptions scene = closeRows();
+  const double radius = scene.tanks[0].radius;
+  const Scan scan = Scan::open(filesOf(scene, {0, 0, 0, 0}));
+  const Tank tank = roughTank(scene, scan.origin());
+  const Ring ring = cropRing(scan, tank, {});
+  const auto agreedFrom = [&](double radii) {
+    SetupOptions options;
+    options.origins = {{"scan_2", scan.origin() + Eigen::Vector3d(radii * radius, 0.0, 0.0)}};
+    Ring copy = ring;
+    return agreed(copy, scan, tank, options);
+  };
+  EXPECT_TRUE(agreedFrom(60.0).setups[1].origin_known);
+  try {
+    agreedFrom(150.0);
+    ADD_FAILURE() << "taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("100 radii of the tank or less"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(SetupAgreementTest, PlacesInAnotherFrameAreTakenAsUnknown) {
+  const SceneOptions scene = closeRows();
+  const Scan scan = Scan::open(filesOf(scene, {0.003, -0.001, 0.002, -0.004}, 512000.0));
+  const Tank tank = roughTank(scene, scan.origin());
+  Ring ring = cropRing(scan, tank, {});
+  const SetupAgreement agreement = agreed(ring, scan, tank, {});
+  EXPECT_FALSE(agreement.setups[1].origin_known);
+  EXPECT_LT(agreement.setups[1].sigma.dz, 0.01);
+  EXPECT_LT(agreement.rms_after, 0.0004);
+  const std::string said = setupMessage(agreement, {});
+  EXPECT_NE(said.find("and 3 more cannot have stood where the file says, 5120"), std::string::npos) << said;
 }
 
 TEST_F(SetupAgreementTest, ARingOfOneSetupIsLeftAsItIs) {
