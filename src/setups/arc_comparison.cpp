@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -13,6 +14,7 @@ namespace {
 constexpr std::size_t kFewestOfSetup = 12;  // points of a setup that make its offset worth looking at
 constexpr std::size_t kFewestOfBin = 6;     // points of a bin that tell its scatter
 constexpr std::size_t kFewestOfPart = 3;    // points of one setup in one bin that make a first median
+constexpr Eigen::Index kOfPart = 3;         // unknowns of a part's curve
 
 /// The points of the bins that two setups or more have, by bin.
 struct Bin {
@@ -25,10 +27,11 @@ struct Arc {
   std::vector<std::size_t> setups;
   std::vector<Bin> bins;
   Eigen::VectorXd offsets;
-  double along = 0.0, bend = 0.0;
+  Eigen::VectorXd curves;  // of each part its slope, its bend, and what it lies off the others
 
   double residual(const Bin& bin, const ArcPoint& p) const {
-    return p.value - bin.height - offsets[p.setup] - (along + bend * p.t) * p.t;
+    const auto curve = curves.segment<kOfPart>(kOfPart * p.part);
+    return p.value - bin.height - offsets[p.setup] - (curve[0] + curve[1] * p.t) * p.t - curve[2];
   }
 };
 
@@ -80,18 +83,19 @@ Arc sorted(const std::vector<ArcPoint>& points, double window) {
   return arc;
 }
 
-/// First offsets: medians of the differences between the setups' medians, bin by bin, from the setup most bins have.
-void guessOffsets(Arc& arc) {
-  const std::size_t count = arc.setups.size();
-  std::vector<std::vector<double>> medians(arc.bins.size(), std::vector<double>(count, std::nan("")));
+/// First offsets: medians of the differences between the setups' medians, bin by bin and part by part, from the setup
+/// that most of them have.
+void guessOffsets(Arc& arc, std::size_t parts) {
+  const std::size_t count = arc.setups.size(), fewest = parts > 1 ? 1 : kFewestOfPart;
+  std::vector<std::vector<double>> medians(arc.bins.size() * parts, std::vector<double>(count, std::nan("")));
   std::vector<std::size_t> has(count, 0);
   for (std::size_t b = 0; b < arc.bins.size(); ++b) {
-    std::vector<std::vector<double>> values(count);
-    for (const ArcPoint& p : arc.bins[b].points) values[p.setup].push_back(p.value);
-    for (std::size_t s = 0; s < count; ++s) {
-      if (values[s].size() < kFewestOfPart) continue;
-      medians[b][s] = median(values[s]);
-      ++has[s];
+    std::vector<std::vector<double>> values(count * parts);
+    for (const ArcPoint& p : arc.bins[b].points) values[p.part * count + p.setup].push_back(p.value);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i].size() < fewest) continue;
+      medians[b * parts + i / count][i % count] = median(values[i]);
+      ++has[i % count];
     }
   }
   const auto first = static_cast<std::size_t>(std::max_element(has.begin(), has.end()) - has.begin());
@@ -127,7 +131,7 @@ void findNoise(Arc& arc) {
   }
 }
 
-/// Normal equations of offsets, slope and bend, the bins' heights eliminated.
+/// Normal equations of offsets and of the parts' curves, the bins' heights eliminated.
 struct Equations {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
@@ -135,42 +139,32 @@ struct Equations {
 
 /// Those of one bin, its own height eliminated; nothing where no point counts.
 Equations equationsOf(const Arc& arc, const Bin& bin) {
-  const auto count = static_cast<Eigen::Index>(arc.setups.size()), size = count + 2;
+  const auto count = static_cast<Eigen::Index>(arc.setups.size()), size = count + arc.curves.size();
   Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd products = Eigen::VectorXd::Zero(size), mean = Eigen::VectorXd::Zero(size);
   double weights = 0.0, mean_value = 0.0;
   for (const ArcPoint& p : bin.points) {
     const double w = tukeyWeight(arc.residual(bin, p) / bin.noise) / (bin.noise * bin.noise);
     if (w == 0.0) continue;
-    // three of a row's entries are not zero
-    const Eigen::Index own = p.setup;
-    const double t = p.t, tt = p.t * p.t, v = p.value - bin.height;
-    squares(own, own) += w;
-    squares(own, count) += w * t;
-    squares(own, count + 1) += w * tt;
-    squares(count, count) += w * tt;
-    squares(count, count + 1) += w * t * tt;
-    squares(count + 1, count + 1) += w * tt * tt;
-    products[own] += w * v;
-    products[count] += w * t * v;
-    products[count + 1] += w * tt * v;
-    mean[own] += w;
-    mean[count] += w * t;
-    mean[count + 1] += w * tt;
+    const Eigen::Index curve = count + kOfPart * p.part;
+    const std::array<Eigen::Index, 4> at{p.setup, curve, curve + 1, curve + 2};  // entries of its row that are not zero
+    const std::array<double, 4> row{1.0, p.t, p.t * p.t, 1.0};
+    const double v = p.value - bin.height;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      for (std::size_t j = i; j < row.size(); ++j) squares(at[i], at[j]) += w * row[i] * row[j];
+      products[at[i]] += w * row[i] * v;
+      mean[at[i]] += w * row[i];
+    }
     mean_value += w * v;
     weights += w;
   }
   if (!(weights > 0.0)) return {};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    squares(count, i) = squares(i, count);
-    squares(count + 1, i) = squares(i, count + 1);
-  }
-  squares(count + 1, count) = squares(count, count + 1);
+  squares.triangularView<Eigen::StrictlyLower>() = squares.transpose();
   return {squares - mean * mean.transpose() / weights, products - mean * (mean_value / weights)};
 }
 
 Equations equationsOf(const Arc& arc, const ArcPrior& prior) {
-  const auto count = static_cast<Eigen::Index>(arc.setups.size()), size = count + 2;
+  const auto count = static_cast<Eigen::Index>(arc.setups.size()), size = count + arc.curves.size();
   Equations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
   for (const Bin& bin : arc.bins) {
     const Equations own = equationsOf(arc, bin);
@@ -178,8 +172,11 @@ Equations equationsOf(const Arc& arc, const ArcPrior& prior) {
     sum.matrix += own.matrix;
     sum.right += own.right;
   }
-  sum.matrix(count, count) += 1.0 / (prior.sigma_along * prior.sigma_along);
-  sum.matrix(count + 1, count + 1) += 1.0 / (prior.sigma_bend * prior.sigma_bend);
+  const std::array<double, kOfPart> sigmas{prior.sigma_along, prior.sigma_bend, prior.sigma_part};
+  for (Eigen::Index i = 0; i < arc.curves.size(); ++i) {
+    const double sigma = sigmas[static_cast<std::size_t>(i % kOfPart)];
+    sum.matrix(count + i, count + i) += 1.0 / (sigma * sigma);
+  }
   return sum;
 }
 
@@ -203,16 +200,18 @@ std::optional<ArcOffsets> compareArc(const std::vector<ArcPoint>& points, const 
   Arc arc = sorted(points, prior.window);
   const auto count = static_cast<Eigen::Index>(arc.setups.size());
   if (count < 2 || arc.bins.empty()) return std::nullopt;
-  guessOffsets(arc);
+  guessOffsets(arc, prior.parts);
+  const Eigen::Index shape = kOfPart * static_cast<Eigen::Index>(prior.parts);
+  arc.curves = Eigen::VectorXd::Zero(shape);
   ArcOffsets result;
   result.setups = arc.setups;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     findNoise(arc);
     const Equations sum = equationsOf(arc, prior);
-    const Eigen::Matrix2d slopes = sum.matrix.bottomRightCorner<2, 2>();
-    const Eigen::MatrixXd across = sum.matrix.topRightCorner(count, 2) * slopes.inverse();
-    result.information = sum.matrix.topLeftCorner(count, count) - across * sum.matrix.bottomLeftCorner(2, count);
-    const Eigen::VectorXd right = sum.right.head(count) - across * sum.right.tail<2>();
+    const Eigen::MatrixXd inverse = sum.matrix.bottomRightCorner(shape, shape).inverse();
+    const Eigen::MatrixXd across = sum.matrix.topRightCorner(count, shape) * inverse;
+    result.information = sum.matrix.topLeftCorner(count, count) - across * sum.matrix.bottomLeftCorner(shape, count);
+    const Eigen::VectorXd right = sum.right.head(count) - across * sum.right.tail(shape);
     // the sum of the offsets is nowhere in the data: any weight on it sets it to zero
     const double gauge = result.information.trace() / static_cast<double>(count * count);
     if (!(gauge > 0.0)) return std::nullopt;
@@ -221,11 +220,8 @@ std::optional<ArcOffsets> compareArc(const std::vector<ArcPoint>& points, const 
     if (!lu.isInvertible()) return std::nullopt;
     result.offsets = lu.solve(right);
     result.offsets.array() -= result.offsets.mean();
-    const Eigen::Vector2d along =
-        slopes.inverse() * (sum.right.tail<2>() - sum.matrix.bottomLeftCorner(2, count) * result.offsets);
+    arc.curves = inverse * (sum.right.tail(shape) - sum.matrix.bottomLeftCorner(shape, count) * result.offsets);
     arc.offsets = result.offsets;
-    arc.along = along[0];
-    arc.bend = along[1];
     setHeights(arc);
   }
   return result;

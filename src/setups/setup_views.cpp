@@ -38,11 +38,21 @@ bool seesSeveral(const SetupRing::Entry* begin, const SetupRing::Entry* end) {
 
 /// How the ring is cut into arcs.
 struct ArcWidth {
-  std::size_t cells;  ///< of the ring in one arc
+  static constexpr std::size_t kNarrowest = SetupRing::kCells / SetupRing::kArcs;
+  std::size_t cells = kNarrowest;  ///< of the ring in one arc
 
+  std::size_t parts() const { return cells / kNarrowest; }  ///< as wide as the narrowest arc
+  /// The part of the arc that begins at a cell, in which an azimuth lies.
+  std::uint16_t partOf(double azimuth, std::size_t arc) const {
+    const double along = azimuth / kTwoPi * static_cast<double>(SetupRing::kArcs) - static_cast<double>(arc * parts());
+    return static_cast<std::uint16_t>(std::clamp(along, 0.0, static_cast<double>(parts() - 1)));
+  }
   std::size_t count() const { return SetupRing::kCells / cells; }
   double middleOf(std::size_t arc) const {
     return (static_cast<double>(arc) + 0.5) * kTwoPi / static_cast<double>(count());
+  }
+  double middleOf(std::size_t arc, std::uint16_t part) const {
+    return (static_cast<double>(arc * parts() + part) + 0.5) * kTwoPi / static_cast<double>(SetupRing::kArcs);
   }
 };
 
@@ -58,13 +68,16 @@ ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, ArcWid
        e += std::min<std::ptrdiff_t>(end - e, static_cast<std::ptrdiff_t>(every))) {
     const double outline = ring.outlineAt(e->azimuth);
     if (!std::isfinite(outline)) continue;
-    const double t = (e->azimuth - middle) * outline, d = side * (e->radius - outline), h = e->z - foot;
+    const std::uint16_t part = width.partOf(e->azimuth, arc);
+    const double t = (e->azimuth - width.middleOf(arc, part)) * outline, d = side * (e->radius - outline),
+                 h = e->z - foot;
     if (d >= kClear * reach && d < kWidest * reach && std::abs(h) < kDeepest * reach) {
-      all.foot.push_back({t, e->z, static_cast<std::uint16_t>(d / (kFootBin * reach)), e->setup});
+      all.foot.push_back({t, e->z, static_cast<std::uint16_t>(d / (kFootBin * reach)), e->setup, part});
       all.foot_radius += e->radius;
       all.foot_z += e->z;
     } else if (std::abs(d) < kWindow * reach && h >= kShellFrom * reach) {
-      all.shell.push_back({t, e->radius - outline, static_cast<std::uint16_t>(h / (kShellBin * reach)), e->setup});
+      all.shell.push_back(
+          {t, e->radius - outline, static_cast<std::uint16_t>(h / (kShellBin * reach)), e->setup, part});
       all.shell_z += e->z;
     }
   }
@@ -76,20 +89,20 @@ ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, ArcWid
 
 /// The narrowest arcs in which setups have points enough of the foundation to fill its bins.
 ArcWidth widthOf(const SetupRing& ring, const Tank& tank, double reach, int threads) {
-  constexpr std::size_t kNarrowest = SetupRing::kCells / SetupRing::kArcs, kLongest = 8 * kNarrowest;
+  constexpr std::size_t kLongest = 8 * ArcWidth::kNarrowest;
   constexpr double kPlenty = 100.0;  // points of a setup in an arc
   std::vector<std::vector<double>> counts(SetupRing::kArcs);
   forEachIndex(SetupRing::kArcs, threads, [&](std::size_t arc) {
     std::map<std::uint16_t, double> of_setups;
-    for (const ArcPoint& p : pointsOf(ring, tank, reach, {kNarrowest}, arc).foot) of_setups[p.setup] += 1.0;
+    for (const ArcPoint& p : pointsOf(ring, tank, reach, {}, arc).foot) of_setups[p.setup] += 1.0;
     for (const auto& [setup, points] : of_setups) counts[arc].push_back(points);
   });
   std::vector<double> all = concatenated(counts);
-  if (all.empty()) return {kNarrowest};
+  ArcWidth width;
+  if (all.empty()) return width;
   const double usual = median(std::move(all));
-  std::size_t cells = kNarrowest;
-  while (cells < kLongest && usual * static_cast<double>(cells / kNarrowest) < kPlenty) cells *= 2;
-  return {cells};
+  while (width.cells < kLongest && usual * static_cast<double>(width.parts()) < kPlenty) width.cells *= 2;
+  return width;
 }
 
 /// How steeply the points of a foundation fall away from the shell: the median slope between their bins [m/m].
@@ -128,9 +141,12 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
                               const std::vector<Eigen::Vector3d>& origins, int threads) {
   constexpr double kSettlement = 0.01;  // slope of a datum along its shell [m/m]
   constexpr double kLobe = 0.02;        // slope that the shell's outline leaves over [m/m]
-  const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, kWindow * reach};
-  const ArcPrior shell_prior{kLobe, 10.0 * kHighestWave / tank.circle.radius, kWindow * reach};
   const ArcWidth width = widthOf(ring, tank, reach, threads);
+  const double length = tank.circle.radius * kTwoPi / static_cast<double>(width.count());
+  const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, kWindow * reach, width.parts(),
+                            kSettlement * length};
+  const ArcPrior shell_prior{kLobe, 10.0 * kHighestWave / tank.circle.radius, kWindow * reach, width.parts(),
+                             kLobe * length};
   std::vector<std::optional<ArcView>> found(2 * width.count());
   forEachIndex(width.count(), threads, [&](std::size_t arc) {
     const ArcPoints points = pointsOf(ring, tank, reach, width, arc);
