@@ -16,11 +16,12 @@
 namespace tank_datum {
 namespace {
 
+constexpr std::array kAmplitudes{1.0, 2.0, 4.0, 8.0, 16.0};  // of the least
+constexpr std::array kLengths{3.0, 5.0, 8.0, 12.0, 18.0};    // [deg]; longer ones would not follow a short dip
+
 /// @param scatter  usual standard error of the values
 /// @param ratio  how many of their standard errors values scatter by at least
 ProcessParameters likeliest(const RingData& data, double scatter, double ratio, double least_amplitude) {
-  constexpr std::array kAmplitudes{1.0, 2.0, 4.0, 8.0, 16.0};  // of the least
-  constexpr std::array kLengths{3.0, 5.0, 8.0, 12.0, 18.0};    // [deg]; longer ones would not follow a short dip
   constexpr double kLeastScale = 0.4;
   struct Scatter {
     double scale, nugget;
@@ -82,6 +83,59 @@ void doubtStrays(RingData& data, const ProcessParameters& p, RingProcess& result
   }
 }
 
+/// How likely each value is by what the others say, as a logarithm; 0 where there is none.
+std::vector<double> likelihoods(const RingData& data, const ProcessParameters& p, const RingProcess& result) {
+  std::vector<double> offs(data.values.size(), 0.0), logs(data.values.size(), 0.0);
+  const std::vector<double> ratios = offOthers(data, p, result, offs);
+  for (std::size_t i = 0; i < offs.size(); ++i) {
+    if (!std::isfinite(data.values[i]) || ratios[i] == 0.0) continue;
+    logs[i] = -0.5 * square(ratios[i]) - std::log(std::abs(offs[i] / ratios[i]));
+  }
+  return logs;
+}
+
+/// Where quicker processes foretell the values better than the one that is likeliest of the whole ring, the ring bends
+/// as it does nowhere else: there each counts by how likely the values near by are under it.
+void followBends(const RingData& data, const ProcessParameters& p, double least_amplitude, RingProcess& result) {
+  const double kRarely = getenv("BO") ? atof(getenv("BO")) : 4.0;  // odds against a bend at any place, as a logarithm
+  const double kW = getenv("BW") ? atof(getenv("BW")) : 5.0; 
+  if (kRarely > 99) return;
+  const auto quickness = [](const ProcessParameters& q) { return square(q.amplitude) / (q.length * q.length * q.length); };
+  std::vector<RingProcess> all{result};
+  std::vector<std::vector<double>> logs{likelihoods(data, p, result)};
+  for (const double amplitude : kAmplitudes) {
+    for (const double length : kLengths) {
+      const ProcessParameters q{amplitude * least_amplitude, length * kPi / 180.0, p.scale, p.nugget};
+      if (quickness(q) <= quickness(p)) continue;
+      all.push_back(result);
+      smoothRing(data, q, all.back());
+      logs.push_back(likelihoods(data, q, all.back()));
+    }
+  }
+  const std::size_t count = data.values.size();
+  const auto reach = static_cast<std::size_t>(kW * kPi / 180.0 / data.step);
+  const double rare = kRarely + std::log(double(all.size()));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double> likely(all.size(), -rare);
+    likely[0] = 0.0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      for (std::size_t j = i + count - reach; j <= i + count + reach; ++j) likely[k] += logs[k][j % count];
+    }
+    const double best = *std::max_element(likely.begin(), likely.end());
+    double sum = 0.0, mean = 0.0, squares = 0.0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const double share = std::exp(likely[k] - best), off = all[k].value[i] - all[0].value[i];
+      sum += share;
+      mean += share * off;
+      squares += share * (square(all[k].sigma[i]) + square(off));
+    }
+    mean /= sum;
+    if (getenv("DBGB") && std::exp(likely[0]-best)/sum<.95) fprintf(stderr, "BENT %zu share %.2f better %.1f by %.2f\n", i, 1-std::exp(likely[0]-best)/sum, best-likely[0], 1e3*mean);
+    result.value[i] = all[0].value[i] + mean;
+    result.sigma[i] = std::sqrt(squares / sum - square(mean));
+  }
+}
+
 }  // namespace
 
 bool RingProcess::holds(double at_place, double its_sigma, std::size_t place) const {
@@ -135,6 +189,7 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
     doubtStrays(data, p, result);
   }
   smoothRing(data, p, result);
+  followBends(data, p, least_amplitude, result);
   for (const double variance : varianceOfShape(data, p, kOrder)) result.shape.push_back(std::sqrt(variance));
   for (std::size_t i = 0; i < values.size(); ++i)
     result.sigma[i] = std::hypot(std::hypot(result.sigma[i], result.shape[i]), kEither * result.strayed[i]);

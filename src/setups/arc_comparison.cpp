@@ -107,11 +107,27 @@ void guessOffsets(Arc& arc, std::size_t parts) {
     }
     if (!differences.empty()) arc.offsets[static_cast<Eigen::Index>(s)] = median(differences);
   }
-  for (Bin& bin : arc.bins) {
-    std::vector<double> heights;
-    for (const ArcPoint& p : bin.points) heights.push_back(p.value - arc.offsets[p.setup]);
-    bin.height = median(heights);
+}
+
+/// First heights of the bins, and what each of several parts lies off the others: medians of what is left.
+void guessSurface(Arc& arc, std::size_t parts) {
+  const auto setMedians = [&arc] {
+    for (Bin& bin : arc.bins) {
+      std::vector<double> left;
+      for (const ArcPoint& p : bin.points) left.push_back(arc.residual(bin, p));
+      bin.height += median(left);
+    }
+  };
+  setMedians();
+  if (parts == 1) return;
+  std::vector<std::vector<double>> left(parts);
+  for (const Bin& bin : arc.bins) {
+    for (const ArcPoint& p : bin.points) left[p.part].push_back(arc.residual(bin, p));
   }
+  for (std::size_t k = 0; k < parts; ++k) {
+    if (!left[k].empty()) arc.curves[kOfPart * static_cast<Eigen::Index>(k) + 2] = median(left[k]);
+  }
+  setMedians();
 }
 
 /// Scatter of every bin about its height; that of all stands in for a few points.
@@ -200,9 +216,10 @@ std::optional<ArcOffsets> compareArc(const std::vector<ArcPoint>& points, const 
   Arc arc = sorted(points, prior.window);
   const auto count = static_cast<Eigen::Index>(arc.setups.size());
   if (count < 2 || arc.bins.empty()) return std::nullopt;
-  guessOffsets(arc, prior.parts);
   const Eigen::Index shape = kOfPart * static_cast<Eigen::Index>(prior.parts);
   arc.curves = Eigen::VectorXd::Zero(shape);
+  guessOffsets(arc, prior.parts);
+  guessSurface(arc, prior.parts);
   ArcOffsets result;
   result.setups = arc.setups;
   for (int iteration = 0; iteration < kIterations; ++iteration) {

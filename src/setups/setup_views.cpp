@@ -124,6 +124,23 @@ double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
   return slopes.empty() ? 0.0 : median(std::move(slopes));
 }
 
+/// The middle of those parts of an arc in which setups meet.
+double azimuthOf(const std::vector<ArcPoint>& points, ArcWidth width, std::size_t arc) {
+  std::vector<const ArcPoint*> first(width.parts(), nullptr);
+  std::vector<char> meet(width.parts(), 0);
+  for (const ArcPoint& p : points) {
+    if (!first[p.part]) first[p.part] = &p;
+    meet[p.part] |= static_cast<char>(p.setup != first[p.part]->setup);
+  }
+  double sum = 0.0, count = 0.0;
+  for (std::size_t part = 0; part < meet.size(); ++part) {
+    if (!meet[part]) continue;
+    sum += width.middleOf(arc, static_cast<std::uint16_t>(part));
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : width.middleOf(arc);
+}
+
 /// What a setup's error does to an elevation at a place.
 SetupMotion::Vector motionOfFoot(const Eigen::Vector3d& arm) {
   return (SetupMotion::Vector() << 1.0, arm.x(), arm.y(), 0.0, 0.0).finished();
@@ -150,12 +167,13 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
   std::vector<std::optional<ArcView>> found(2 * width.count());
   forEachIndex(width.count(), threads, [&](std::size_t arc) {
     const ArcPoints points = pointsOf(ring, tank, reach, width, arc);
-    const double azimuth = width.middleOf(arc);
-    const Eigen::Vector2d out(portable::cos(azimuth), portable::sin(azimuth));
     for (const bool shell : {false, true}) {
       if (!shell && fallOf(points.foot, kFootBin * reach) > kBank) continue;
-      const auto seen = compareArc(shell ? points.shell : points.foot, shell ? shell_prior : foot_prior);
+      const std::vector<ArcPoint>& own = shell ? points.shell : points.foot;
+      const auto seen = compareArc(own, shell ? shell_prior : foot_prior);
       if (!seen) continue;
+      const double azimuth = azimuthOf(own, width, arc);
+      const Eigen::Vector2d out(portable::cos(azimuth), portable::sin(azimuth));
       const double radius = shell ? tank.circle.radius : points.foot_radius;
       Eigen::Vector3d place;
       place << tank.circle.center + radius * out, (shell ? points.shell_z : points.foot_z);

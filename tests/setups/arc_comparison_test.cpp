@@ -131,5 +131,32 @@ TEST(ArcComparison, ABinOfTwentyPointsTakesAThirdOfItsVarianceFromTheOthers) {
   EXPECT_NEAR(seen->information(0, 0), (2.0 * weight + 3.0) * rough, 0.03 * 5.0 * rough);
 }
 
+/// An arc of three parts whose middle lies 12 mm lower. Setup 0 sees the first two, setup 1, 1 mm higher, the others.
+std::vector<ArcPoint> dippedArc(bool second_in_the_middle) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> place(-0.6, 0.6);
+  std::vector<ArcPoint> points;
+  for (int i = 0; i < 1200; ++i) {
+    const auto setup = static_cast<std::uint16_t>(i % 2);
+    const auto part = static_cast<std::uint16_t>(setup + (setup == 1 && !second_in_the_middle ? 1 : i / 2 % 2));
+    const auto bin = static_cast<std::uint16_t>(i / 4 % 6);
+    const double surface = (part == 1 ? -0.012 : 0.0) + (bin < 3 ? 0.010 : 0.0);
+    points.push_back({place(random), surface + 0.001 * setup + 0.0005 * normal(random), bin, setup, part});
+  }
+  return points;
+}
+
+TEST(ArcComparison, WhatASurfaceDoesBetweenPartsIsNoSetupsError) {
+  constexpr ArcPrior kWide{0.01, 0.001, 0.04, 3, 0.05};
+  const auto seen = compareArc(dippedArc(true), kWide);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->offsets[1] - seen->offsets[0], 0.001, 0.0002);
+  // of two parts that no setup shares with another the difference is known as their heights are
+  const auto apart = compareArc(dippedArc(false), kWide);
+  ASSERT_TRUE(apart);
+  EXPECT_NEAR(1.0 / std::sqrt(apart->information(0, 0)), 0.05 * std::sqrt(1.5), 0.001);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -127,10 +127,40 @@ TEST(ViewArcs, OfAnArcWithMoreThanSixtyThousandPointsEverySecondIsTaken) {
   EXPECT_NEAR(information(70'000) / information(50'000), 0.7, 0.05);
 }
 
+/// A ring of two setups, of which setup 0 alone sees the shell high up, all round.
+class WholeOverlap : public Overlap {
+ public:
+  WholeOverlap() {
+    for (int i = 0; i < 1440 * 6; ++i) add(0, kTwoPi * kRadius * (i + 0.5) / (1440 * 6), 0.0, 0.45);
+  }
+
+  /// Twelve points of a setup on the foundation in one of the narrowest arcs, so few that eight of these are compared.
+  void addFew(int setup, int arc) {
+    for (int i = 0; i < 12; ++i) add(setup, kArcLength * (arc + (i - 5.5) / 12.0), 0.11, i % 2 == 0 ? 0.001 : 0.0);
+  }
+};
+
+TEST(ViewArcs, AWideArcTurnsAboutThePartsInWhichSetupsMeet) {
+  WholeOverlap overlap;
+  for (const int part : {0, 1, 6, 7}) overlap.addFew(0, part);
+  for (const int part : {6, 7}) overlap.addFew(1, part);
+  const std::vector<ArcView> views = overlap.views();
+  ASSERT_EQ(views.size(), 1U);
+  EXPECT_NEAR(std::atan2(views[0].motion(0, 2), views[0].motion(0, 1)), toRadians(17.5), 1e-9);
+}
+
+TEST(ViewArcs, ADatumMayClimbFromPartToPartOfAWideArc) {
+  WholeOverlap overlap;
+  overlap.addFew(0, 0);
+  overlap.addFew(1, 7);
+  const std::vector<ArcView> views = overlap.views();
+  ASSERT_EQ(views.size(), 1U);
+  EXPECT_NEAR(1.0 / std::sqrt(views[0].seen.information(0, 0)), 0.01 * 8.0 * kArcLength * std::sqrt(2.0), 0.01);
+}
+
 /// In how many arcs the foundation is compared of which two setups have so many points every 2.5 degrees.
 std::size_t comparedArcs(int points) {
-  Overlap overlap;
-  for (int i = 0; i < 1440 * 6; ++i) overlap.add(0, kTwoPi * kRadius * (i + 0.5) / (1440 * 6), 0.0, 0.45);
+  WholeOverlap overlap;
   for (int i = 0; i < 144 * points; ++i) {
     for (const int setup : {0, 1}) overlap.add(setup, kArcLength * ((i + 0.5) / points - 0.5), 0.11, 0.0);
   }
