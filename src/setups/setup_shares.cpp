@@ -67,15 +67,17 @@ void CellCounts::add(std::size_t cell, double half_window, Eigen::Ref<Eigen::Row
   }
 }
 
-/// An interpolated station leans on both sides alike.
-void fillInterpolated(const std::vector<Station>& stations, Eigen::MatrixXd& shares) {
+/// A station none of whose points were counted, an interpolated one or one with few, leans on both sides alike.
+void fillBetween(const std::vector<Station>& stations, Eigen::MatrixXd& shares) {
   const std::size_t count = stations.size();
+  const Eigen::VectorXd counted = shares.rowwise().sum();
+  const auto has = [&counted](std::size_t i) { return counted[static_cast<Eigen::Index>(i)] > 0.0; };
   for (std::size_t i = 0; i < count; ++i) {
-    if (stations[i].flag != StationFlag::Interpolated) continue;
+    if (stations[i].flag == StationFlag::Missing || has(i)) continue;
     for (const bool up : {false, true}) {
       for (std::size_t away = 1; away < count; ++away) {
         const std::size_t j = (i + (up ? away : count - away)) % count;
-        if (stations[j].flag != StationFlag::Measured) continue;
+        if (!has(j)) continue;
         shares.row(static_cast<Eigen::Index>(i)) += 0.5 * shares.row(static_cast<Eigen::Index>(j));
         break;
       }
@@ -106,8 +108,8 @@ SetupShares setupShares(const Ring& ring, const Tank& tank, const std::vector<St
     if (foundation.sum() > 0.0) shares.foundation.row(i) = foundation / foundation.sum();
     if (shell.sum() > 0.0) shares.shell.row(i) = shell / shell.sum();
   }
-  fillInterpolated(stations, shares.foundation);
-  fillInterpolated(stations, shares.shell);
+  fillBetween(stations, shares.foundation);
+  fillBetween(stations, shares.shell);
   return shares;
 }
 

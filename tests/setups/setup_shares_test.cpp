@@ -94,6 +94,15 @@ TEST(SetupShares, AnInterpolatedStationHasBothSides) {
   EXPECT_DOUBLE_EQ(shares.foundation(190, 1), 0.5);
 }
 
+TEST(SetupShares, AMeasuredStationWithoutAPointInTheBandHasBothSides) {
+  auto stations = madeStations();
+  for (const std::size_t i : {90U, 270U}) stations[i].z = 0.1;  // its points lie far off the band there
+  const SetupShares shares = setupShares(madeRing(), madeTank(), stations, {0.0, 0.0}, kBand);
+  EXPECT_DOUBLE_EQ(shares.foundation(90, 0), 1.0);
+  EXPECT_DOUBLE_EQ(shares.foundation(270, 1), 1.0);
+  EXPECT_DOUBLE_EQ(shares.foundation(270, 0), 0.0);
+}
+
 TEST(SetupShares, ErrorsOfSetupsAreSharedByTheirStations) {
   auto stations = madeStations();
   stations[10].flag = StationFlag::Missing;
