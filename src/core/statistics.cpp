@@ -105,4 +105,13 @@ double chiSquareQuantile(double freedom, double deviate) {
   return freedom * portable::pow(1.0 - part + deviate * std::sqrt(part), 3.0);
 }
 
+double fQuantile(double first, double second, double deviate) {
+  const double u = 2.0 / (9.0 * first), v = 2.0 / (9.0 * second), square = deviate * deviate;
+  // the cube root x of F is where (1 - v) x - (1 - u) is deviate standard deviations, sqrt(v x^2 + u)
+  const double a = (1.0 - v) * (1.0 - v) - square * v, b = (1.0 - v) * (1.0 - u);
+  const double c = (1.0 - u) * (1.0 - u) - square * u;
+  const double root = std::sqrt(std::max(0.0, b * b - a * c));
+  return portable::pow((b + (deviate < 0.0 ? -root : root)) / a, 3.0);
+}
+
 }  // namespace tank_datum

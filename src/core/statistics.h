@@ -47,4 +47,10 @@ double student95(double freedom);
 /// Source: Wilson and Hilferty; Abramowitz and Stegun 26.4.17.
 double chiSquareQuantile(double freedom, double deviate);
 
+/// Quantile of the variance ratio F, the first variance with the freedom of the first.
+/// @param second   at least 8
+/// @param deviate  the same quantile of the normal distribution
+/// Source: Paulson (1942), by Wilson and Hilferty; Abramowitz and Stegun 26.6.15.
+double fQuantile(double first, double second, double deviate);
+
 }  // namespace tank_datum

@@ -102,6 +102,18 @@ void smoothRing(const RingData& data, const ProcessParameters& p, RingProcess& r
   smoothBack(std::move(states), data, p, result);
 }
 
+OffOthers offOthers(const RingData& data, const ProcessParameters& p, const RingProcess& smoothed) {
+  OffOthers off{std::vector<double>(data.values.size(), 0.0), std::vector<double>(data.values.size(), 1.0)};
+  for (std::size_t i = 0; i < data.values.size(); ++i) {
+    if (!std::isfinite(data.values[i])) continue;
+    const double own = p.variance(data.variances[i]), all = square(smoothed.sigma[i]);
+    const double others = 1.0 / std::max(1.0 / all - 1.0 / own, 1e-9 / own);
+    off.distance[i] = data.values[i] - others * (smoothed.value[i] / all - data.values[i] / own);
+    off.sigma[i] = std::sqrt(others + own);
+  }
+  return off;
+}
+
 std::vector<double> varianceOfShape(const RingData& data, const ProcessParameters& p, int order) {
   const auto count = static_cast<Eigen::Index>(data.values.size()), pad = static_cast<Eigen::Index>(padOf(data));
   Eigen::MatrixXd left(count, 2 * order + 1), scaled = left;  // of the harmonics; what each value tells of them

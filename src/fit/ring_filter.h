@@ -28,6 +28,14 @@ double unlikeliness(const RingData& data, const ProcessParameters& p);
 /// What the values say of the process at every place, by Kalman filter and smoother: `value` and `sigma` of the result.
 void smoothRing(const RingData& data, const ProcessParameters& p, RingProcess& result);
 
+/// How far each value lies off what the others say, and the standard deviation of that; 0 and 1 where there is none.
+struct OffOthers {
+  std::vector<double> distance, sigma;
+};
+
+/// @param smoothed  what all values say
+OffOthers offOthers(const RingData& data, const ProcessParameters& p, const RingProcess& smoothed);
+
 /// Variance at every place of harmonics that the values were freed of beforehand, as far as the process does not make
 /// up for them: none beside values, all of it in gaps longer than the process is alike (universal kriging: Rasmussen
 /// and Williams 2006, 2.7).

@@ -15,11 +15,12 @@ struct RingProcess {
       doubt;  ///< how many standard deviations a value lies off what the others say; 0 where there is none
   std::vector<double> strayed;  ///< how far such a value lies off, at its place and up to the next values [m]
   std::vector<double>
-      shape;             ///< standard error of the harmonics that is in `sigma`, if any: in long gaps they may do much
-  double amplitude = 0;  ///< standard deviation of the process
-  double length = 0;     ///< along which it is alike [rad]
-  double nugget = 0;     ///< what the values scatter beside their standard errors
-  double scale = 1;      ///< what their standard errors count for, beside the nugget
+      shape;  ///< standard error of the harmonics that is in `sigma`, if any: in long gaps they may do much
+  std::vector<double> bent;  ///< how far bends of the ring move `value`, as other places do not show them [m]
+  double amplitude = 0;      ///< standard deviation of the process
+  double length = 0;         ///< along which it is alike [rad]
+  double nugget = 0;         ///< what the values scatter beside their standard errors
+  double scale = 1;          ///< what their standard errors count for, beside the nugget
 
   bool valid() const { return amplitude > 0.0; }
   /// Whether a value lies on it at a place, within three standard errors of both.

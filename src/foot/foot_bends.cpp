@@ -40,6 +40,15 @@ std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels,
   return bends;
 }
 
+RingProcess withRisesDoubted(RingProcess process) {
+  for (std::size_t i = 0; i < process.bent.size(); ++i) {
+    const double rise = std::max(0.0, process.bent[i]);
+    process.value[i] -= 0.5 * rise;
+    process.sigma[i] = std::hypot(process.sigma[i], kEither * rise);
+  }
+  return process;
+}
+
 FootFit bentFit(const FootFit& own, const RingProcess& process, std::size_t station, double shared, Bend bend) {
   FootFit fit = own;
   fit.sigma = std::hypot(std::hypot(own.sigma, process.nugget), shared);

@@ -19,6 +19,10 @@ enum class Bend { None, Likely, Seen };
 std::vector<Bend> findBends(const Foot& foot, const std::vector<double>& levels, const std::vector<double>& sigmas,
                             const RingProcess& process);
 
+/// A foundation settles in short dips. What rises so may lie on it: where the ring bends upwards its level is halfway,
+/// and the standard error holds either.
+RingProcess withRisesDoubted(RingProcess process);
+
 /// The fit of a station's own window where the ring bends.
 /// @param shared  standard error that no count of points lessens [m]
 FootFit bentFit(const FootFit& own, const RingProcess& process, std::size_t station, double shared, Bend bend);

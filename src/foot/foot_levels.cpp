@@ -213,7 +213,7 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
   if (!levels.process.valid()) return withoutRises(foot, pass, std::move(levels));
   const std::vector<Bend> bends = findBends(foot, own.levels, own.sigmas, levels.process);
   const std::vector<double> shared = sharedSigmas(pass);
-  levels.process = withShared(std::move(levels.process), own, shared);
+  levels.process = withShared(withRisesDoubted(std::move(levels.process)), own, shared);
   const RingProcess& process = levels.process;
   for (std::size_t i = 0; i < levels.fits.size(); ++i) {
     FootFit& fit = levels.fits[i];

@@ -141,5 +141,14 @@ TEST(ChiSquareQuantile, OfTables) {
   EXPECT_NEAR(chiSquareQuantile(4.0, 0.0) / 3.357, 1.0, 0.004);
 }
 
+TEST(FQuantile, IsThatOfTables) {
+  constexpr double k95 = 1.6448536, k99 = 2.3263479;
+  EXPECT_NEAR(fQuantile(3.0, 16.0, k95) / 3.239, 1.0, 0.005);
+  EXPECT_NEAR(fQuantile(3.0, 10.0, k99) / 6.552, 1.0, 0.03);
+  EXPECT_NEAR(fQuantile(2.0, 12.0, k99) / 6.927, 1.0, 0.03);
+  EXPECT_NEAR(fQuantile(16.0, 3.0, -k95) * 3.239, 1.0, 0.005);
+  EXPECT_NEAR(3.0 * fQuantile(3.0, 1e9, k99) / chiSquareQuantile(3.0, k99), 1.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -42,6 +42,19 @@ TEST(FindBends, NeighboursOffToOneSideAreABendAsFarAsTheProcessIsAlike) {
   EXPECT_EQ(likely(two.bends()), 0);
 }
 
+TEST(RisesOfARing, AreHalvedAndDoubtedDipsAreNot) {
+  RingProcess process;
+  process.value = {0.010, -0.010, 0.0};
+  process.sigma = {0.001, 0.001, 0.001};
+  process.bent = {0.010, -0.010, 0.0};
+  const RingProcess doubted = withRisesDoubted(process);
+  EXPECT_DOUBLE_EQ(doubted.value[0], 0.005);
+  EXPECT_DOUBLE_EQ(doubted.sigma[0], std::hypot(0.001, kEither * 0.010));
+  EXPECT_DOUBLE_EQ(doubted.value[1], -0.010);
+  EXPECT_DOUBLE_EQ(doubted.sigma[1], 0.001);
+  EXPECT_DOUBLE_EQ(doubted.value[2], 0.0);
+}
+
 /// The constants, at some 10 % on either side of them.
 TEST(FindBends, OneIsFarOffAndItsNeighbourHalfAsFar) {
   const auto found = [](double one, double other) {

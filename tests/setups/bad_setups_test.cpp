@@ -7,9 +7,9 @@ namespace {
 
 using namespace made_overlaps;
 
-/// The setups that are bad of so many without errors but those put on: parameter (5 times the setup, and dz, tilt_x,
+/// What becomes of so many setups without errors but those put on: parameter (5 times the setup, and dz, tilt_x,
 /// tilt_y, dx, dy) and size.
-std::vector<bool> badOf(std::size_t setups, const std::vector<std::pair<int, double>>& errors) {
+SetupAdjustment adjusted(std::size_t setups, const std::vector<std::pair<int, double>>& errors) {
   Recipe recipe;
   recipe.setups = setups;
   recipe.half_view = std::max(44.0, 280.0 / static_cast<double>(setups)) * kPi / 180.0;
@@ -18,7 +18,11 @@ std::vector<bool> badOf(std::size_t setups, const std::vector<std::pair<int, dou
   Survey survey = made(recipe, random);
   for (const auto& [parameter, error] : errors) survey.errors[parameter] += error;
   look(recipe, survey, random);
-  return adjustSetups(survey.arcs, setups, {}).bad;
+  return adjustSetups(survey.arcs, setups, {});
+}
+
+std::vector<bool> badOf(std::size_t setups, const std::vector<std::pair<int, double>>& errors) {
+  return adjusted(setups, errors).bad;
 }
 
 constexpr int kHeight = 10, kPlace = 13;  // of setup 2
@@ -33,6 +37,32 @@ TEST(BadSetups, APlaceIsBadBeyondWhatChanceAllowsUnderTheOthersDrawnToTwoMillime
   // two parameters at 0.3 %: 3.4 sigmas of 1.5 mm, and what the overlaps leave
   EXPECT_FALSE(badOf(6, {{kPlace, 0.0053}})[2]);
   EXPECT_TRUE(badOf(6, {{kPlace, 0.0063}})[2]);
+}
+
+TEST(BadSetups, PriorsAreLiftedBeyondWhatChanceAllowsUnderSigmasThatFewOthersTell) {
+  // 0.3 % of the variance ratio with ten degrees of freedom, of two others drawn to 2 mm by three setups' worth
+  EXPECT_TRUE(adjusted(3, {{kHeight, 0.0140}}).bad[2]);
+  EXPECT_FALSE(adjusted(3, {{kHeight, 0.0140}}).freed[2]);
+  EXPECT_TRUE(adjusted(3, {{kHeight, 0.0150}}).freed[2]);
+  EXPECT_TRUE(adjusted(6, {{kHeight, 0.0085}}).freed[2]);
+}
+
+TEST(BadSetups, SurveysBadlyRegisteredHaveSigmasThatHoldTheirErrors) {
+  constexpr int kTrials = 100;
+  Recipe recipe;
+  recipe.setups = 4;
+  recipe.half_view = 70.0 * kPi / 180.0;
+  recipe.sigma_error = 0.004;
+  std::mt19937_64 random(6);
+  double squares = 0.0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Survey survey = made(recipe, random);
+    const SetupAdjustment adjustment = adjustSetups(survey.arcs, recipe.setups, {});
+    const Eigen::RowVectorXd mean = derivatives(recipe, survey).colwise().mean();
+    const double error = mean * (survey.errors - adjustment.errors);
+    squares += error * error / (mean * adjustment.covariance * mean.transpose()) / kTrials;
+  }
+  EXPECT_LT(std::sqrt(squares), 1.3);
 }
 
 TEST(BadSetups, OneOfFourIsFound) { EXPECT_TRUE(badOf(4, {{kHeight, 0.010}})[2]); }
