@@ -152,6 +152,19 @@ def registration(seed: int) -> dict[str, float]:
     }
 
 
+def beam(seed: int) -> dict[str, Any]:
+    """How wide the beams of one scene in four are, drawn apart from the rest; else they are lines."""
+    draw = random.Random(seed + 5_000_003)
+    if draw.random() > 0.25:
+        return {}
+    return {
+        "beam_diameter": draw.uniform(0.002, 0.01),
+        "beam_divergence": draw.uniform(0.0001, 0.0006),
+        "blend_probability": draw.random(),
+        "angle_sigma_deg": draw.uniform(0.0, 0.004),
+    }
+
+
 def has_files(seed: int) -> bool:
     """Whether each setup is a file of its own; else one file holds all, without labels."""
     return random.Random(seed + 4_000_003).random() < 0.5
@@ -195,7 +208,8 @@ def scene_of(seed: int) -> Scene:
             "incidence_gain": draw.uniform(0.0, 0.4),
             "mixed_pixels": draw.random() < 0.3,
             "outliers": draw.choice([0.0, 0.0, 0.002]),
-        },
+        }
+        | beam(seed),
         "frame_tilt_deg": draw.choice([0.0, 0.0, 0.0, 0.0, draw.uniform(0.1, 2.0)]),
         "frame_tilt_direction_deg": draw.uniform(0.0, 360.0),
     }
