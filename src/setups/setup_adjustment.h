@@ -36,8 +36,9 @@ struct SetupAdjustment {
 /// and 2 mm; these figures are taken as they are where no more than three of the parameters are determined. Offsets of
 /// an arc have an error of their own on top of that of their points, from the residuals (median of the squares). A
 /// setup is bad when its error, as the overlaps alone tell it, is beyond what chi squared allows once in 300 times
-/// under the sigmas of the others: its priors are then freed, and the rest is adjusted again. One of three to nine
-/// setups can be bad, one in five of more; where there seem to be more, none is an exception.
+/// under the sigmas of the others. Its priors are freed, and the rest is adjusted again, where it is beyond what the
+/// variance ratio allows under sigmas that are estimates themselves. One of three to nine setups can be bad, one in
+/// five of more; where there seem to be more, none is an exception.
 SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setups, const SetupOptions& options);
 
 }  // namespace tank_datum
