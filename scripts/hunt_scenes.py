@@ -153,7 +153,7 @@ def registration(seed: int) -> dict[str, float]:
 
 
 def beam(seed: int) -> dict[str, Any]:
-    """How wide the beams of one scene in four are, drawn apart from the rest; else they are lines."""
+    """How wide the beams of one scene in four are, drawn apart; else they are lines."""
     draw = random.Random(seed + 5_000_003)
     if draw.random() > 0.25:
         return {}

@@ -51,10 +51,11 @@ void followBends(const RingData& data, const ProcessParameters& usual, const std
   const auto reach = std::min(static_cast<std::size_t>(std::lround(kReach / data.step)), (count - 1) / 2);
   for (std::size_t i = 0; i < count; ++i) {
     if (!isAnyKnown(data, i, reach)) continue;
-    std::vector<double> likely;
-    for (const Candidate& candidate : all) {
-      likely.push_back(likely.empty() ? 0.0 : -rare);
-      for (std::size_t j = i + count - reach; j <= i + count + reach; ++j) likely.back() += candidate.likely[j % count];
+    std::vector<double> likely{0.0};  // beside the usual process
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      likely.push_back(-rare);
+      for (std::size_t j = i + count - reach; j <= i + count + reach; ++j)
+        likely.back() += all[k].likely[j % count] - all.front().likely[j % count];
     }
     const double most = *std::max_element(likely.begin(), likely.end()), from = all.front().ring.value[i];
     double shares = 0.0, mean = 0.0, squares = 0.0;

@@ -47,20 +47,24 @@ ProcessParameters likeliest(const RingData& data, double scatter, double ratio, 
   return best;
 }
 
-/// The processes that change more quickly along the ring than one does, of the same scatter.
-std::vector<ProcessParameters> quickerThan(const ProcessParameters& p, double least_amplitude) {
+/// What a ring may be at any place: processes that change more quickly along it, of the same scatter; and the same
+/// process with values that scatter more, which may look like a quicker one.
+std::vector<ProcessParameters> alternativesTo(const ProcessParameters& p, double least_amplitude) {
+  constexpr std::array kCoarser{2.0, 4.0};
   // short changes of a Matern process of order 3/2 have a variance of its own over the cube of its length
   const auto quickness = [](const ProcessParameters& q) {
     return square(q.amplitude) / (q.length * q.length * q.length);
   };
-  std::vector<ProcessParameters> quicker;
+  std::vector<ProcessParameters> alternatives;
+  for (const double factor : kCoarser)
+    alternatives.push_back({p.amplitude, p.length, factor * p.scale, factor * p.nugget});
   for (const double amplitude : kAmplitudes) {
     for (const double length : kLengths) {
       const ProcessParameters q{amplitude * least_amplitude, toRadians(length), p.scale, p.nugget};
-      if (quickness(q) > quickness(p)) quicker.push_back(q);
+      if (quickness(q) > quickness(p)) alternatives.push_back(q);
     }
   }
-  return quicker;
+  return alternatives;
 }
 
 /// What is far off counts for what it is off, unless a neighbour is off the same way: that is a dip.
@@ -139,7 +143,7 @@ RingProcess followRing(const std::vector<double>& values, const std::vector<doub
     doubtStrays(data, p, result);
   }
   smoothRing(data, p, result);
-  followBends(data, p, quickerThan(p, least_amplitude), result);
+  followBends(data, p, alternativesTo(p, least_amplitude), result);
   for (const double variance : varianceOfShape(data, p, kOrder)) result.shape.push_back(std::sqrt(variance));
   for (std::size_t i = 0; i < values.size(); ++i)
     result.sigma[i] = std::hypot(std::hypot(result.sigma[i], result.shape[i]), kEither * result.strayed[i]);

@@ -91,6 +91,21 @@ TEST(RingProcess, AProcessWithoutFreedomWouldSmoothIt) {
   EXPECT_GT(std::abs(ring.error(stiff, 120)), 0.001);
 }
 
+/// Values that scatter in one place by so many of their standard errors, every second one up.
+Ring scatteredAt120(double errors) {
+  Ring ring(quiet);
+  for (std::size_t i = 116; i <= 124; ++i) ring.values[i] = ring.truth[i] + (i % 2 == 0 ? errors : -errors) * kSigma;
+  return ring;
+}
+
+TEST(RingProcess, ValuesThatScatterMoreInOnePlaceAreNoBend) {
+  const Ring ring = scatteredAt120(3.0);
+  const RingProcess process = ring.followed();
+  for (const std::size_t i : {120U, 121U}) EXPECT_LT(std::abs(ring.error(process, i)), 0.2 * kSigma);
+  EXPECT_GT(process.sigma[120], 1.4 * kSigma);
+  EXPECT_LT(scatteredAt120(2.0).followed().sigma[120], 1.3 * kSigma);
+}
+
 TEST(RingProcess, AStrayValueCountsForWhatItIsOff) {
   Ring ring(quiet);
   ring.values[50] += 0.010;

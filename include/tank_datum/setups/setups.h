@@ -69,15 +69,15 @@ struct Setup {
   bool origin_known = false;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< its motions turn about it, relative to the scan's origin [m];
                                                      ///< the middle of its points where it is not known
-  double origin_refused = 0.0;                       ///< how far from its points the file says that it stood, where that
-                                                     ///< is too far to be true [m]; else 0
-  std::size_t points = 0;                            ///< in the ring
-  std::size_t stations = 0;                          ///< that it sees
-  std::vector<std::size_t> seen;                     ///< their numbers, rising
-  SetupMotion correction;                            ///< what its points were moved by
-  SetupMotion sigma;                                 ///< standard error of that
-  double rms_before = kUnknown;                      ///< its foundation against the other setups' [m]
-  double rms_after = kUnknown;                       ///< the same after the correction [m]
+  double origin_refused = 0.0;    ///< how far from its points the file says that it stood, where that
+                                  ///< is too far to be true [m]; else 0
+  std::size_t points = 0;         ///< in the ring
+  std::size_t stations = 0;       ///< that it sees
+  std::vector<std::size_t> seen;  ///< their numbers, rising
+  SetupMotion correction;         ///< what its points were moved by
+  SetupMotion sigma;              ///< standard error of that
+  double rms_before = kUnknown;   ///< its foundation against the other setups' [m]
+  double rms_after = kUnknown;    ///< the same after the correction [m]
   SetupVerdict verdict = SetupVerdict::Single;
 };
 
