@@ -124,14 +124,16 @@ double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
   return slopes.empty() ? 0.0 : median(std::move(slopes));
 }
 
-/// The middle of those parts of an arc in which setups meet.
-double azimuthOf(const std::vector<ArcPoint>& points, ArcWidth width, std::size_t arc) {
-  std::vector<const ArcPoint*> first(width.parts(), nullptr);
+/// Leaves the points of those parts of an arc in which setups meet. Their middle, or the arc's if there are none.
+double keepWhereSetupsMeet(std::vector<ArcPoint>& points, ArcWidth width, std::size_t arc) {
+  std::vector<std::optional<std::uint16_t>> first(width.parts());
   std::vector<char> meet(width.parts(), 0);
   for (const ArcPoint& p : points) {
-    if (!first[p.part]) first[p.part] = &p;
-    meet[p.part] |= static_cast<char>(p.setup != first[p.part]->setup);
+    if (!first[p.part]) first[p.part] = p.setup;
+    meet[p.part] |= static_cast<char>(p.setup != *first[p.part]);
   }
+  points.erase(std::remove_if(points.begin(), points.end(), [&](const ArcPoint& p) { return !meet[p.part]; }),
+               points.end());
   double sum = 0.0, count = 0.0;
   for (std::size_t part = 0; part < meet.size(); ++part) {
     if (!meet[part]) continue;
@@ -166,13 +168,13 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
                              kLobe * length};
   std::vector<std::optional<ArcView>> found(2 * width.count());
   forEachIndex(width.count(), threads, [&](std::size_t arc) {
-    const ArcPoints points = pointsOf(ring, tank, reach, width, arc);
+    ArcPoints points = pointsOf(ring, tank, reach, width, arc);
     for (const bool shell : {false, true}) {
       if (!shell && fallOf(points.foot, kFootBin * reach) > kBank) continue;
-      const std::vector<ArcPoint>& own = shell ? points.shell : points.foot;
+      std::vector<ArcPoint>& own = shell ? points.shell : points.foot;
+      const double azimuth = keepWhereSetupsMeet(own, width, arc);
       const auto seen = compareArc(own, shell ? shell_prior : foot_prior);
       if (!seen) continue;
-      const double azimuth = azimuthOf(own, width, arc);
       const Eigen::Vector2d out(portable::cos(azimuth), portable::sin(azimuth));
       const double radius = shell ? tank.circle.radius : points.foot_radius;
       Eigen::Vector3d place;

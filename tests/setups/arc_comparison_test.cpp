@@ -128,7 +128,8 @@ TEST(ArcComparison, ABinOfTwentyPointsTakesAThirdOfItsVarianceFromTheOthers) {
   // of each bin points / (4 noise^2), the rough ones' less their share that Tukey's weights take; the quiet one's
   // variance is a third of the others'
   const double rough = 20.0 / (4.0 * kRough * kRough), weight = std::pow(1.0 - std::pow(0.6745 / 4.685, 2), 2);
-  EXPECT_NEAR(seen->information(0, 0), (2.0 * weight + 3.0) * rough, 0.03 * 5.0 * rough);
+  constexpr double kFreedom = 56.0 / 60.0;  // three heights and an offset are determined
+  EXPECT_NEAR(seen->information(0, 0), kFreedom * (2.0 * weight + 3.0) * rough, 0.03 * 5.0 * rough);
 }
 
 /// An arc of three parts whose middle lies 12 mm lower. Setup 0 sees the first two, setup 1, 1 mm higher, the others.
@@ -156,6 +157,42 @@ TEST(ArcComparison, WhatASurfaceDoesBetweenPartsIsNoSetupsError) {
   const auto apart = compareArc(dippedArc(false), kWide);
   ASSERT_TRUE(apart);
   EXPECT_NEAR(1.0 / std::sqrt(apart->information(0, 0)), 0.05 * std::sqrt(1.5), 0.001);
+}
+
+/// Points of two setups in one bin, so many of each in each of six parts, the second setup 1 mm higher.
+std::vector<ArcPoint> sparseArc(int of_part, double noise, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> place(-0.6, 0.6);
+  std::vector<ArcPoint> points;
+  for (std::uint16_t part = 0; part < 6; ++part) {
+    for (int i = 0; i < 2 * of_part; ++i) {
+      const auto setup = static_cast<std::uint16_t>(i % 2);
+      points.push_back({place(random), 0.005 * part + 0.001 * setup + noise * normal(random), 0, setup, part});
+    }
+  }
+  return points;
+}
+
+constexpr ArcPrior kSparse{0.01, 0.001, 0.04, 6, 0.05};
+
+TEST(ArcComparison, WhatFewPointsDetermineIsLackingInTheirScatter) {
+  std::mt19937_64 random(9);
+  constexpr int kTrials = 400;
+  double squares = 0.0, said = 0.0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto seen = compareArc(sparseArc(6, 0.001, random), kSparse);
+    ASSERT_TRUE(seen);
+    const double error = seen->offsets[1] - seen->offsets[0] - 0.001;
+    squares += error * error / kTrials;
+    said += 1.0 / seen->information(0, 0) / kTrials;
+  }
+  EXPECT_NEAR(squares / said, 1.0, 0.2);
+}
+
+TEST(ArcComparison, SettledIsNothingWhereHalfOfThePointsAreFittedExactly) {
+  std::mt19937_64 random(10);
+  EXPECT_FALSE(compareArc(sparseArc(2, 0.001, random), kSparse));
+  EXPECT_TRUE(compareArc(sparseArc(6, 0.001, random), kSparse));
 }
 
 }  // namespace
