@@ -17,7 +17,7 @@ def test_baseline_is_the_same_comparison(tmp_path: Path) -> None:
     again = [*run, tmp_path / "b", "--baseline", tmp_path / "a", "--remove", "mean"]
     subprocess.run([*again, "--registration-error", "0.002"], check=True)
     movement = json.loads((tmp_path / "b/datum.json").read_text())["movement"]
-    assert (movement["matched"], movement["significant"], movement["removed"]) == (359, 0, "mean")
+    assert (movement["matched"], movement["significant"], movement["removed"]) == (360, 0, "mean")
     assert movement["max"] == pytest.approx(0, abs=1e-9)
     assert movement["registration_error"] == 0.002
     options = json.loads((tmp_path / "b/datum.json").read_text())["options"]["movement"]

@@ -105,7 +105,7 @@ def test_dates_of_all_kinds_are_taken(datum: Any) -> None:
     ):
         made = tank_datum.compare(iter([datum, datum]), dates=dates)
         assert (made.dates, made) == (texts.dates, texts)
-    assert "0 of 359 stations moved" in made._repr_html_()
+    assert "0 of 360 stations moved" in made._repr_html_()
     with pytest.raises(TypeError, match="dates = None, expected"):
         tank_datum.compare([datum, datum], dates=[None, None])
     with pytest.raises(tank_datum.OptionError, match="dates, 3, expected"):
@@ -158,7 +158,7 @@ def test_names_that_are_no_utf_8_work(tmp_path: Path, datum: Any) -> None:
     assert loaded == made
     tank_datum.compare([loaded, out]).save(os.path.join(folder, "moved"))
     again = tank_datum.extract_datum(scan, baseline=out)
-    assert again.movement.matched == 359
+    assert again.movement.matched == 360
     with pytest.raises(tank_datum.FileError) as caught:
         tank_datum.extract_datum(os.path.join(folder, "none of.pcd"))
     str(caught.value).encode("utf-8")

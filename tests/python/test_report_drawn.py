@@ -64,7 +64,7 @@ def test_facts_are_those_of_the_json(still: Opened, sample_report: Path) -> None
     assert f"{datum['tank']['radius']:.4f}\u00a0m" in facts
     assert f"{datum['tilt']['angle_arcsec']:.1f}" in facts
     assert f"{1e3 * datum['antipodal']['max_h']:.1f}\u00a0mm" in facts
-    assert "359 stations measured, 1 interpolated, 0 missing" in still.text(".quality")
+    assert "360 stations measured, 0 interpolated, 0 missing" in still.text(".quality")
     tilt = datum["tilt"]["direction_deg"]
     assert f"high side {tilt:.0f}\u00b0, low side {(tilt + 180) % 360:.0f}\u00b0" in facts
 

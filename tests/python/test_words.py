@@ -195,7 +195,7 @@ def test_a_german_page_and_summary(
         assert page.page.evaluate("document.documentElement.lang") == "de"
         headings = page.texts("main h2")
         assert headings[:4] == ["Urteil", "Höhe", "Aus der Ebene", "Grundriss"]
-        assert "359 Stationen gemessen" in page.text(".quality")
+        assert "360 Stationen gemessen" in page.text(".quality")
         assert "Azimut [°]" in page.page.locator("#elevation-chart").text_content()
         assert told.split(":", 1)[1].split(";")[0].split()[0] in page.text("#summary .quality")
         english = set(words("en").values()) - set(words("de").values())
