@@ -42,7 +42,7 @@ struct ArcWidth {
   std::size_t cells = kNarrowest;  ///< of the ring in one arc
 
   std::size_t parts() const { return cells / kNarrowest; }  ///< as wide as the narrowest arc
-  /// The part of the arc that begins at a cell, in which an azimuth lies.
+  /// The part of an arc in which an azimuth lies.
   std::uint16_t partOf(double azimuth, std::size_t arc) const {
     const double along = azimuth / kTwoPi * static_cast<double>(SetupRing::kArcs) - static_cast<double>(arc * parts());
     return static_cast<std::uint16_t>(std::clamp(along, 0.0, static_cast<double>(parts() - 1)));
