@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/portable_math.h"
 #include "core/units.h"
@@ -15,11 +16,9 @@ struct Candidate {
   std::vector<double> likely;  ///< logarithm of each value's density by what the others say; 0 where there is none
 };
 
-Candidate candidateOf(const RingData& data, const ProcessParameters& p) {
-  Candidate candidate{{}, std::vector<double>(data.values.size(), 0.0)};
-  candidate.ring.value.resize(data.values.size());
-  candidate.ring.sigma.resize(data.values.size());
-  smoothRing(data, p, candidate.ring);
+/// @param ring  the values smoothed by the process
+Candidate candidateOf(const RingData& data, const ProcessParameters& p, RingProcess ring) {
+  Candidate candidate{std::move(ring), std::vector<double>(data.values.size(), 0.0)};
   const OffOthers off = offOthers(data, p, candidate.ring);
   for (std::size_t i = 0; i < data.values.size(); ++i) {
     if (!std::isfinite(data.values[i])) continue;
@@ -38,15 +37,19 @@ bool isAnyKnown(const RingData& data, std::size_t place, std::size_t reach) {
 
 }  // namespace
 
-void followBends(const RingData& data, const ProcessParameters& usual, const std::vector<ProcessParameters>& quicker,
-                 RingProcess& result) {
-  constexpr double kRarely = 6.0;               // logarithm of the odds against a bend
+void followBends(const RingData& data, const ProcessParameters& usual,
+                 const std::vector<ProcessParameters>& alternatives, RingProcess& result) {
+  constexpr double kRarely = 6.0;               // logarithm of the odds against an alternative
   constexpr double kReach = 5.0 * kPi / 180.0;  // to either side
   result.bent.assign(data.values.size(), 0.0);
-  if (quicker.empty()) return;
-  std::vector<Candidate> all{candidateOf(data, usual)};
-  for (const ProcessParameters& p : quicker) all.push_back(candidateOf(data, p));
-  const double rare = kRarely + portable::log(static_cast<double>(quicker.size()));
+  if (alternatives.empty()) return;
+  std::vector<Candidate> all{candidateOf(data, usual, result)};
+  for (const ProcessParameters& p : alternatives) {
+    RingProcess ring = result;
+    smoothRing(data, p, ring);
+    all.push_back(candidateOf(data, p, std::move(ring)));
+  }
+  const double rare = kRarely + portable::log(static_cast<double>(alternatives.size()));
   const std::size_t count = data.values.size();
   const auto reach = std::min(static_cast<std::size_t>(std::lround(kReach / data.step)), (count - 1) / 2);
   for (std::size_t i = 0; i < count; ++i) {

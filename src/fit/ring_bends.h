@@ -11,10 +11,10 @@ namespace tank_datum {
 /// are under it, each by what the others say (Bayesian model averaging: Hoeting, Madigan,
 /// Raftery and Volinsky 1999), and what the processes differ by is in the standard error. Where none is within reach
 /// the usual process stands.
-/// @param usual    the process that is likeliest of the whole ring
-/// @param quicker  what it may be instead at any place, together once in e^6 times
-/// @param result   `value` and `sigma` of the usual process; becomes those of all, with `bent`
-void followBends(const RingData& data, const ProcessParameters& usual, const std::vector<ProcessParameters>& quicker,
-                 RingProcess& result);
+/// @param usual         the process that is likeliest of the whole ring
+/// @param alternatives  what it may be instead at any place, together once in e^6 times
+/// @param result        `value` and `sigma` of the usual process; becomes those of all, with `bent`
+void followBends(const RingData& data, const ProcessParameters& usual,
+                 const std::vector<ProcessParameters>& alternatives, RingProcess& result);
 
 }  // namespace tank_datum

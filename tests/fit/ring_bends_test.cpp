@@ -32,9 +32,9 @@ RingProcess smoothed(const RingData& data, const ProcessParameters& p) {
   return ring;
 }
 
-RingProcess bent(const RingData& data, const std::vector<ProcessParameters>& quicker = {kQuick}) {
+RingProcess bent(const RingData& data, const std::vector<ProcessParameters>& alternatives = {kQuick}) {
   RingProcess ring = smoothed(data, kStiff);
-  followBends(data, kStiff, quicker, ring);
+  followBends(data, kStiff, alternatives, ring);
   return ring;
 }
 
