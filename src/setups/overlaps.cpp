@@ -9,12 +9,22 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
+#include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
 
 Eigen::Index at(std::size_t setup) { return static_cast<Eigen::Index>(setup) * SetupMotion::kParameters; }
+
+constexpr double kPlace = 6.0 * kPi / 180.0;  // to either side the same thing may be seen that is not the tank's
+
+double apart(double azimuth, double other) { return std::abs(std::remainder(azimuth - other, kTwoPi)); }
+
+SetupSystem empty(std::size_t setups) {
+  const auto size = static_cast<Eigen::Index>(setups) * SetupMotion::kParameters;
+  return {Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
+}
 
 Eigen::MatrixXd informationOf(const ArcView& arc, double extra) {
   const Eigen::MatrixXd& own = arc.seen.information;
@@ -48,25 +58,45 @@ std::pair<double, double> rmsOf(const std::vector<Discrepancy>& all) {
 
 }  // namespace
 
-SetupSystem Overlaps::system() const {
-  const auto size = static_cast<Eigen::Index>(setups_) * SetupMotion::kParameters;
-  SetupSystem sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
-  for (std::size_t a = 0; a < arcs_.size(); ++a) {
-    const ArcView& arc = arcs_[a];
-    const Eigen::MatrixXd information = weights_[a] * informationOf(arc, extra_[arc.shell]);
-    const Eigen::VectorXd right = information * arc.seen.offsets;
-    for (std::size_t i = 0; i < arc.seen.setups.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const auto to = at(arc.seen.setups[i]);
-      sum.right.segment<SetupMotion::kParameters>(to) += arc.motion.row(row).transpose() * right[row];
-      for (std::size_t j = 0; j < arc.seen.setups.size(); ++j) {
-        const auto column = static_cast<Eigen::Index>(j);
-        sum.matrix.block<SetupMotion::kParameters, SetupMotion::kParameters>(to, at(arc.seen.setups[j])) +=
-            information(row, column) * arc.motion.row(row).transpose() * arc.motion.row(column);
-      }
+void Overlaps::add(std::size_t a, SetupSystem& sum) const {
+  const ArcView& arc = arcs_[a];
+  const Eigen::MatrixXd information = weights_[a] * informationOf(arc, extra_[arc.shell]);
+  const Eigen::VectorXd right = information * arc.seen.offsets;
+  for (std::size_t i = 0; i < arc.seen.setups.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const auto to = at(arc.seen.setups[i]);
+    sum.right.segment<SetupMotion::kParameters>(to) += arc.motion.row(row).transpose() * right[row];
+    for (std::size_t j = 0; j < arc.seen.setups.size(); ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      sum.matrix.block<SetupMotion::kParameters, SetupMotion::kParameters>(to, at(arc.seen.setups[j])) +=
+          information(row, column) * arc.motion.row(row).transpose() * arc.motion.row(column);
     }
   }
+}
+
+SetupSystem Overlaps::system() const {
+  SetupSystem sum = empty(setups_);
+  for (std::size_t a = 0; a < arcs_.size(); ++a) add(a, sum);
   return sum;
+}
+
+SetupSystem Overlaps::systemWithout(double azimuth) const {
+  SetupSystem sum = empty(setups_);
+  for (std::size_t a = 0; a < arcs_.size(); ++a) {
+    if (apart(arcs_[a].azimuth, azimuth) > kPlace) add(a, sum);
+  }
+  return sum;
+}
+
+std::vector<double> Overlaps::placesOf(std::size_t setup) const {
+  constexpr double kStep = 0.2 * kPlace;
+  std::vector<double> places;
+  for (const ArcView& arc : arcs_) {
+    const std::vector<std::size_t>& seen = arc.seen.setups;
+    if (std::find(seen.begin(), seen.end(), setup) == seen.end()) continue;
+    if (places.empty() || apart(arc.azimuth, places.back()) > kStep) places.push_back(arc.azimuth);
+  }
+  return places;
 }
 
 void Overlaps::learnFrom(const SetupSolution& solution) {

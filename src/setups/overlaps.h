@@ -18,6 +18,12 @@ class Overlaps {
 
   SetupSystem system() const;
 
+  /// The same without the arcs within six degrees of an azimuth.
+  SetupSystem systemWithout(double azimuth) const;
+
+  /// Azimuths of arcs in which a setup is seen, a few degrees apart.
+  std::vector<double> placesOf(std::size_t setup) const;
+
   /// Errors of the arcs, and weights, from what the solution leaves over.
   void learnFrom(const SetupSolution& solution);
 
@@ -25,8 +31,10 @@ class Overlaps {
   Eigen::VectorXd left(const ArcView& arc, const Eigen::VectorXd& errors) const;
 
   const std::vector<ArcView>& arcs() const { return arcs_; }
+  std::size_t setups() const { return setups_; }
 
  private:
+  void add(std::size_t arc, SetupSystem& sum) const;
   /// Square of what is left in an arc over what is expected, per degree of freedom: its median is 1 in the mean.
   double misfit(const ArcView& arc, const Eigen::VectorXd& errors, double extra) const;
   /// The error common to an arc's points for which the median misfit is 1 (after Mandel and Paule 1970).

@@ -11,6 +11,7 @@ namespace tank_datum {
 /// What one arc says of the setups that see it.
 struct ArcView {
   bool shell = false;      ///< radii of the shell, else elevations of the foundation
+  double azimuth = 0.0;    ///< of its middle [rad]
   ArcOffsets seen;         ///< of the points as they were given
   Eigen::MatrixXd motion;  ///< [k x 5] what the parameters of each setup's error do to its offset here
 };

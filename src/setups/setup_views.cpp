@@ -181,6 +181,7 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
       place << tank.circle.center + radius * out, (shell ? points.shell_z : points.foot_z);
       ArcView view;
       view.shell = shell;
+      view.azimuth = azimuth;
       view.seen = *seen;
       view.motion.resize(static_cast<Eigen::Index>(seen->setups.size()), SetupMotion::kParameters);
       for (std::size_t i = 0; i < seen->setups.size(); ++i) {

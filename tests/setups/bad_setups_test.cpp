@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/made_overlaps.h"
 
 namespace tank_datum {
@@ -63,6 +65,30 @@ TEST(BadSetups, SurveysBadlyRegisteredHaveSigmasThatHoldTheirErrors) {
     squares += error * error / (mean * adjustment.covariance * mean.transpose()) / kTrials;
   }
   EXPECT_LT(std::sqrt(squares), 1.3);
+}
+
+/// Whether a setup 20 mm too high is found that meets others only so far to either side of its middle.
+bool isFoundWhereItMeetsOthersWithin(double degrees) {
+  constexpr std::size_t kSetup = 2;
+  Recipe recipe;
+  recipe.half_view = 80.0 * kPi / 180.0;
+  recipe.sigma_error = recipe.sigma_plan = 1e-9, recipe.sigma_tilt = 1e-12, recipe.sigma_arc = 2e-5;
+  std::mt19937_64 random(4);
+  Survey survey = made(recipe, random);
+  survey.errors[kHeight] += 0.020;
+  look(recipe, survey, random);
+  std::vector<ArcView> met;
+  for (const ArcView& arc : survey.arcs) {
+    const bool seen = std::count(arc.seen.setups.begin(), arc.seen.setups.end(), kSetup) > 0;
+    const double off = std::remainder(arc.azimuth - kTwoPi * kSetup / 6.0, kTwoPi);
+    if (!seen || std::abs(off) < degrees * kPi / 180.0) met.push_back(arc);
+  }
+  return adjustSetups(met, recipe.setups, {}).bad[kSetup];
+}
+
+TEST(BadSetups, WhatIsSeenInOnePlaceOnlyNamesNone) {
+  EXPECT_FALSE(isFoundWhereItMeetsOthersWithin(4.5));
+  EXPECT_TRUE(isFoundWhereItMeetsOthersWithin(9.0));
 }
 
 TEST(BadSetups, OneOfFourIsFound) { EXPECT_TRUE(badOf(4, {{kHeight, 0.010}})[2]); }

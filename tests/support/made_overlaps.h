@@ -45,6 +45,7 @@ inline void look(const Recipe& recipe, Survey& survey, std::mt19937_64& random) 
     const double azimuth = (a / 2 + 0.5) * kTwoPi / kArcs;
     ArcView arc;
     arc.shell = shell;
+    arc.azimuth = azimuth;
     for (std::size_t s = 0; s < recipe.setups; ++s) {
       if (sees(recipe, s, azimuth)) arc.seen.setups.push_back(s);
     }
