@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/ring_runs.h"
 #include "core/statistics.h"
 
 namespace tank_datum {
@@ -111,6 +112,34 @@ Steps findSteps(const std::vector<FootFit>& fits, double step, const std::functi
     for (const std::size_t i : shortest->stations) (dip ? ring.kept : ring.dropped)[i] = true;
   }
   return {std::move(ring.dropped), std::move(ring.kept)};
+}
+
+std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons, std::size_t far) {
+  struct Island {
+    std::vector<std::size_t> stations;
+    std::size_t stand = 0;
+  };
+  const std::size_t count = reasons.size();
+  std::vector<char> shown;
+  for (const Unmeasured reason : reasons)
+    shown.push_back(reason == Unmeasured::None || reason == Unmeasured::OtherSurface ? 1 : 0);
+  std::vector<Island> islands;
+  std::size_t most = 0;
+  for (const RingRun& run : runsRound(shown, far)) {
+    Island island;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      if (shown[k % count]) island.stations.push_back(k % count);
+      if (reasons[k % count] == Unmeasured::None) ++island.stand;
+    }
+    most = std::max(most, island.stand);
+    islands.push_back(std::move(island));
+  }
+  std::vector<bool> outnumbered(count, false);
+  for (const Island& island : islands) {
+    if (island.stand == most || 2 * island.stand >= island.stations.size()) continue;
+    for (const std::size_t station : island.stations) outnumbered[station] = true;
+  }
+  return outnumbered;
 }
 
 double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {

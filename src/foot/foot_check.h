@@ -5,6 +5,7 @@
 
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
+#include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 
@@ -32,6 +33,11 @@ struct Steps {
 /// @param step     arc between stations [m]
 /// @param is_foot  of a run that lies below those beside it, whether the shell is seen to go down to it: a dip
 Steps findSteps(const std::vector<FootFit>& fits, double step, const std::function<bool(const StepRun&)>& is_foot);
+
+/// Stations of islands in which more lie on something else than stand, beside one where more stand: nothing ties their
+/// elevation to the rest of the datum, so that what covers the others may cover them.
+/// @param far  stations over which no gap is bridged
+std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons, std::size_t far);
 
 /// The error that every station has on top of its standard error: the surface's own roughness and what no station knows
 /// about. From the third differences of elevations one, two and three windows apart, which a datum without its shape

@@ -124,9 +124,8 @@ std::vector<bool> findHeapsGoingOn(const Foot& foot, const FootPriors& priors, c
 }
 
 std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
-  constexpr double kSlope = 0.03;          // a foundation's varies by less along the shell [m/m]
-  constexpr double kFar = 10.0 * kDegree;  // over which no gap is bridged
-  const std::size_t count = own.size(), far = foot.stationsIn(kFar);
+  constexpr double kSlope = 0.03;  // a foundation's varies by less along the shell [m/m]
+  const std::size_t count = own.size(), far = foot.stationsIn(kFarIsland);
   std::vector<bool> islands(count, false);
   if (priors.settled) return islands;
   std::vector<char> stand;

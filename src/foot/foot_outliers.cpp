@@ -164,6 +164,12 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     const bool may_be = !none && no_foot[i] == 0 && !hanging[i] && !islands[i];
     if (reasons[i] == Unmeasured::OtherSurface && may_be) refused[i] = pass.fits[i].z;
   }
+  const std::vector<bool> outnumbered = findOutnumberedIslands(reasons, foot.stationsIn(kFarIsland));
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    if (reasons[i] != Unmeasured::None || !outnumbered[i]) continue;
+    reasons[i] = Unmeasured::OtherSurface;
+    refused[i] = pass.fits[i].z;
+  }
   own = standing(std::move(own), reasons);
   return {std::move(reasons), std::move(steps.dips), std::move(refused), std::move(cover.maybe), std::move(own)};
 }
