@@ -12,7 +12,7 @@
 
 namespace tank_datum {
 
-constexpr double kSettledSlope = 1e-4;  ///< standard deviation of a slope that is not to be learnt again [m/m]
+constexpr double kSettledSlope = 1e-4;         ///< standard deviation of a slope that is not to be learnt again [m/m]
 constexpr double kFarIsland = 10.0 * kDegree;  ///< over which no gap between stations is bridged [rad]
 constexpr double kHeapFalls = 0.01;  ///< than a wide surface does all round: what falls by more is no foundation [m/m]
 

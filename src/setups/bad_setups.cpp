@@ -54,8 +54,8 @@ double beyondOthers(const Survey& survey, const SetupSystem& system, std::vector
   freed[setup] = true;
   KindSigmas sigmas = survey.usual;
   for (int pass = 0; pass < 2; ++pass) {
-    sigmas = sigmasOfOthers(solveSetups(system, priorSigmas(sigmas, freed)), survey.usual, freed,
-                            survey.bounds.usual_worth);
+    sigmas =
+        sigmasOfOthers(solveSetups(system, priorSigmas(sigmas, freed)), survey.usual, freed, survey.bounds.usual_worth);
   }
   const Eigen::VectorXd priors = priorSigmas(sigmas, freed);
   const auto others = static_cast<double>(std::count(freed.begin(), freed.end(), false));

@@ -35,11 +35,8 @@ struct SetupAdjustment {
 /// The priors' sigmas are those of the options, or variance components: restricted maximum likelihood by the fixed
 /// point of Harville 1977 (sigma^2 = x'x / effective number), with a weak log-normal prior about 2 mm, 10 arc-seconds
 /// and 2 mm; these figures are taken as they are where no more than three of the parameters are determined. Offsets of
-/// an arc have an error of their own on top of that of their points, from the residuals (median of the squares). A
-/// setup is bad when its error, as the overlaps alone tell it, is beyond what chi squared allows once in 300 times
-/// under the sigmas of the others. Its priors are freed, and the rest is adjusted again, where it is beyond what the
-/// variance ratio allows under sigmas that are estimates themselves. One of three to nine setups can be bad, one in
-/// five of more; where there seem to be more, none is an exception.
+/// an arc have an error of their own on top of that of their points, from the residuals (median of the squares). Bad
+/// setups are named, and adjusted without priors where few others leave no doubt (badSetups()).
 SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setups, const SetupOptions& options);
 
 }  // namespace tank_datum
