@@ -115,29 +115,24 @@ Steps findSteps(const std::vector<FootFit>& fits, double step, const std::functi
 }
 
 std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons, std::size_t far) {
-  struct Island {
-    std::vector<std::size_t> stations;
-    std::size_t stand = 0;
-  };
   const std::size_t count = reasons.size();
-  std::vector<char> shown;
-  for (const Unmeasured reason : reasons)
-    shown.push_back(reason == Unmeasured::None || reason == Unmeasured::OtherSurface ? 1 : 0);
-  std::vector<Island> islands;
+  const auto countOf = [&](Unmeasured reason, std::size_t first, std::size_t last) {
+    std::size_t found = 0;
+    for (std::size_t k = first; k <= last; ++k) found += reasons[k % count] == reason;
+    return found;
+  };
+  std::vector<char> stand;
+  for (const Unmeasured reason : reasons) stand.push_back(reason == Unmeasured::None ? 1 : 0);
+  const std::vector<RingRun> islands = runsRound(stand, far);
   std::size_t most = 0;
-  for (const RingRun& run : runsRound(shown, far)) {
-    Island island;
-    for (std::size_t k = run.first; k <= run.last; ++k) {
-      if (shown[k % count]) island.stations.push_back(k % count);
-      if (reasons[k % count] == Unmeasured::None) ++island.stand;
-    }
-    most = std::max(most, island.stand);
-    islands.push_back(std::move(island));
-  }
+  for (const RingRun& run : islands) most = std::max(most, countOf(Unmeasured::None, run.first, run.last));
   std::vector<bool> outnumbered(count, false);
-  for (const Island& island : islands) {
-    if (island.stand == most || 2 * island.stand >= island.stations.size()) continue;
-    for (const std::size_t station : island.stations) outnumbered[station] = true;
+  for (const RingRun& run : islands) {
+    const std::size_t stands = countOf(Unmeasured::None, run.first, run.last);
+    const std::size_t length = run.last - run.first + 1, beside = std::min({length, far, (count - length) / 2});
+    const std::size_t other = countOf(Unmeasured::OtherSurface, run.first + count - beside, run.last + count + beside);
+    if (stands == most || other <= stands) continue;
+    for (std::size_t k = run.first; k <= run.last; ++k) outnumbered[k % count] = stand[k % count] != 0;
   }
   return outnumbered;
 }

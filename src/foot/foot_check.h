@@ -34,8 +34,9 @@ struct Steps {
 /// @param is_foot  of a run that lies below those beside it, whether the shell is seen to go down to it: a dip
 Steps findSteps(const std::vector<FootFit>& fits, double step, const std::function<bool(const StepRun&)>& is_foot);
 
-/// Stations of islands in which more lie on something else than stand, beside one where more stand: nothing ties their
-/// elevation to the rest of the datum, so that what covers the others may cover them.
+/// Stations of islands among and beside which more lie on something else than stand, beside as far to either side as
+/// they reach and no gap is bridged: nothing ties their elevation to the rest of the datum, so that what covers the
+/// others may cover them. (Not of the island in which most stand.)
 /// @param far  stations over which no gap is bridged
 std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons, std::size_t far);
 

@@ -166,7 +166,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   }
   const std::vector<bool> outnumbered = findOutnumberedIslands(reasons, foot.stationsIn(kFarIsland));
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (reasons[i] != Unmeasured::None || !outnumbered[i]) continue;
+    if (!outnumbered[i]) continue;
     reasons[i] = Unmeasured::OtherSurface;
     refused[i] = pass.fits[i].z;
   }

@@ -10,15 +10,12 @@ namespace {
 
 constexpr std::size_t kFar = 10;
 
-/// Stations 0 to 99 stand. From `first` on so many more stand, each beside another that lies on something else, then
-/// only the latter.
-std::vector<Unmeasured> ringWith(std::size_t first, std::size_t stand, std::size_t other) {
+/// Stations 0 to 99 stand, and so many from 200 on; `other` lie on something else from `from` on.
+std::vector<Unmeasured> ringWith(std::size_t stand, std::size_t from, std::size_t other) {
   std::vector<Unmeasured> reasons(360, Unmeasured::Hidden);
   std::fill_n(reasons.begin(), 100, Unmeasured::None);
-  for (std::size_t k = 0; k < stand + other; ++k) {
-    const bool stands = k % 2 == 0 ? k / 2 < stand : k / 2 >= other;
-    reasons[first + k] = stands ? Unmeasured::None : Unmeasured::OtherSurface;
-  }
+  std::fill_n(reasons.begin() + 200, stand, Unmeasured::None);
+  std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(from), other, Unmeasured::OtherSurface);
   return reasons;
 }
 
@@ -26,22 +23,46 @@ bool isOutnumbered(const std::vector<Unmeasured>& reasons, std::size_t station) 
   return findOutnumberedIslands(reasons, kFar)[station];
 }
 
-TEST(FindOutnumberedIslands, AnIslandOfMoreThatLieOnSomethingElseCountsAsThat) {
-  const std::vector<Unmeasured> reasons = ringWith(200, 9, 10);
-  ASSERT_EQ(std::count(reasons.begin(), reasons.end(), Unmeasured::OtherSurface), 10);
+TEST(FindOutnumberedIslands, AnIslandWithMoreOfSomethingElseAmongItsStationsIsThat) {
+  const std::vector<Unmeasured> reasons = ringWith(19, 205, 10);
   EXPECT_TRUE(isOutnumbered(reasons, 200));
+  EXPECT_TRUE(isOutnumbered(reasons, 218));
+  EXPECT_FALSE(isOutnumbered(reasons, 205));  // is that already
   EXPECT_FALSE(isOutnumbered(reasons, 0));
+  EXPECT_FALSE(isOutnumbered(ringWith(20, 205, 10), 200));  // as many
 }
 
-TEST(FindOutnumberedIslands, OneOfAsManyStands) { EXPECT_FALSE(isOutnumbered(ringWith(200, 10, 10), 200)); }
+TEST(FindOutnumberedIslands, WhatLiesBesideCountsAsFarAsTheIslandReaches) {
+  std::vector<Unmeasured> reasons = ringWith(8, 208, 8);
+  EXPECT_FALSE(isOutnumbered(reasons, 200));
+  reasons[216] = Unmeasured::OtherSurface;  // one too far
+  EXPECT_FALSE(isOutnumbered(reasons, 200));
+  reasons[192] = Unmeasured::OtherSurface;
+  EXPECT_TRUE(isOutnumbered(reasons, 200));
+}
+
+TEST(FindOutnumberedIslands, WhatLiesFartherThanNoGapIsBridgedDoesNot) {
+  std::vector<Unmeasured> reasons = ringWith(30, 240, 31);
+  EXPECT_FALSE(isOutnumbered(reasons, 200));
+  reasons = ringWith(9, 209, 10);
+  reasons[205] = Unmeasured::OtherSurface;
+  EXPECT_TRUE(isOutnumbered(reasons, 200));
+}
 
 TEST(FindOutnumberedIslands, WhatIsNearTheOthersIsNoIsland) {
-  EXPECT_FALSE(isOutnumbered(ringWith(110, 9, 10), 110));
-  EXPECT_TRUE(isOutnumbered(ringWith(111, 9, 10), 111));
+  const auto near = [](std::size_t gap) {
+    std::vector<Unmeasured> reasons = ringWith(0, 0, 0);
+    std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(100 + gap), 4, Unmeasured::None);
+    std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(104 + gap), 4, Unmeasured::OtherSurface);
+    reasons[99 + gap] = Unmeasured::OtherSurface;
+    return isOutnumbered(reasons, 100 + gap);
+  };
+  EXPECT_FALSE(near(kFar));
+  EXPECT_TRUE(near(kFar + 1));
 }
 
 TEST(FindOutnumberedIslands, WhereMostStandTheyStay) {
-  std::vector<Unmeasured> reasons = ringWith(200, 0, 0);
+  std::vector<Unmeasured> reasons = ringWith(0, 0, 0);
   for (std::size_t i = 0; i < 100; i += 3) reasons[i] = reasons[i + 1] = Unmeasured::OtherSurface;
   EXPECT_FALSE(isOutnumbered(reasons, 2));
 }
