@@ -48,53 +48,67 @@ KindSigmas sigmasOfOthers(const SetupSolution& solution, const KindSigmas& usual
   return sigmas;
 }
 
-/// The same for a setup by itself, its own error kept out of the others' sigmas: the least of it without any one of the
-/// places at which it is seen.
-double beyondOthers(const Survey& survey, const SetupSystem& system, std::vector<bool> freed, std::size_t setup) {
+/// A setup by itself, its own error kept out of the others' sigmas.
+struct Suspect {
+  std::size_t setup = 0;
+  KindSigmas sigmas{};     ///< of the others
+  Eigen::VectorXd priors;  ///< by these, its own lifted
+  double others = 0.0;     ///< how many they are
+  double beyond = 0.0;     ///< how far it is beyond what its sigmas allow: 1 is at the bound
+};
+
+double beyondIn(const SetupSystem& system, const Suspect& suspect, const BadSetupBounds& bounds) {
+  return beyond(solveSetups(system, suspect.priors), suspect.setup, suspect.sigmas, bounds, suspect.others);
+}
+
+Suspect suspectOf(const Survey& survey, const SetupSystem& system, std::vector<bool> freed, std::size_t setup) {
   freed[setup] = true;
-  KindSigmas sigmas = survey.usual;
+  Suspect suspect;
+  suspect.setup = setup;
+  suspect.sigmas = survey.usual;
   for (int pass = 0; pass < 2; ++pass) {
-    sigmas =
-        sigmasOfOthers(solveSetups(system, priorSigmas(sigmas, freed)), survey.usual, freed, survey.bounds.usual_worth);
+    suspect.sigmas = sigmasOfOthers(solveSetups(system, priorSigmas(suspect.sigmas, freed)), survey.usual, freed,
+                                    survey.bounds.usual_worth);
   }
-  const Eigen::VectorXd priors = priorSigmas(sigmas, freed);
-  const auto others = static_cast<double>(std::count(freed.begin(), freed.end(), false));
-  double least = beyond(solveSetups(system, priors), setup, sigmas, survey.bounds, others);
-  for (const double azimuth : survey.overlaps.placesOf(setup)) {
+  suspect.priors = priorSigmas(suspect.sigmas, freed);
+  suspect.others = static_cast<double>(std::count(freed.begin(), freed.end(), false));
+  suspect.beyond = beyondIn(system, suspect, survey.bounds);
+  return suspect;
+}
+
+/// How far it is beyond without any one of the places at which it is seen, down to the bound.
+double beyondElsewhere(const Survey& survey, const Suspect& suspect) {
+  double least = suspect.beyond;
+  for (const double azimuth : survey.overlaps.placesOf(suspect.setup)) {
     if (!(least > 1.0)) break;
-    const SetupSolution without = solveSetups(survey.overlaps.systemWithout(azimuth), priors);
-    least = std::min(least, beyond(without, setup, sigmas, survey.bounds, others));
+    least = std::min(least, beyondIn(survey.overlaps.systemWithout(azimuth), suspect, survey.bounds));
   }
   return least;
 }
 
-/// A setup and how far it is beyond what its sigmas allow: 1 is at the bound.
-struct Suspect {
-  std::size_t setup = 0;
-  double beyond = 0.0;
-};
-
-/// The setup furthest off. Those with the largest errors are looked at.
+/// The setup furthest off of those that are so without any one place. Those with the largest errors are looked at.
 Suspect worstSetup(const Survey& survey, const SetupSystem& system, const std::vector<bool>& freed) {
   constexpr std::size_t kLookedAt = 8;
   const SetupSolution solution = solveSetups(system, priorSigmas(survey.usual, freed));
-  std::vector<std::pair<double, std::size_t>> suspects;
+  std::vector<std::pair<double, std::size_t>> largest;
   for (std::size_t s = 0; s < freed.size(); ++s) {
     double square = 0.0;
     for (Eigen::Index i = 0; i < SetupMotion::kParameters; ++i) {
       const double error = solution.errors[static_cast<Eigen::Index>(s) * SetupMotion::kParameters + i];
       square += error * error / (survey.usual[kindOf(i)] * survey.usual[kindOf(i)]);
     }
-    if (!freed[s]) suspects.emplace_back(-square, s);
+    if (!freed[s]) largest.emplace_back(-square, s);
   }
-  std::sort(suspects.begin(), suspects.end());
-  suspects.resize(std::min(suspects.size(), kLookedAt));
-  Suspect worst;
-  for (const auto& suspect : suspects) {
-    const double far = beyondOthers(survey, system, freed, suspect.second);
-    if (far > worst.beyond) worst = {suspect.second, far};
+  std::sort(largest.begin(), largest.end());
+  largest.resize(std::min(largest.size(), kLookedAt));
+  std::vector<Suspect> suspects;
+  for (const auto& one : largest) suspects.push_back(suspectOf(survey, system, freed, one.second));
+  std::sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) { return a.beyond > b.beyond; });
+  for (Suspect& suspect : suspects) {
+    suspect.beyond = beyondElsewhere(survey, suspect);
+    if (suspect.beyond > 1.0) return suspect;
   }
-  return worst;
+  return {};
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ SetupSystem Overlaps::systemWithout(double azimuth) const {
 }
 
 std::vector<double> Overlaps::placesOf(std::size_t setup) const {
-  constexpr double kStep = 0.2 * kPlace;
+  constexpr double kStep = 0.5 * kPlace;
   std::vector<double> places;
   for (const ArcView& arc : arcs_) {
     const std::vector<std::size_t>& seen = arc.seen.setups;
