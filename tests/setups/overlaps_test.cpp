@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/statistics.h"
+#include "core/units.h"
 
 namespace tank_datum {
 namespace {
@@ -81,6 +82,33 @@ double disagreementWith(double times) {
 TEST(MeasureDiscrepancy, BeyondFiveSigmasSomethingElseThanTheFoundationWasSeen) {
   EXPECT_NEAR(disagreementWith(7.0), 0.001 * std::sqrt((9.0 + 49.0) / 10.0), 1e-9);
   EXPECT_NEAR(disagreementWith(7.8), 0.001, 1e-9);
+}
+
+/// Two arcs so many degrees apart, each with setups of its own.
+std::vector<ArcView> arcsApart(double degrees) {
+  std::vector<ArcView> arcs = {arcOf(0, 1e-3, 1e6), arcOf(1, 1e-3, 1e6)};
+  arcs[0].azimuth = 359.0 * kDegree;
+  arcs[1].azimuth = std::fmod(359.0 + degrees, 360.0) * kDegree;
+  return arcs;
+}
+
+TEST(Overlaps, WithoutAPlaceTheArcsWithinSixDegreesOfItAreLeftOut) {
+  const auto weight = [](double degrees) {
+    const std::vector<ArcView> arcs = arcsApart(degrees);
+    const SetupSystem system = Overlaps(arcs, 4).systemWithout(arcs[0].azimuth);
+    EXPECT_EQ(system.matrix(0, 0), 0.0);
+    return system.matrix(2 * SetupMotion::kParameters, 2 * SetupMotion::kParameters);
+  };
+  EXPECT_EQ(weight(5.9), 0.0);
+  EXPECT_NEAR(weight(6.1), 1e6, 1e-3);
+}
+
+TEST(Overlaps, PlacesAreThoseAtWhichASetupIsSeen) {
+  const std::vector<ArcView> arcs = arcsApart(30.0);
+  const Overlaps overlaps(arcs, 5);
+  EXPECT_EQ(overlaps.placesOf(1), std::vector<double>{arcs[0].azimuth});
+  EXPECT_EQ(overlaps.placesOf(3), std::vector<double>{arcs[1].azimuth});
+  EXPECT_TRUE(overlaps.placesOf(4).empty());
 }
 
 }  // namespace
