@@ -10,8 +10,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kArcs = SetupRing::kArcs;
-
 /// A point of the ring: where it is seen.
 struct Seen {
   std::size_t arc;
@@ -27,10 +25,10 @@ struct Visit {
 
 /// A run of the file, and the arcs that are seen in it.
 struct Part {
-  std::size_t first, last;                  ///< of its points
-  std::size_t first_arc, last_arc;          ///< that it sees first and last
-  std::array<std::size_t, kArcs> points{};  ///< of each arc
-  bool sees(std::size_t arc) const { return points[arc % kArcs] > 0; }
+  std::size_t first, last;                             ///< of its points
+  std::size_t first_arc, last_arc;                     ///< that it sees first and last
+  std::array<std::size_t, SetupRing::kArcs> points{};  ///< of each arc
+  bool sees(std::size_t arc) const { return points[arc % SetupRing::kArcs] > 0; }
   std::size_t size() const { return last - first; }
 };
 
@@ -38,7 +36,7 @@ struct Part {
 /// @param apart  points between two visits of an arc
 std::vector<Visit> visitsOf(const std::vector<Seen>& points, std::size_t apart) {
   std::vector<Visit> visits;
-  std::vector<std::size_t> open(kArcs, visits.max_size());
+  std::vector<std::size_t> open(SetupRing::kArcs, visits.max_size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::size_t& at = open[points[i].arc];
     if (at >= visits.size() || i - visits[at].last > apart) {
@@ -68,12 +66,12 @@ std::vector<Visit> sweepsOf(std::vector<Visit> visits) {
   constexpr std::size_t kFewestPoints = 12;  // of a visit; fewer are strays
   constexpr float kSlice = 0.5F;             // of the height over which an arc is seen
   constexpr double kMostStrays = 0.2;        // of all points
-  std::vector<std::vector<float>> heights(kArcs);
+  std::vector<std::vector<float>> heights(SetupRing::kArcs);
   std::vector<float> spreads;
   for (const Visit& v : visits) heights[v.arc].insert(heights[v.arc].end(), v.heights.begin(), v.heights.end());
   for (std::vector<float>& of_arc : heights) spreads.push_back(spreadOf(std::move(of_arc)));
   std::vector<Visit> sweeps;
-  std::vector<std::size_t> number(kArcs, 0);
+  std::vector<std::size_t> number(SetupRing::kArcs, 0);
   std::size_t all = 0, kept = 0;
   for (Visit& v : visits) {
     all += v.points();
@@ -95,10 +93,10 @@ std::vector<std::size_t> chainsOf(const std::vector<Visit>& visits, std::size_t 
     while (first[i] != i) i = first[i] = first[first[i]];
     return i;
   };
-  std::vector<std::vector<std::size_t>> of_arc(kArcs);
+  std::vector<std::vector<std::size_t>> of_arc(SetupRing::kArcs);
   for (std::size_t i = 0; i < visits.size(); ++i) of_arc[visits[i].arc].push_back(i);
   for (std::size_t i = 0; i < visits.size(); ++i) {
-    for (const std::size_t j : of_arc[(visits[i].arc + 1) % kArcs]) {
+    for (const std::size_t j : of_arc[(visits[i].arc + 1) % SetupRing::kArcs]) {
       const Visit &a = visits[i], &b = visits[j];
       if (a.first <= b.last + apart && b.first <= a.last + apart)
         first[std::max(root(i), root(j))] = std::min(root(i), root(j));
@@ -124,7 +122,7 @@ bool areSwept(const std::vector<Visit>& visits, const std::vector<Part>& parts) 
 /// Two parts as one, the second later in the file.
 Part united(Part a, const Part& b) {
   if (b.last > a.last) a.last = b.last, a.last_arc = b.last_arc;
-  for (std::size_t arc = 0; arc < kArcs; ++arc) a.points[arc] += b.points[arc];
+  for (std::size_t arc = 0; arc < SetupRing::kArcs; ++arc) a.points[arc] += b.points[arc];
   return a;
 }
 
@@ -151,30 +149,31 @@ std::vector<Part> partsOf(const std::vector<Visit>& visits, const std::vector<st
 bool overlap(const Part& a, const Part& b) {
   constexpr std::size_t kFewestArcs = 3;
   std::size_t run = 0;
-  for (std::size_t i = 0; i < kArcs + kFewestArcs && run < kFewestArcs; ++i) run = a.sees(i) && b.sees(i) ? run + 1 : 0;
+  for (std::size_t i = 0; i < SetupRing::kArcs + kFewestArcs && run < kFewestArcs; ++i)
+    run = a.sees(i) && b.sees(i) ? run + 1 : 0;
   return run >= kFewestArcs;
 }
 
 /// Over how many arcs two parts reach together, those between them with them.
 std::size_t spanOf(const Part& a, const Part& b) {
   std::size_t gap = 0, widest = 0;
-  for (std::size_t i = 0; i < 2 * kArcs; ++i) {
+  for (std::size_t i = 0; i < 2 * SetupRing::kArcs; ++i) {
     gap = a.sees(i) || b.sees(i) ? 0 : gap + 1;
     widest = std::max(widest, gap);
   }
-  return kArcs - std::min(widest, kArcs);
+  return SetupRing::kArcs - std::min(widest, SetupRing::kArcs);
 }
 
 std::size_t arcsBetween(std::size_t a, std::size_t b) {
   const std::size_t apart = a > b ? a - b : b - a;
-  return std::min(apart, kArcs - apart);
+  return std::min(apart, SetupRing::kArcs - apart);
 }
 
 /// Whether a part ends here in full view: where a setup sees a shell no further it grazes it, with few points.
 bool endsInView(const Part& part, std::size_t arc, std::size_t most) {
   constexpr double kInView = 0.15;  // of the points where most are; within two arcs of a shell's edge there are 0.07
-  const std::size_t here =
-      std::max({part.points[(arc + kArcs - 1) % kArcs], part.points[arc], part.points[(arc + 1) % kArcs]});
+  const std::size_t here = std::max({part.points[(arc + SetupRing::kArcs - 1) % SetupRing::kArcs], part.points[arc],
+                                     part.points[(arc + 1) % SetupRing::kArcs]});
   return static_cast<double>(here) > kInView * static_cast<double>(most);
 }
 
@@ -182,7 +181,7 @@ bool endsInView(const Part& part, std::size_t arc, std::size_t most) {
 /// the shell for a while.
 bool ofOneSetup(const Part& a, const Part& b) {
   constexpr std::size_t kSeam = 3, kHidden = 12;  // arcs
-  if (overlap(a, b) || spanOf(a, b) > kArcs / 2) return false;
+  if (overlap(a, b) || spanOf(a, b) > SetupRing::kArcs / 2) return false;
   const std::size_t most = std::max(*std::max_element(a.points.begin(), a.points.end()),
                                     *std::max_element(b.points.begin(), b.points.end()));
   const auto meet = [&](std::size_t of_a, std::size_t of_b, std::size_t within) {
