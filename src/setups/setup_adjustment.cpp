@@ -58,8 +58,11 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
     // the first rounds learn the arcs' own errors, for which the setups' may be anything
     if (iteration >= 2 && iteration + 1 < kIterations && options.bad != BadSetups::Keep) {
       result.bad = badSetups(overlaps, usual, kNamed);
-      result.freed = badSetups(overlaps, usual, kFreed);
-      for (std::size_t s = 0; s < setups; ++s) result.freed[s] = result.freed[s] && result.bad[s];
+      result.freed = result.bad;
+      if (std::count(result.bad.begin(), result.bad.end(), true) > 0) {
+        const std::vector<bool> beyond_doubt = badSetups(overlaps, usual, kFreed);
+        for (std::size_t s = 0; s < setups; ++s) result.freed[s] = result.bad[s] && beyond_doubt[s];
+      }
     }
     sigmas = iteration < 2 ? KindSigmas{5.0 * usual[0], 5.0 * usual[1], 5.0 * usual[2]}
                            : chooseSigmas(system, usual, options, result.freed, result);

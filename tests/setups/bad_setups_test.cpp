@@ -9,13 +9,19 @@ namespace {
 
 using namespace made_overlaps;
 
+/// A survey without errors of its setups.
+Recipe withoutErrors() {
+  Recipe recipe;
+  recipe.sigma_error = recipe.sigma_plan = 1e-9, recipe.sigma_tilt = 1e-12, recipe.sigma_arc = 2e-5;
+  return recipe;
+}
+
 /// What becomes of so many setups without errors but those put on: parameter (5 times the setup, and dz, tilt_x,
 /// tilt_y, dx, dy) and size.
 SetupAdjustment adjusted(std::size_t setups, const std::vector<std::pair<int, double>>& errors) {
-  Recipe recipe;
+  Recipe recipe = withoutErrors();
   recipe.setups = setups;
   recipe.half_view = std::max(44.0, 280.0 / static_cast<double>(setups)) * kPi / 180.0;
-  recipe.sigma_error = recipe.sigma_plan = 1e-9, recipe.sigma_tilt = 1e-12, recipe.sigma_arc = 2e-5;
   std::mt19937_64 random(4);
   Survey survey = made(recipe, random);
   for (const auto& [parameter, error] : errors) survey.errors[parameter] += error;
@@ -70,9 +76,8 @@ TEST(BadSetups, SurveysBadlyRegisteredHaveSigmasThatHoldTheirErrors) {
 /// Whether a setup 20 mm too high is found that meets others only so far to either side of its middle.
 bool isFoundWhereItMeetsOthersWithin(double degrees) {
   constexpr std::size_t kSetup = 2;
-  Recipe recipe;
+  Recipe recipe = withoutErrors();
   recipe.half_view = 80.0 * kPi / 180.0;
-  recipe.sigma_error = recipe.sigma_plan = 1e-9, recipe.sigma_tilt = 1e-12, recipe.sigma_arc = 2e-5;
   std::mt19937_64 random(4);
   Survey survey = made(recipe, random);
   survey.errors[kHeight] += 0.020;
