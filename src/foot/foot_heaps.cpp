@@ -8,6 +8,7 @@
 #include "core/ring_runs.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/line_sums.h"
 #include "foot/ring_slope.h"
 
 namespace tank_datum {
@@ -63,6 +64,23 @@ bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own) {
 
 bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isHeap(station, pass.priors, ownFit(foot, station, pass, 0.5 * pass.fits[station].half_width));
+}
+
+bool isHeapBefore(const Foot& foot, std::size_t station, const FootPass& pass) {
+  constexpr double kHigh = 0.3;    // of the reach: what hangs over the foot lies higher
+  constexpr double kFalls = 0.15;  // [m/m]
+  constexpr double kLine = 0.8;    // of the heights' squares
+  const FootFit& fit = pass.fits[station];
+  const double within = heightTolerance(pass.sections.at(station));
+  LineSums line;
+  double above = 0.0;
+  for (const FootPoint& p : foot.points[station]) {
+    const double height = p.z - fit.z - fit.slope * p.d;
+    if (p.d < foot.scales.nearest() || p.d > fit.middle || height < -within || height > kHigh * foot.reach) continue;
+    line.add(p.d, height);
+    above += height > within ? 1.0 : 0.0;
+  }
+  return 2.0 * above > line.n && line.slope() < -kFalls && line.explained() > kLine;
 }
 
 bool areHeaps(const std::vector<FootFit>& own, const FootPriors& priors) {

@@ -21,6 +21,11 @@ bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own);
 /// The same of half the window that a station is fitted in.
 bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass);
 
+/// Whether what a station shows between the shell and its surface is the slope of a heap whose foot the surface is
+/// taken for: most of those points lie higher than it, on a line that falls to it. (What stands before a shell, or a
+/// pipe along it, is no line.)
+bool isHeapBefore(const Foot& foot, std::size_t station, const FootPass& pass);
+
 /// Whether the points of stations that stand rise to the shell as those of no lip do, all together: on sparse feet none
 /// of them tells by itself.
 /// @param own  of stations and their neighbours, where they stand

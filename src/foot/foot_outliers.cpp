@@ -120,7 +120,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     } else {
       before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
       own[i] = ownFit(foot, i, pass, kWithNeighbours * foot.half_step);
-      heaps[i] = isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass) ? 1 : 0;
+      heaps[i] = isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass) || isHeapBefore(foot, i, pass) ? 1 : 0;
       no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || heaps[i] ? 1 : 0;
       const bool other = no_foot[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
       if (other) reasons[i] = Unmeasured::OtherSurface;

@@ -3,33 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
+#include "fit/line_sums.h"
 #include "foot/hidden_strip.h"
+#include "foot/slanting_beams.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr std::size_t kStrips = 30;
-
-/// Sums over points, against their distance from the shell.
-struct LineSums {
-  double n = 0, d = 0, z = 0, dd = 0, dz = 0, zz = 0;
-
-  void add(double at, double height) { add({1.0, at, height, at * at, at * height, height * height}); }
-  void add(const LineSums& o) { n += o.n, d += o.d, z += o.z, dd += o.dd, dz += o.dz, zz += o.zz; }
-  double distance() const { return d / n; }
-  double height() const { return z / n; }
-  double squares() const { return dd - d * d / n; }
-  double slope() const { return (dz - d * z / n) / squares(); }
-  double sigmaSlope() const {
-    const double misfit = std::max(0.0, zz - z * z / n - slope() * slope() * squares());
-    return std::sqrt(misfit / std::max(1.0, n - 2.0) / squares());
-  }
-};
 
 /// What is seen in a strip along the shell.
 struct StripSeen {
@@ -39,21 +26,34 @@ struct StripSeen {
   void add(const StripSeen& o) { points += o.points, surface.add(o.surface), higher.add(o.higher); }
 };
 
-/// What is seen at a station or in an arc, from the shell outwards.
+/// What is seen in strips from the shell outwards.
 using StripsSeen = std::array<StripSeen, kStrips>;
 
-StripsSeen stripsAt(const std::vector<FootPoint>& points, double level, double slope, const StripScales& scales) {
+/// What is seen at a station or in an arc.
+struct ArcSeen {
   StripsSeen strips{};
-  for (const FootPoint& p : points) {
-    const double height = p.z - level - slope * p.d;
+  double on_shell = 0;  ///< points that tell how steeply rays come
+
+  void add(const ArcSeen& o) {
+    for (std::size_t k = 0; k < kStrips; ++k) strips[k].add(o.strips[k]);
+    on_shell += o.on_shell;
+  }
+};
+
+ArcSeen seenAt(const Foot& foot, const FootPass& pass, std::size_t station, double level, const StripScales& scales) {
+  const FootProfile& profile = pass.sections.at(station);
+  ArcSeen seen;
+  for (const FootPoint& p : foot.points[station]) {
+    if (isOnShell(p, profile, level, foot.reach)) seen.on_shell += 1.0;
+    const double height = p.z - level - pass.priors.slope[station] * p.d;
     const std::size_t number = scales.stripAt(p.d, kStrips);
     if (number == kStrips) continue;
-    StripSeen& strip = strips[number];
+    StripSeen& strip = seen.strips[number];
     strip.points += 1.0;
     if (std::abs(height) < scales.within) strip.surface.add(p.d, height);
     if (height > scales.higher) strip.higher.add(p.d, height);
   }
-  return strips;
+  return seen;
 }
 
 /// Points of a strip, usually.
@@ -98,10 +98,34 @@ bool rises(const StripsSeen& strips, std::size_t edge) {
   return before.slope() > std::max(kAlong * line, kChance * before.sigmaSlope());
 }
 
-bool isGrazedArc(const StripsSeen& strips) {
-  const double usual = usualPoints(strips);
+/// Whether few points rise towards the edge of what lies higher.
+bool isThinRise(const StripsSeen& strips, double usual) {
   const std::size_t edge = edgeOf(strips, usual);
   return edge < kStrips && areThin(strips, edge, usual) && rises(strips, edge);
+}
+
+/// The first strip in which most of what is seen lies off the surface; all: none.
+std::size_t endOf(const StripsSeen& strips, double usual) {
+  constexpr double kSeen = 0.5;  // of the usual number of points, and of them
+  std::size_t end = 0;
+  while (end < kStrips && !(strips[end].points > kSeen * usual && strips[end].surface.n < kSeen * strips[end].points))
+    ++end;
+  return end;
+}
+
+/// Whether a surface that ends within the strips rises at a good part of the beams' own slope, as none does that they
+/// show: beams that meet the edge where it ends and the shell too leave one, as dense as any.
+/// @param prior  the slope that heights are taken over [m/m]
+bool isAlongBeams(const ArcSeen& arc, double usual, double prior, const StripScales& scales, double reach) {
+  constexpr double kAlong = 0.35;     // of the beams' slope; lips rise by a tenth of it at most
+  constexpr double kChance = 3.0;     // standard errors
+  constexpr std::size_t kFewest = 3;  // strips
+  const std::size_t end = endOf(arc.strips, usual);
+  const std::optional<double> beams = steepnessBy(usual / scales.width, arc.on_shell, reach);
+  if (end < kFewest || end == kStrips || !beams) return false;
+  LineSums surface;
+  for (std::size_t k = 0; k < end; ++k) surface.add(arc.strips[k].surface);
+  return prior + surface.slope() > std::max(kAlong * *beams, kChance * surface.sigmaSlope());
 }
 
 }  // namespace
@@ -112,18 +136,18 @@ std::vector<bool> findGrazedArcs(const Foot& foot, const FootPass& pass, const s
   const std::vector<double> elevations = elevationsOf(kept), levels = filledUp(elevations);
   const std::vector<bool> about = closeTo(foot, elevations);
   const std::size_t count = kept.size(), near = foot.stationsBeside(kArc);
-  std::vector<StripsSeen> own(count);
+  std::vector<ArcSeen> own(count);
   forEachIndex(count, 0, [&](std::size_t i) {
-    if (about[i]) own[i] = stripsAt(foot.points[i], levels[i], pass.priors.slope[i], scales);
+    if (about[i]) own[i] = seenAt(foot, pass, i, levels[i], scales);
   });
   std::vector<char> grazed(count, 0);
   forEachIndex(count, 0, [&](std::size_t i) {
     if (!kept[i].valid()) return;
-    StripsSeen arc{};
-    for (std::size_t k = i + count - near; k <= i + count + near; ++k) {
-      for (std::size_t strip = 0; strip < kStrips; ++strip) arc[strip].add(own[k % count][strip]);
-    }
-    grazed[i] = isGrazedArc(arc);
+    ArcSeen arc;
+    for (std::size_t k = i + count - near; k <= i + count + near; ++k) arc.add(own[k % count]);
+    const double usual = usualPoints(arc.strips);
+    grazed[i] =
+        isThinRise(arc.strips, usual) || isAlongBeams(arc, usual, pass.priors.slope[i], scales, foot.reach) ? 1 : 0;
   });
   return {grazed.begin(), grazed.end()};
 }

@@ -15,17 +15,17 @@ constexpr double kFewestOnShell = 20.0;               // points, to tell how ste
 constexpr double kShellFrom = 0.1, kShellTo = 0.5;    // of the reach above the foot: the shell that is looked at
 constexpr double kClearOf = 0.030, kClearTo = 0.090;  // beyond an edge, where no beam meets it too [m]
 
+}  // namespace
+
 bool isOnShell(const FootPoint& p, const FootProfile& profile, double level, double reach) {
   const double above = p.z - level;
   return std::abs(p.d) <= profile.blur && above >= kShellFrom * reach && above <= kShellTo * reach;
 }
 
-/// How steeply a surface is seen that has so many points a metre outwards, beside so many on the shell.
-double steepnessBy(double points_a_metre, double on_shell, double reach) {
+std::optional<double> steepnessBy(double points_a_metre, double on_shell, double reach) {
+  if (on_shell < kFewestOnShell) return std::nullopt;
   return points_a_metre * (kShellTo * reach - kShellFrom * reach) / on_shell;
 }
-
-}  // namespace
 
 RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
   const double within = heightTolerance(profile);
@@ -41,7 +41,7 @@ RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& pro
 }
 
 double RayCounts::steepness(double reach) const {
-  return on_shell < kFewestOnShell ? 0.0 : steepnessBy(a_metre, on_shell, reach);  // not known: as if it grazed
+  return steepnessBy(a_metre, on_shell, reach).value_or(0.0);  // not known: as if it grazed
 }
 
 double steepnessOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
@@ -99,9 +99,8 @@ bool isGrazed(const std::vector<FootPoint>& points, const FootProfile& profile, 
     counts.push_back(static_cast<double>(bins[i].size()));
     if (bins[i].size() >= kFewest) sight = std::max(sight, median(bins[i]) / (width * (static_cast<double>(i) + 0.5)));
   }
-  if (counts.empty() || shell < kFewestOnShell) return false;
-  const double beams = steepnessBy(median(counts) / width, shell, reach);
-  return fit.slope > kAlong * beams && sight > kRising * beams;
+  const std::optional<double> beams = steepnessBy(median(counts) / width, shell, reach);
+  return beams && fit.slope > kAlong * *beams && sight > kRising * *beams;
 }
 
 BandPoints bandPointsOf(const std::vector<FootPoint>& points, const FootProfile& profile, double level) {

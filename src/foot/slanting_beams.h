@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fit/adaptive_smooth.h"
@@ -11,6 +12,14 @@ namespace tank_datum {
 // A laser beam has a width, and its range is a mean over its footprint. Where it slants to the foundation and its
 // footprint reaches the shell, the point is lifted, the more the nearer it lies to the shell: a lip that is level seems
 // to lean, and its middle is lifted.
+
+/// Whether a point is of the part of the shell above the foot whose points tell how steeply rays come.
+bool isOnShell(const FootPoint& p, const FootProfile& profile, double level, double reach);
+
+/// How steeply a surface is seen that has so many points a metre outwards, beside so many on the shell.
+/// @param on_shell  as isOnShell() says
+/// @return nothing where these are too few to tell
+std::optional<double> steepnessBy(double points_a_metre, double on_shell, double reach);
 
 /// How steeply the foot is seen: tan of the rays' angle to the foundation. Of equal areas of foundation and shell the
 /// one across which the rays slant gets fewer points.

@@ -37,6 +37,8 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
     sigmas[k] = temperedSigma(sigmas[k], known, usual[k], others[k]);
   }
+  // nothing makes a registration better in height than it is seen to be in plan
+  if (!heights && options.error <= 0.0) sigmas[0] = usual[0] * std::max(1.0, sigmas[2] / usual[2]);
   return sigmas;
 }
 

@@ -135,5 +135,59 @@ TEST(FindHeapsGoingOn, AreNotUponLips) {
   EXPECT_EQ(lip.count(), 0);
 }
 
+/// A bank against the shell, and the surface at its foot.
+struct Bank {
+  double slope = -0.3;    ///< of its side [m/m]
+  double end = 0.2;       ///< where it meets the surface, from the shell [m]
+  double seen_to = 0.28;  ///< of the surface
+  double scatter = 0.0;   ///< of what lies on it
+  double over = 0.0;      ///< how high it stands on what is its foot [m]
+  double middle = 0.24;   ///< of the points that the station was fitted to
+  double blur = 0.004;    ///< of what lies on the surface [m]
+};
+
+bool isBankBefore(const Bank& bank) {
+  MadeFoot made;
+  int count = 0;
+  made.addStation(0, 40, 0.02, bank.end, [&](double d) {
+    return bank.over + bank.slope * (d - bank.end) + (++count % 2 == 0 ? bank.scatter : -bank.scatter);
+  });
+  made.addStation(0, 20, bank.end, bank.seen_to, [](double) { return 0.0; });
+  FootPass pass;
+  FootFit fit = fitOf(0.0, 0.01);
+  fit.middle = bank.middle;
+  pass.fits.assign(360, fit);
+  pass.sections.whole.noise = 0.0005, pass.sections.whole.blur = bank.blur;
+  return isHeapBefore(made.foot(), 0, pass);
+}
+
+TEST(IsHeapBefore, IsALineThatFallsToTheSurface) {
+  EXPECT_TRUE(isBankBefore({}));
+  EXPECT_TRUE(isBankBefore({-0.2}));
+  EXPECT_FALSE(isBankBefore({-0.12, 0.2, 0.28, 0.0, 0.0, 0.2}));
+  EXPECT_FALSE(isBankBefore({0.0}));
+}
+
+TEST(IsHeapBefore, IsNoPipeNorBoxBeforeTheShell) {
+  EXPECT_FALSE(isBankBefore({0.0, 0.2, 0.28, 0.0, 0.05}));
+  EXPECT_FALSE(isBankBefore({0.3, 0.1, 0.28, 0.0, 0.05}));
+}
+
+TEST(IsHeapBefore, IsALineThatExplainsWhatLiesOnIt) {
+  EXPECT_TRUE(isBankBefore({-0.3, 0.2, 0.28, 0.005}));
+  EXPECT_FALSE(isBankBefore({-0.3, 0.2, 0.28, 0.012}));
+}
+
+TEST(IsHeapBefore, HoldsMostOfWhatLiesBeforeTheSurfacesMiddle) {
+  EXPECT_TRUE(isBankBefore({-0.3, 0.2, 0.9, 0.0, 0.0, 0.2}));
+  EXPECT_FALSE(isBankBefore({-0.3, 0.08, 0.2, 0.0, 0.0, 0.2}));
+  EXPECT_FALSE(isBankBefore({-0.3, 0.2, 0.9, 0.0, 0.0, 0.2, 0.030}));  // three in eight stand out of the noise
+}
+
+TEST(IsHeapBefore, LiesUpToThreeTenthsOfTheReachAbove) {
+  EXPECT_TRUE(isBankBefore({-0.3, 0.1, 0.28, 0.0, 0.1, 0.1}));
+  EXPECT_FALSE(isBankBefore({-0.3, 0.1, 0.28, 0.0, 0.2, 0.1}));
+}
+
 }  // namespace
 }  // namespace tank_datum

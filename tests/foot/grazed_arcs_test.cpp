@@ -108,5 +108,88 @@ TEST(FindGrazedArcs, LeavesWhatRisesByLessThanAThirdOfTheWayToTheCrown) {
   EXPECT_TRUE(isGrazed({3.0, 0.125, 0.020}));
 }
 
+/// A surface beside a shell, as dense as what lies lower beyond its end.
+struct Slope {
+  double slope = 0.045;  ///< rising outwards [m/m]
+  double beams = 0.1;    ///< tangent of the beams' angle to what is level
+  double end = 0.103;    ///< of the surface, from the shell [m]
+  double scatter = 0.0;
+  double on_line = 0.0;   ///< share of what lies beyond that is in line with it
+  double dense = 1000.0;  ///< points of a station and metre
+  double below = 0.0;     ///< points in its stead beside the shell, lower, over as many as usual
+};
+
+/// Whether an arc of it is grazed.
+bool isGrazed(const Slope& seen) {
+  constexpr double kLower = -0.03;
+  constexpr int kArc = 10;
+  const double begin = seen.below > 0.0 ? 0.043 : kNear;
+  MadeFoot made;
+  const int on_shell = static_cast<int>(std::lround(seen.dense * 0.4 * kReach / seen.beams));
+  const auto points = [&](double share, double from, double to) {
+    return static_cast<int>(std::lround(share * seen.dense * (to - from)));
+  };
+  const auto rising = [&](double d) { return seen.slope * (d - 0.5 * (kNear + seen.end)); };
+  for (int station = -kArc; station <= kArc; ++station) {
+    const int i = (station + 360) % 360;
+    int count = i;
+    made.addStation(i, points(seen.below, kNear, begin), kNear, begin, [](double) { return kLower; });
+    made.addStation(i, points(1.0, begin, seen.end), begin, seen.end,
+                    [&](double d) { return rising(d) + (++count % 2 == 0 ? seen.scatter : -seen.scatter); });
+    made.addStation(i, points(seen.on_line, seen.end, kFar), seen.end, kFar, [](double) { return 0.0; });
+    made.addStation(i, points(1.0 - seen.on_line, seen.end, kFar), seen.end, kFar, [](double) { return kLower; });
+    for (int k = 0; k < on_shell; ++k)
+      made.add((i + 0.9 * ((k + 0.5) / on_shell - 0.5)) * made.step(), 0.0,
+               kReach * (0.1 + 0.4 * (k + 0.5) / on_shell));
+  }
+  FootFit fit;
+  fit.z = fit.slope = 0.0, fit.sigma = 0.0002;
+  FootPass pass;
+  pass.fits.assign(360, fit);
+  pass.priors.slope.assign(360, 0.0);
+  pass.sections.whole.noise = 0.0025, pass.sections.whole.blur = 0.004;
+  return findGrazedArcs(made.foot(), pass, pass.fits)[0];
+}
+
+TEST(FindGrazedArcs, FindsADenseSurfaceThatRisesAsBeamsDo) {
+  EXPECT_TRUE(isGrazed(Slope{}));
+  EXPECT_FALSE(isGrazed(Slope{0.025}));
+  EXPECT_FALSE(isGrazed(Slope{0.0}));
+  EXPECT_FALSE(isGrazed(Slope{0.045, 0.2}));
+}
+
+TEST(FindGrazedArcs, LeavesASlopeThatChanceExplains) {
+  Slope uneven;
+  uneven.dense = 200.0, uneven.scatter = 0.004;
+  EXPECT_TRUE(isGrazed(uneven));
+  uneven.scatter = 0.008;
+  EXPECT_FALSE(isGrazed(uneven));
+}
+
+TEST(FindGrazedArcs, LeavesARiseOfTwoStrips) {
+  EXPECT_FALSE(isGrazed(Slope{0.045, 0.1, 0.033}));
+  EXPECT_TRUE(isGrazed(Slope{0.045, 0.1, 0.063}));
+}
+
+TEST(FindGrazedArcs, LeavesASlopeThatDoesNotEnd) { EXPECT_FALSE(isGrazed(Slope{0.045, 0.1, kFar})); }
+
+TEST(FindGrazedArcs, SeesWhereTheSurfaceEndsByMostOfThePoints) {
+  Slope slope;
+  slope.on_line = 0.4;
+  EXPECT_TRUE(isGrazed(slope));
+  slope.on_line = 0.6;
+  EXPECT_FALSE(isGrazed(slope));
+}
+
+TEST(FindGrazedArcs, TakesFewPointsBelowForNoEnd) {
+  Slope slope;
+  slope.below = 0.4;
+  EXPECT_TRUE(isGrazed(slope));
+  slope.below = 0.6;
+  EXPECT_FALSE(isGrazed(slope));
+}
+
+TEST(FindGrazedArcs, CannotTellWhereTheShellShowsFewPoints) { EXPECT_FALSE(isGrazed(Slope{0.045 * 60.0, 6.0 * 10.0})); }
+
 }  // namespace
 }  // namespace tank_datum

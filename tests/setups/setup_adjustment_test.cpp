@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -115,6 +116,28 @@ TEST(SetupAdjustment, TwoSetupsTakeTheUsualSigmas) {
   const SetupAdjustment adjusted = adjustSetups(survey.arcs, 2, {});
   EXPECT_FALSE(adjusted.height_estimated);
   EXPECT_EQ(adjusted.spread.height, 0.002);
+}
+
+TEST(SetupAdjustment, HeightsThatNothingTellsErrByAsMuchAsPlacesAreSeenTo) {
+  Recipe recipe;
+  recipe.setups = 12;
+  const auto spreadOf = [&](double sigma_plan, const SetupOptions& options) {
+    recipe.sigma_plan = sigma_plan;
+    std::mt19937_64 random(7);
+    Survey survey = made(recipe, random);
+    survey.arcs.erase(
+        std::remove_if(survey.arcs.begin(), survey.arcs.end(), [](const ArcView& arc) { return !arc.shell; }),
+        survey.arcs.end());
+    return adjustSetups(survey.arcs, recipe.setups, options).spread;
+  };
+  const SetupSpread bad = spreadOf(0.006, {});
+  EXPECT_GT(bad.plan, 0.003);
+  EXPECT_EQ(bad.height, bad.plan);
+  EXPECT_EQ(bad.tilt, 10.0 / 3600.0 * kPi / 180.0);  // levelled on the spot
+  EXPECT_EQ(spreadOf(0.0005, {}).height, 0.002);
+  SetupOptions tilt_given;
+  tilt_given.tilt = 1e-4;
+  EXPECT_EQ(spreadOf(0.006, tilt_given).height, spreadOf(0.006, tilt_given).plan);
 }
 
 TEST(SetupAdjustment, SetupsWithoutAnOverlapKeepTheirPrior) {
