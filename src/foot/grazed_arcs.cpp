@@ -65,14 +65,15 @@ double usualPoints(const StripsSeen& strips) {
   return median(std::move(points));
 }
 
-/// The first strip in which most of what is seen lies higher than the surface; all: none.
-std::size_t edgeOf(const StripsSeen& strips, double usual) {
+/// The first strip that shows a usual number of points, most of them such as are counted; all: none.
+template <typename Count>
+std::size_t firstOf(const StripsSeen& strips, double usual, const Count& count) {
   constexpr double kSeen = 0.5;  // of the usual number of points, and of them
-  std::size_t edge = 0;
-  while (edge < kStrips &&
-         !(strips[edge].points > kSeen * usual && strips[edge].higher.n > kSeen * strips[edge].points))
-    ++edge;
-  return edge;
+  std::size_t first = 0;
+  while (first < kStrips &&
+         !(strips[first].points > kSeen * usual && count(strips[first]) > kSeen * strips[first].points))
+    ++first;
+  return first;
 }
 
 /// Whether strips beside the shell, how ever many are taken, have fewer points of the surface than strips have usually.
@@ -100,17 +101,8 @@ bool rises(const StripsSeen& strips, std::size_t edge) {
 
 /// Whether few points rise towards the edge of what lies higher.
 bool isThinRise(const StripsSeen& strips, double usual) {
-  const std::size_t edge = edgeOf(strips, usual);
+  const std::size_t edge = firstOf(strips, usual, [](const StripSeen& strip) { return strip.higher.n; });
   return edge < kStrips && areThin(strips, edge, usual) && rises(strips, edge);
-}
-
-/// The first strip in which most of what is seen lies off the surface; all: none.
-std::size_t endOf(const StripsSeen& strips, double usual) {
-  constexpr double kSeen = 0.5;  // of the usual number of points, and of them
-  std::size_t end = 0;
-  while (end < kStrips && !(strips[end].points > kSeen * usual && strips[end].surface.n < kSeen * strips[end].points))
-    ++end;
-  return end;
 }
 
 /// Whether a surface that ends within the strips rises at a good part of the beams' own slope, as none does that they
@@ -120,7 +112,8 @@ bool isAlongBeams(const ArcSeen& arc, double usual, double prior, const StripSca
   constexpr double kAlong = 0.35;     // of the beams' slope; lips rise by a tenth of it at most
   constexpr double kChance = 3.0;     // standard errors
   constexpr std::size_t kFewest = 3;  // strips
-  const std::size_t end = endOf(arc.strips, usual);
+  const std::size_t end =
+      firstOf(arc.strips, usual, [](const StripSeen& strip) { return strip.points - strip.surface.n; });
   const std::optional<double> beams = steepnessBy(usual / scales.width, arc.on_shell, reach);
   if (end < kFewest || end == kStrips || !beams) return false;
   LineSums surface;
