@@ -67,6 +67,7 @@ bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
 }
 
 bool isHeapBefore(const Foot& foot, std::size_t station, const FootPass& pass) {
+  constexpr double kFrom = 0.1;   // of the reach: welds are smaller
   constexpr double kHigh = 0.3;    // of the reach: what hangs over the foot lies higher
   constexpr double kFalls = 0.15;  // [m/m]
   constexpr double kLine = 0.8;    // of the heights' squares
@@ -76,7 +77,7 @@ bool isHeapBefore(const Foot& foot, std::size_t station, const FootPass& pass) {
   double above = 0.0;
   for (const FootPoint& p : foot.points[station]) {
     const double height = p.z - fit.z - fit.slope * p.d;
-    if (p.d < foot.scales.nearest() || p.d > fit.middle || height < -within || height > kHigh * foot.reach) continue;
+    if (p.d < kFrom * foot.reach || p.d > fit.middle || height < -within || height > kHigh * foot.reach) continue;
     line.add(p.d, height);
     above += height > within ? 1.0 : 0.0;
   }

@@ -105,11 +105,13 @@ bool isThinRise(const StripsSeen& strips, double usual) {
   return edge < kStrips && areThin(strips, edge, usual) && rises(strips, edge);
 }
 
-/// Whether a surface that ends within the strips rises at a good part of the beams' own slope, as none does that they
-/// show: beams that meet the edge where it ends and the shell too leave one, as dense as any.
+/// Whether a surface that ends within the strips rises more steeply than lips do, and at a good part of the beams' own
+/// slope, as none does that they show: beams that meet the edge where it ends and the shell too leave one, as dense as
+/// any.
 /// @param prior  the slope that heights are taken over [m/m]
 bool isAlongBeams(const ArcSeen& arc, double usual, double prior, const StripScales& scales, double reach) {
-  constexpr double kAlong = 0.35;     // of the beams' slope; lips rise by a tenth of it at most
+  constexpr double kLip = 0.05;       // [m/m]
+  constexpr double kAlong = 0.35;     // of the beams' slope
   constexpr double kChance = 3.0;     // standard errors
   constexpr std::size_t kFewest = 3;  // strips
   const std::size_t end =
@@ -118,7 +120,7 @@ bool isAlongBeams(const ArcSeen& arc, double usual, double prior, const StripSca
   if (end < kFewest || end == kStrips || !beams) return false;
   LineSums surface;
   for (std::size_t k = 0; k < end; ++k) surface.add(arc.strips[k].surface);
-  return prior + surface.slope() > std::max(kAlong * *beams, kChance * surface.sigmaSlope());
+  return prior + surface.slope() > std::max({kLip, kAlong * *beams, kChance * surface.sigmaSlope()});
 }
 
 }  // namespace

@@ -181,7 +181,12 @@ TEST(IsHeapBefore, IsALineThatExplainsWhatLiesOnIt) {
 TEST(IsHeapBefore, HoldsMostOfWhatLiesBeforeTheSurfacesMiddle) {
   EXPECT_TRUE(isBankBefore({-0.3, 0.2, 0.9, 0.0, 0.0, 0.2}));
   EXPECT_FALSE(isBankBefore({-0.3, 0.08, 0.2, 0.0, 0.0, 0.2}));
-  EXPECT_FALSE(isBankBefore({-0.3, 0.2, 0.9, 0.0, 0.0, 0.2, 0.030}));  // three in eight stand out of the noise
+  EXPECT_FALSE(isBankBefore({-0.3, 0.2, 0.9, 0.0, 0.0, 0.2, 0.024}));  // three in eight stand out of the noise
+}
+
+TEST(IsHeapBefore, ReachesFartherThanAWeld) {
+  EXPECT_TRUE(isBankBefore({-0.3, 0.1, 0.12, 0.0, 0.0, 0.1, 0.001}));
+  EXPECT_FALSE(isBankBefore({-1.0, 0.045, 0.06, 0.0, 0.0, 0.055, 0.001}));
 }
 
 TEST(IsHeapBefore, LiesUpToThreeTenthsOfTheReachAbove) {

@@ -110,9 +110,9 @@ TEST(FindGrazedArcs, LeavesWhatRisesByLessThanAThirdOfTheWayToTheCrown) {
 
 /// A surface beside a shell, as dense as what lies lower beyond its end.
 struct Slope {
-  double slope = 0.045;  ///< rising outwards [m/m]
-  double beams = 0.1;    ///< tangent of the beams' angle to what is level
-  double end = 0.103;    ///< of the surface, from the shell [m]
+  double slope = 0.06;  ///< rising outwards [m/m]
+  double beams = 0.12;  ///< tangent of the beams' angle to what is level
+  double end = 0.103;   ///< of the surface, from the shell [m]
   double scatter = 0.0;
   double on_line = 0.0;   ///< share of what lies beyond that is in line with it
   double dense = 1000.0;  ///< points of a station and metre
@@ -153,25 +153,25 @@ bool isGrazed(const Slope& seen) {
 
 TEST(FindGrazedArcs, FindsADenseSurfaceThatRisesAsBeamsDo) {
   EXPECT_TRUE(isGrazed(Slope{}));
-  EXPECT_FALSE(isGrazed(Slope{0.025}));
+  EXPECT_FALSE(isGrazed(Slope{0.06, 0.24}));
+  EXPECT_FALSE(isGrazed(Slope{0.04, 0.1}));  // as a lip may
   EXPECT_FALSE(isGrazed(Slope{0.0}));
-  EXPECT_FALSE(isGrazed(Slope{0.045, 0.2}));
 }
 
 TEST(FindGrazedArcs, LeavesASlopeThatChanceExplains) {
   Slope uneven;
-  uneven.dense = 200.0, uneven.scatter = 0.004;
+  uneven.dense = 100.0, uneven.scatter = 0.004;
   EXPECT_TRUE(isGrazed(uneven));
   uneven.scatter = 0.008;
   EXPECT_FALSE(isGrazed(uneven));
 }
 
 TEST(FindGrazedArcs, LeavesARiseOfTwoStrips) {
-  EXPECT_FALSE(isGrazed(Slope{0.045, 0.1, 0.033}));
-  EXPECT_TRUE(isGrazed(Slope{0.045, 0.1, 0.063}));
+  EXPECT_FALSE(isGrazed(Slope{0.06, 0.12, 0.033}));
+  EXPECT_TRUE(isGrazed(Slope{0.06, 0.12, 0.063}));
 }
 
-TEST(FindGrazedArcs, LeavesASlopeThatDoesNotEnd) { EXPECT_FALSE(isGrazed(Slope{0.045, 0.1, kFar})); }
+TEST(FindGrazedArcs, LeavesASlopeThatDoesNotEnd) { EXPECT_FALSE(isGrazed(Slope{0.06, 0.12, kFar})); }
 
 TEST(FindGrazedArcs, SeesWhereTheSurfaceEndsByMostOfThePoints) {
   Slope slope;
@@ -189,7 +189,7 @@ TEST(FindGrazedArcs, TakesFewPointsBelowForNoEnd) {
   EXPECT_FALSE(isGrazed(slope));
 }
 
-TEST(FindGrazedArcs, CannotTellWhereTheShellShowsFewPoints) { EXPECT_FALSE(isGrazed(Slope{0.045 * 60.0, 6.0 * 10.0})); }
+TEST(FindGrazedArcs, CannotTellWhereTheShellShowsFewPoints) { EXPECT_FALSE(isGrazed(Slope{0.06 * 60.0, 7.2 * 10.0})); }
 
 }  // namespace
 }  // namespace tank_datum
