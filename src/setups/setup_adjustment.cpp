@@ -32,13 +32,12 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
   KindSigmas sigmas = estimateSigmas(system, usual, held, freed);
   const SetupSolution solution = solveSetups(system, priorSigmas(sigmas, freed));
   const KindSigmas others = {held[1] ? 0.0 : sigmas[1] / usual[1], held[0] ? 0.0 : sigmas[0] / usual[0], 0.0};
-  for (std::size_t k = 0; k < kParameterKinds; ++k) {
-    if (held[k]) continue;
+  for (const std::size_t k : {2U, 1U, 0U}) {
+    // nothing makes a registration better in height than it is seen to be in plan
+    const double about = k == 0 && options.error <= 0.0 ? std::max(usual[0], sigmas[2]) : usual[k];
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
-    sigmas[k] = temperedSigma(sigmas[k], known, usual[k], others[k]);
+    sigmas[k] = held[k] ? about : temperedSigma(sigmas[k], known, about, others[k]);
   }
-  // nothing makes a registration better in height than it is seen to be in plan
-  if (!heights && options.error <= 0.0) sigmas[0] = usual[0] * std::max(1.0, sigmas[2] / usual[2]);
   return sigmas;
 }
 

@@ -140,6 +140,26 @@ TEST(SetupAdjustment, HeightsThatNothingTellsErrByAsMuchAsPlacesAreSeenTo) {
   EXPECT_EQ(spreadOf(0.006, tilt_given).height, spreadOf(0.006, tilt_given).plan);
 }
 
+TEST(SetupAdjustment, HeightsOfFewSetupsAreDrawnToWhatPlacesErrBy) {
+  const auto heightOf = [](std::size_t setups, double sigma_plan) {
+    constexpr int kSurveys = 10;
+    Recipe recipe;
+    recipe.setups = setups;
+    recipe.sigma_error = 0.001;
+    recipe.sigma_plan = sigma_plan;
+    double sum = 0.0;
+    for (unsigned seed = 1; seed <= kSurveys; ++seed) {
+      std::mt19937_64 random(seed);
+      const SetupAdjustment adjusted = adjustSetups(made(recipe, random).arcs, setups, {});
+      EXPECT_TRUE(adjusted.height_estimated);
+      sum += adjusted.spread.height;
+    }
+    return sum / kSurveys;
+  };
+  EXPECT_GT(heightOf(5, 0.008), 1.3 * heightOf(5, 0.001));
+  EXPECT_LT(heightOf(30, 0.008), 1.2 * heightOf(30, 0.001));  // many tell it themselves
+}
+
 TEST(SetupAdjustment, SetupsWithoutAnOverlapKeepTheirPrior) {
   const SetupAdjustment adjusted = adjustSetups({}, 3, {});
   EXPECT_EQ(adjusted.errors.cwiseAbs().maxCoeff(), 0.0);
