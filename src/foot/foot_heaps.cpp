@@ -67,7 +67,7 @@ bool isHeapInHalf(const Foot& foot, std::size_t station, const FootPass& pass) {
 }
 
 bool isHeapBefore(const Foot& foot, std::size_t station, const FootPass& pass) {
-  constexpr double kFrom = 0.1;   // of the reach: welds are smaller
+  constexpr double kFrom = 0.1;    // of the reach: welds are smaller
   constexpr double kHigh = 0.3;    // of the reach: what hangs over the foot lies higher
   constexpr double kFalls = 0.15;  // [m/m]
   constexpr double kLine = 0.8;    // of the heights' squares
