@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "core/portable_math.h"
+#include "core/statistics.h"
 #include "setups/double_surface.h"
 #include "setups/setup_ring.h"
 #include "setups/setup_system.h"
@@ -11,21 +14,24 @@
 namespace tank_datum {
 namespace {
 
-/// Whether more of the shell is seen than one setup sees: from outside it is never half of it.
+/// Whether what is seen of the shell reaches farther round it than one setup sees: from outside never half of it.
 bool isSeenBySeveral(const Ring& ring, const Tank& tank) {
   constexpr double kFrom = 0.3, kNear = 0.2;  // of the reach: above the foot, and off the circle
-  constexpr std::size_t kFewestPoints = 5;    // of an arc
+  constexpr double kFewestPoints = 5.0;       // of an arc
+  constexpr double kStrays = 0.05;            // of the usual number of points, at most
   if (tank.side != Side::Outside) return false;
-  std::vector<std::size_t> counts(SetupRing::kArcs, 0);
+  std::vector<double> counts(SetupRing::kArcs, 0.0);
   for (const Eigen::Vector3d& p : ring.points) {
     const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
     if (std::abs(arm.norm() - tank.circle.radius) > kNear * ring.reach) continue;
     if (p.z() > tank.foot(portable::atan2(arm.y(), arm.x())) + kFrom * ring.reach) {
-      ++counts[SetupRing::arcOf(p, tank.circle.center)];
+      counts[SetupRing::arcOf(p, tank.circle.center)] += 1.0;
     }
   }
-  const auto seen = std::count_if(counts.begin(), counts.end(), [](std::size_t n) { return n >= kFewestPoints; });
-  return static_cast<std::size_t>(seen) > SetupRing::kMostOfOneSetup;
+  std::vector<double> seen;
+  std::copy_if(counts.begin(), counts.end(), std::back_inserter(seen), [](double n) { return n >= kFewestPoints; });
+  const double least = std::max(kFewestPoints, kStrays * median(std::move(seen)));
+  return SetupRing::spanOf([&](std::size_t arc) { return counts[arc] >= least; }) > SetupRing::kMostOfOneSetup;
 }
 
 }  // namespace

@@ -156,12 +156,7 @@ bool overlap(const Part& a, const Part& b) {
 
 /// Over how many arcs two parts reach together, those between them with them.
 std::size_t spanOf(const Part& a, const Part& b) {
-  std::size_t gap = 0, widest = 0;
-  for (std::size_t i = 0; i < 2 * SetupRing::kArcs; ++i) {
-    gap = a.sees(i) || b.sees(i) ? 0 : gap + 1;
-    widest = std::max(widest, gap);
-  }
-  return SetupRing::kArcs - std::min(widest, SetupRing::kArcs);
+  return SetupRing::spanOf([&](std::size_t arc) { return a.sees(arc) || b.sees(arc); });
 }
 
 std::size_t arcsBetween(std::size_t a, std::size_t b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,17 @@ class SetupRing {
 
   /// The arc that a point about this centre lies in.
   static std::size_t arcOf(const Eigen::Vector3d& point, const Eigen::Vector2d& center);
+
+  /// Over how many arcs those reach that are seen, with those between them.
+  template <typename IsSeen>
+  static std::size_t spanOf(const IsSeen& is_seen) {
+    std::size_t gap = 0, widest = 0;
+    for (std::size_t i = 0; i < 2 * kArcs; ++i) {
+      gap = is_seen(i % kArcs) ? 0 : gap + 1;
+      widest = std::max(widest, gap);
+    }
+    return kArcs - std::min(widest, kArcs);
+  }
 
   /// The entries of the cells first ... first + count - 1.
   const Entry* begin(std::size_t first) const { return entries_.data() + starts_[first]; }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "setups/setup_ring.h"
 #include "stations/stations.h"
 
 namespace tank_datum {
@@ -54,6 +55,43 @@ TEST(MergedSigma, OfScansThatDoNotShowToDisagreeIsWhatIsUsualWhereOneSetupDoesNo
   EXPECT_EQ(sigmaOfShell(185.0), 0.0);  // a shell and its centre are not known to a degree
   EXPECT_NEAR(sigmaOfShell(200.0, 0.2, 0.0, 0.0005), 0.0005, 1e-9);
   EXPECT_EQ(sigmaOfShell(360.0, 0.2, 0.0, 0.0, Side::Inside), 0.0);
+}
+
+TEST(MergedSigma, OfArcsThatNoneSeesTogetherIsWhatIsUsual) {
+  // two arcs of 40 degrees with as many points as that, and how many of them in 2.5 degrees beyond
+  const auto sigmaOfArcs = [](double apart, int beyond) {
+    Ring ring;
+    ring.reach = kReach;
+    const auto add = [&](double from, double to, int count) {
+      for (int i = 0; i < count; ++i) {
+        const double at = toRadians(from + (to - from) * (i + 0.5) / count);
+        ring.points.push_back({kRadius * std::cos(at), kRadius * std::sin(at), 0.2});
+      }
+    };
+    add(0.0, 40.0, 3200);
+    add(apart, apart + 40.0, 3200);
+    add(250.0, 252.5, beyond);
+    return mergedSigma(ring, madeTank(), 0.0, 0.0);
+  };
+  EXPECT_EQ(sigmaOfArcs(100.0, 0), 0.0);
+  EXPECT_NEAR(sigmaOfArcs(160.0, 0), 0.0022, 1e-9);
+  EXPECT_EQ(sigmaOfArcs(100.0, 8), 0.0);  // strays
+  EXPECT_GT(sigmaOfArcs(100.0, 14), 0.0);
+}
+
+TEST(MergedSigma, ArcsOfAFewPointsAreNotSeen) {
+  const auto sigmaOfPoints = [](int of_an_arc) {
+    Ring ring;
+    ring.reach = kReach;
+    const int count = of_an_arc * static_cast<int>(SetupRing::kArcs);
+    for (int i = 0; i < count; ++i) {
+      const double at = kTwoPi * (i + 0.5) / count;
+      ring.points.push_back({kRadius * std::cos(at), kRadius * std::sin(at), 0.2});
+    }
+    return mergedSigma(ring, madeTank(), 0.0, 0.0);
+  };
+  EXPECT_EQ(sigmaOfPoints(4), 0.0);
+  EXPECT_GT(sigmaOfPoints(6), 0.0);
 }
 
 TEST(MergedSigma, TheShellIsLookedForWhereItStands) {
