@@ -119,6 +119,12 @@ struct Slope {
   double below = 0.0;     ///< points in its stead beside the shell, lower, over as many as usual
 };
 
+/// The same but for one of its figures.
+Slope with(double Slope::*figure, double value, Slope slope = {}) {
+  slope.*figure = value;
+  return slope;
+}
+
 /// Whether an arc of it is grazed.
 bool isGrazed(const Slope& seen) {
   constexpr double kLower = -0.03;
@@ -159,11 +165,9 @@ TEST(FindGrazedArcs, FindsADenseSurfaceThatRisesAsBeamsDo) {
 }
 
 TEST(FindGrazedArcs, LeavesASlopeThatChanceExplains) {
-  Slope uneven;
-  uneven.dense = 100.0, uneven.scatter = 0.004;
-  EXPECT_TRUE(isGrazed(uneven));
-  uneven.scatter = 0.008;
-  EXPECT_FALSE(isGrazed(uneven));
+  const Slope few = with(&Slope::dense, 100.0);
+  EXPECT_TRUE(isGrazed(with(&Slope::scatter, 0.004, few)));
+  EXPECT_FALSE(isGrazed(with(&Slope::scatter, 0.008, few)));
 }
 
 TEST(FindGrazedArcs, LeavesARiseOfTwoStrips) {
@@ -174,19 +178,13 @@ TEST(FindGrazedArcs, LeavesARiseOfTwoStrips) {
 TEST(FindGrazedArcs, LeavesASlopeThatDoesNotEnd) { EXPECT_FALSE(isGrazed(Slope{0.06, 0.12, kFar})); }
 
 TEST(FindGrazedArcs, SeesWhereTheSurfaceEndsByMostOfThePoints) {
-  Slope slope;
-  slope.on_line = 0.4;
-  EXPECT_TRUE(isGrazed(slope));
-  slope.on_line = 0.6;
-  EXPECT_FALSE(isGrazed(slope));
+  EXPECT_TRUE(isGrazed(with(&Slope::on_line, 0.4)));
+  EXPECT_FALSE(isGrazed(with(&Slope::on_line, 0.6)));
 }
 
 TEST(FindGrazedArcs, TakesFewPointsBelowForNoEnd) {
-  Slope slope;
-  slope.below = 0.4;
-  EXPECT_TRUE(isGrazed(slope));
-  slope.below = 0.6;
-  EXPECT_FALSE(isGrazed(slope));
+  EXPECT_TRUE(isGrazed(with(&Slope::below, 0.4)));
+  EXPECT_FALSE(isGrazed(with(&Slope::below, 0.6)));
 }
 
 TEST(FindGrazedArcs, CannotTellWhereTheShellShowsFewPoints) { EXPECT_FALSE(isGrazed(Slope{0.06 * 60.0, 7.2 * 10.0})); }

@@ -36,15 +36,20 @@ TEST(MergedSigma, OfScansThatAgreeWellIsDrawnTowardsTheUsualTwoMillimetres) {
   EXPECT_NEAR(sigmaOf(found), drawn, 0.02 * drawn);
 }
 
+/// Adds so many points of a shell, evenly from one azimuth to another [deg].
+void addArc(Ring& ring, double from, double to, int count, double radius = kRadius, double z = 0.2) {
+  ring.reach = kReach;
+  for (int i = 0; i < count; ++i) {
+    const double at = toRadians(from + (to - from) * (i + 0.5) / count);
+    ring.points.push_back({radius * std::cos(at), radius * std::sin(at), z});
+  }
+}
+
 /// A shell seen from outside from x on, over so many degrees, from so high above the foot on and so far off its circle.
 double sigmaOfShell(double degrees, double from = 0.2, double off = 0.0, double given = 0.0,
                     Side side = Side::Outside) {
   Ring ring;
-  ring.reach = kReach;
-  for (double at = 0.25; at < degrees; at += 0.5) {
-    const double radius = kRadius + off, z = from;
-    ring.points.push_back({radius * std::cos(toRadians(at)), radius * std::sin(toRadians(at)), z});
-  }
+  addArc(ring, 0.0, degrees, static_cast<int>(2.0 * degrees), kRadius + off, from);
   Tank tank = madeTank();
   tank.side = side;
   return mergedSigma(ring, tank, 0.0, given);
@@ -61,16 +66,9 @@ TEST(MergedSigma, OfArcsThatNoneSeesTogetherIsWhatIsUsual) {
   // two arcs of 40 degrees with as many points as that, and how many of them in 2.5 degrees beyond
   const auto sigmaOfArcs = [](double apart, int beyond) {
     Ring ring;
-    ring.reach = kReach;
-    const auto add = [&](double from, double to, int count) {
-      for (int i = 0; i < count; ++i) {
-        const double at = toRadians(from + (to - from) * (i + 0.5) / count);
-        ring.points.push_back({kRadius * std::cos(at), kRadius * std::sin(at), 0.2});
-      }
-    };
-    add(0.0, 40.0, 3200);
-    add(apart, apart + 40.0, 3200);
-    add(250.0, 252.5, beyond);
+    addArc(ring, 0.0, 40.0, 3200);
+    addArc(ring, apart, apart + 40.0, 3200);
+    addArc(ring, 250.0, 252.5, beyond);
     return mergedSigma(ring, madeTank(), 0.0, 0.0);
   };
   EXPECT_EQ(sigmaOfArcs(100.0, 0), 0.0);
@@ -82,12 +80,7 @@ TEST(MergedSigma, OfArcsThatNoneSeesTogetherIsWhatIsUsual) {
 TEST(MergedSigma, ArcsOfAFewPointsAreNotSeen) {
   const auto sigmaOfPoints = [](int of_an_arc) {
     Ring ring;
-    ring.reach = kReach;
-    const int count = of_an_arc * static_cast<int>(SetupRing::kArcs);
-    for (int i = 0; i < count; ++i) {
-      const double at = kTwoPi * (i + 0.5) / count;
-      ring.points.push_back({kRadius * std::cos(at), kRadius * std::sin(at), 0.2});
-    }
+    addArc(ring, 0.0, 360.0, of_an_arc * static_cast<int>(SetupRing::kArcs));
     return mergedSigma(ring, madeTank(), 0.0, 0.0);
   };
   EXPECT_EQ(sigmaOfPoints(4), 0.0);
