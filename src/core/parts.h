@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,17 @@ auto rangeOf(std::size_t count, int threads, const ValueAt& valueAt) {
   std::pair range{first, first};
   for (const auto& part : ranges) range = {std::min(range.first, part.first), std::max(range.second, part.second)};
   return range;
+}
+
+/// How many of 0 .. count - 1 pass a test.
+template <typename Test>
+std::size_t countWhere(std::size_t count, int threads, const Test& passes) {
+  const auto counts = ofParts(count, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t of_part = 0;
+    for (std::size_t i = begin; i < end; ++i) of_part += passes(i) ? 1 : 0;
+    return of_part;
+  });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 /// The values of all parts, one after the other.

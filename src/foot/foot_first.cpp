@@ -129,12 +129,14 @@ void addDips(const Foot& foot, const std::vector<const FootCandidate*>& chosen, 
 }
 
 /// The elevation of every station whose place has a stretch that the shell stands on; NaN elsewhere.
-std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank) {
+/// @param left_out  stations that are not looked at; may be empty
+std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank, const std::vector<bool>& left_out) {
   constexpr std::size_t kMostPlaces = 360;
   const std::size_t count = foot.directions.size(), stride = (count + kMostPlaces - 1) / kMostPlaces;
   const std::size_t places = (count + stride - 1) / stride;
   std::vector<std::vector<FootCandidate>> candidates(places);
   forEachIndex(places, 0, [&](std::size_t k) {
+    if (!left_out.empty() && left_out[k * stride]) return;
     candidates[k] = candidatesAt(foot, k * stride, foot.half_step * static_cast<double>(stride), tank);
   });
   const double arc = foot.arc() * static_cast<double>(stride);
@@ -166,10 +168,10 @@ std::vector<bool> closeTo(const Foot& foot, const std::vector<double>& elevation
 
 bool isResolved(const Foot& foot) { return foot.scales.shell_noise <= kResolved * foot.reach; }
 
-FootElevations firstElevations(const Foot& foot, const Tank& tank) {
+FootElevations firstElevations(const Foot& foot, const Tank& tank, const std::vector<bool>& left_out) {
   if (!isResolved(foot)) return nearestToShell(foot);
   FootElevations first;
-  first.known = guessRoundRing(foot, tank);
+  first.known = guessRoundRing(foot, tank, left_out);
   first.seen = closeTo(foot, first.known);
   first.filled = filledUp(runningMedian(first.known, 3));
   for (std::size_t i = 0; i < first.known.size(); ++i) {

@@ -64,10 +64,9 @@ std::vector<bool> findSupport(const Foot& foot, const FootPass& pass) {
 /// Whether a surface falls outwards or rises as no foundation does at its shell, here or all round: a bank, or what
 /// beams leave that graze a crown before it. Rising all round, water would stand against the shell.
 bool isSteep(const FootFit& fit, const FootPriors& priors) {
-  constexpr double kSteepest = 0.15;                 // shoulders fall more steeply, but not at the shell [m/m]
   constexpr double kRises = 0.05;                    // all round [m/m]
   const bool is_known = priors.sigma_seen < kRises;  // of what is not, nothing says that it is a surface
-  return std::abs(fit.slope) > kSteepest + 3.0 * fit.sigma_slope || priors.seen < -kSteepest ||
+  return std::abs(fit.slope) > FootPriors::kSteepestFoot + 3.0 * fit.sigma_slope || priors.falls() ||
          priors.seen > kRises + (is_known ? 3.0 * priors.sigma_seen : 0.0);
 }
 

@@ -53,7 +53,8 @@ bool isResolved(const Foot& foot);
 /// A first elevation of each station, from the stretch that the shell stands on: chosen for the whole ring together, so
 /// that a bank over two thirds of the foot does not pass for it. Sparse stations look a few degrees around.
 /// @param tank  whose coarse foot the points are looked for around
-FootElevations firstElevations(const Foot& foot, const Tank& tank);
+/// @param left_out  stations that are not looked at
+FootElevations firstElevations(const Foot& foot, const Tank& tank, const std::vector<bool>& left_out = {});
 
 /// Stations whose elevation is known, and those within a few degrees of one.
 /// @param elevations  NaN where not known [m]
@@ -104,6 +105,8 @@ struct BlendedLip {
 
 /// What is known of the surface's slope at every station before its own points are looked at.
 struct FootPriors {
+  static constexpr double kSteepestFoot = 0.15;  ///< shoulders fall more steeply, but not at the shell [m/m]
+
   std::vector<double> slope, sigma_slope;  ///< [m/m]
   double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
   bool settled = false;                    ///< a station's own points have no more to say about its slope
@@ -114,6 +117,8 @@ struct FootPriors {
   std::vector<double> steepness;           ///< how rays slant to a narrow one, at every station; 0: not known
 
   FootPrior at(std::size_t station) const;
+  /// Whether the surface falls from the shell, all round, as no foundation does.
+  bool falls() const { return seen < -kSteepestFoot; }
   /// Tangent of the rays' angle to the surface; without limit, as if they were plumb, where it is not known.
   double steepnessAt(std::size_t station) const;
 };

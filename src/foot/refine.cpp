@@ -13,6 +13,7 @@
 #include "foot/foot_check.h"
 #include "foot/foot_doubts.h"
 #include "foot/foot_fit.h"
+#include "foot/foot_passes.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
@@ -75,70 +76,6 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
     foot.points[i] = foot.ring.around(direction, foot.half_step, tank.foot(direction), reach);
   });
   return foot;
-}
-
-/// Section, slopes and a fit of every station, from the elevations known so far.
-/// @param before  the pass before, whose sections are kept where these show another surface
-FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
-  FootPass pass;
-  pass.stood = stoodBefore(elevations, before.outliers);
-  const std::vector<double> fitted = before.priors.settled ? elevationsOf(before.fits) : std::vector<double>{};
-  pass.sections = stackKnown(foot, elevations.known, fitted);
-  if (isResolved(foot)) pass.sections = heldTo(before.sections, std::move(pass.sections), foot.reach);
-  pass.priors = learnPriors(foot, elevations, pass.sections);
-  pass.fits.resize(foot.directions.size());
-  forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
-    if (elevations.seen[i]) {
-      pass.fits[i] = fitStation(foot, i, elevations.filled[i], pass.sections.at(i), pass.priors);
-    }
-  });
-  return pass;
-}
-
-/// What a pass leaves to the next one.
-FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& seen) {
-  const std::vector<double> elevations = elevationsOf(pass.fits);
-  return {withoutOutliers(elevations, pass.outliers, pass.priors.settled), filledUp(elevations), seen};
-}
-
-/// The elevations of stations whose shell is not seen are not stacked.
-FootElevations whereShellIsSeen(FootElevations elevations, const Foot& foot) {
-  for (std::size_t i = 0; i < foot.shell_seen.size(); ++i) {
-    if (!foot.shell_seen[i]) elevations.known[i] = kUnknown;
-  }
-  return elevations;
-}
-
-/// Leaves out stations under whose wall the foundation is seen to go on, where these are few: that wall is no shell.
-FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<double>& levels) {
-  const UnderShell under = findUnderShell(foot, pass.fits, levels);
-  if (!under.isOfFew()) {
-    pass.under_shell = under.share;
-    return pass;
-  }
-  pass.under_shell = 0.0;
-  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
-    if (under.seen[i]) pass.outliers.reasons[i] = Unmeasured::OffCircle;
-  }
-  pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
-  return pass;
-}
-
-/// A few passes, each with the elevations of the one before; outliers of the last have no fit.
-/// @param elevations  to begin with; those after the last pass
-FootPass runPasses(const Foot& foot, FootElevations& elevations) {
-  constexpr int kPasses = 3;  // the section sharpens as the elevations do; the third moves a few stations by 0.1 mm
-  FootPass pass;
-  elevations = alignedElevations(foot, std::move(elevations));
-  for (int i = 0; i < kPasses; ++i) {
-    pass = runPass(foot, elevations, pass);
-    if (pass.sections.whole.unseen > 0.0) return pass;
-    pass.outliers = findOutliers(foot, pass);
-    elevations = elevationsAfter(pass, elevations.seen);
-  }
-  if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
-  pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
-  return isResolved(foot) ? withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled)) : pass;
 }
 
 /// What the report shows of each station; an outlier's points are shown without the line that was refused.
@@ -214,8 +151,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const ShellFits shell = fitShellLines(directionsOf(fitted), polar, tank, ring.reach);
   if (!(shell.noise() > 0.0)) return found;  // no shell line anywhere
   const Foot foot = lookAtFoot(polar, shell, tank, options, fitted);
-  FootElevations elevations = whereShellIsSeen(firstElevations(foot, tank), foot);
-  const FootPass pass = runPasses(foot, elevations);
+  FootElevations elevations;
+  const FootPass pass = runPasses(foot, tank, elevations);
   found.refined.profile = pass.sections.whole;
   if (found.refined.profile.unseen > 0.0) return found;
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};

@@ -62,18 +62,42 @@ struct KnownSlopes {
   }
 };
 
-/// How far the windows lie off the ring's slope, as a process that follows them says. Of what beams may feign windows
-/// have half alike, and half each its own.
-std::vector<SeriesValue> offRing(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
-                                 double common, double ring) {
-  std::vector<NoisyValue> off;
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const double away = seen[k].value - ring, error = square(seen[k].sigma);
-    const double half = 0.5 * std::max(0.0, square(series[k].sigma) - error);
-    const double strange = std::abs(away) > kSteepestLip ? square(away) : 0.0;  // farther off than any lip
-    off.push_back({away, std::sqrt(error - square(common) + half + strange), std::sqrt(half)});
+/// What windows err by and what beams may feign in each: of the latter windows have half alike, and half each its own.
+struct WindowErrors {
+  std::vector<double> own, feigned;  ///< variances
+
+  WindowErrors(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series, double common) {
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      own.push_back(square(seen[k].sigma) - square(common));
+      feigned.push_back(std::max(0.0, square(series[k].sigma) - square(seen[k].sigma)));
+    }
   }
-  const std::vector<ProcessValue> followed = followCircle(off, common, kRoundRing);
+};
+
+/// How far the windows lie off the ring's slope, as a process that follows them says. Beams only draw a slope down:
+/// where it follows windows to well below what they show, they feign nothing there.
+/// @param rises  whether what lies beyond the lips lies higher: beams draw slopes up there
+std::vector<SeriesValue> offRing(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
+                                 double common, double ring, bool rises) {
+  constexpr double kChance = 2.0;  // standard errors of a window
+  WindowErrors errors(seen, series, common);
+  std::vector<ProcessValue> followed;
+  for (bool changed = true; changed;) {
+    std::vector<NoisyValue> off;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const double away = seen[k].value - ring, half = 0.5 * errors.feigned[k];
+      const double strange = std::abs(away) > kSteepestLip ? square(away) : 0.0;  // farther off than any lip
+      off.push_back({away, std::sqrt(errors.own[k] + half + strange), std::sqrt(half)});
+    }
+    followed = followCircle(off, common, kRoundRing);
+    changed = false;
+    for (std::size_t k = 0; k < seen.size() && !rises; ++k) {
+      const bool above = off[k].value - followed[k].value > kChance * seen[k].sigma;
+      if (!above || errors.feigned[k] == 0.0) continue;
+      errors.feigned[k] = 0.0;
+      changed = true;
+    }
+  }
   std::vector<SeriesValue> windows = seen;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     if (std::isfinite(seen[k].value)) windows[k] = {followed[k].value, followed[k].sigma, 1.0};
@@ -111,7 +135,7 @@ RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<
     const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);
     slopes.ring = ringSlope(median(best.values), mean, expected);
     slopes.ring.sigma_seen = mean;
-    slopes.windows = offRing(seen, series, common, slopes.ring.seen);
+    slopes.windows = offRing(seen, series, common, slopes.ring.seen, expected.more > 0.0);
   }
   for (SeriesValue& v : slopes.windows) v.value += slopes.ring.slope;
   return slopes;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/parallel.h"
+#include "core/parts.h"
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "locate/circle_search.h"
@@ -19,9 +20,10 @@ namespace tank_datum {
 namespace {
 
 /// Of all rows, the not finite ones too.
-double shareNearFoot(const Scan& scan, const Points& looked_at, const Tank& tank) {
+double shareNearFoot(const Scan& scan, const Points& looked_at, const Tank& tank, int threads) {
   const RingShape shape(tank, Tank::kNear);
-  const auto near = std::count_if(looked_at.begin(), looked_at.end(), [&](const auto& p) { return shape.holds(p); });
+  const std::size_t near =
+      countWhere(looked_at.size(), threads, [&](std::size_t i) { return shape.holds(looked_at[i]); });
   return static_cast<double>(near) * static_cast<double>(strideOf(scan.size())) / static_cast<double>(scan.size());
 }
 
@@ -128,7 +130,7 @@ std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, in
     *rejected = std::move(found.rejected);
     std::stable_sort(rejected->begin(), rejected->end(), longer);
   }
-  for (Tank& tank : tanks) tank.near_foot = tank.foot.valid() ? shareNearFoot(scan, looked_at, tank) : 0.0;
+  for (Tank& tank : tanks) tank.near_foot = tank.foot.valid() ? shareNearFoot(scan, looked_at, tank, threads) : 0.0;
   return tanks;
 }
 
@@ -139,7 +141,7 @@ std::optional<Tank> describeTank(const Scan& scan, const Circle& circle, const L
   if (!tank.foot.valid() && holdStrays(samples))
     tank = describeKnown(samplesOfAll(looked_at, options, threads), circle);
   if (!tank.foot.valid()) return std::nullopt;
-  tank.near_foot = shareNearFoot(scan, looked_at, tank);
+  tank.near_foot = shareNearFoot(scan, looked_at, tank, threads);
   return tank;
 }
 

@@ -109,6 +109,8 @@ void markAlone(const SortedPoints& sorted, std::size_t begin, std::size_t end, s
 
 void dropNoReturns(Points& points, const Eigen::Vector3d& zero) {
   const auto drop = [&points](const auto& is_out) {
+    // most scans hold none, and all threads see that
+    if (countWhere(points.size(), 0, [&](std::size_t i) { return is_out(points[i]); }) == 0) return;
     points.erase(std::remove_if(points.begin(), points.end(), is_out), points.end());
   };
   drop([&zero](const Eigen::Vector3d& p) { return p == zero; });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/portable_math.h"
+#include "core/ring_runs.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circle.h"
@@ -14,7 +15,8 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kShortOfRingwall = 0.075;  // half of the way to the face of the narrowest ringwall [m]
+constexpr double kFoundationArc = 30.0 * kDegree;  // in one piece: a foot that is hidden elsewhere is one
+constexpr double kShortOfRingwall = 0.075;         // half of the way to the face of the narrowest ringwall [m]
 
 /// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
 /// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
@@ -120,6 +122,16 @@ std::vector<WallView> aboveSteps(std::vector<WallView> views) {
   return views;
 }
 
+/// The longest arc in which a foundation is seen beside the shell [rad].
+double longestFoundation(const std::vector<WallView>& views, Side side) {
+  std::vector<char> seen;
+  for (const WallView& view : views)
+    seen.push_back(view.stands && (side == Side::Inside ? view.inside : view.outside) ? 1 : 0);
+  std::size_t longest = 0;
+  for (const RingRun& run : runsRound(seen)) longest = std::max(longest, run.last - run.first + 1);
+  return kTwoPi * static_cast<double>(longest) / static_cast<double>(views.size());
+}
+
 /// What the views say of a tank, its foot and circle apart.
 void look(Tank& tank, const std::vector<WallView>& views, double least) {
   std::vector<double> heights;
@@ -133,7 +145,8 @@ void look(Tank& tank, const std::vector<WallView>& views, double least) {
   tank.coverage = kTwoPi * seen / static_cast<double>(views.size());
   tank.height = median(heights);
   tank.side = inside > outside ? Side::Inside : Side::Outside;
-  tank.has_foundation = static_cast<double>(std::max(inside, outside)) >= least * seen;
+  const auto count = static_cast<double>(tank.side == Side::Inside ? inside : outside);
+  tank.has_foundation = count >= least * seen || longestFoundation(views, tank.side) >= kFoundationArc * least / kLeastFoundation;
 }
 
 /// See Tank::low_wall.

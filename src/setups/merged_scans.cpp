@@ -39,9 +39,9 @@ bool isSeenBySeveral(const Ring& ring, const Tank& tank) {
 double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given) {
   constexpr double kUsual = 0.0022;   // a setup's height known to 2 mm and its tilt to 10 arc-seconds, 20 m away [m]
   constexpr double kDifferences = 5;  // that six scans round a tank tell
-  const double usual = given > 0.0 ? given : kUsual;
-  if (discrepancy > 0.0) return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, usual);
-  return isSeenBySeveral(ring, tank) ? usual : 0.0;
+  if (discrepancy > 0.0) return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, given > 0.0 ? given : kUsual);
+  if (!isSeenBySeveral(ring, tank)) return 0.0;
+  return given > 0.0 ? given : assumedSigma(kUsual);
 }
 
 void judgeMerged(SetupAgreement& agreement, const Ring& ring, const Tank& tank, const std::vector<Station>& stations,

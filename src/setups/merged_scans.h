@@ -14,7 +14,8 @@ namespace tank_datum {
 /// several where they are seen to disagree, and where more of a shell is seen from outside than one setup sees.
 /// @param discrepancy  what two of them are seen to disagree by [m], each pair of neighbours telling of one difference;
 ///                     0 where nothing shows, which tells nothing: less than their noise is not seen
-/// @param given        SetupOptions::error [m]; 0 for what is usual, 2 mm and 10 arc-seconds over 20 m
+/// @param given        SetupOptions::error [m]; 0 for what is usual, 2 mm and 10 arc-seconds over 20 m, and
+///                     as uncertain as that is
 double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given);
 
 /// What scans merged without labels disagree by, where the stations' foundation shows it too, and what follows of it.

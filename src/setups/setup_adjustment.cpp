@@ -28,15 +28,18 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
   const bool places = first.determined[2] - 2.0 * free_count >= kEnough;
   result.height_estimated = heights && !held[0];
   result.plan_estimated = places && !held[2];
+  const std::array<bool, kParameterKinds> given = held;
   held = {held[0] || !heights, held[1] || !heights, held[2] || !places};
   KindSigmas sigmas = estimateSigmas(system, usual, held, freed);
   const SetupSolution solution = solveSetups(system, priorSigmas(sigmas, freed));
   const KindSigmas others = {held[1] ? 0.0 : sigmas[1] / usual[1], held[0] ? 0.0 : sigmas[0] / usual[0], 0.0};
   for (const std::size_t k : {2U, 1U, 0U}) {
     // nothing makes a registration better in height than it is seen to be in plan
-    const double about = k == 0 && options.error <= 0.0 ? std::max(usual[0], sigmas[2]) : usual[k];
+    const double places_err = k == 0 && result.plan_estimated ? sigmas[2] : 0.0;
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
-    sigmas[k] = held[k] ? about : temperedSigma(sigmas[k], known, about, others[k]);
+    sigmas[k] = given[k]  ? usual[k]
+                : held[k] ? std::max(assumedSigma(usual[k]), places_err)
+                          : temperedSigma(sigmas[k], known, std::max(usual[k], places_err), others[k]);
   }
   return sigmas;
 }

@@ -34,10 +34,10 @@ struct SetupAdjustment {
 ///
 /// The priors' sigmas are those of the options, or variance components: restricted maximum likelihood by the fixed
 /// point of Harville 1977 (sigma^2 = x'x / effective number), with a weak log-normal prior about 2 mm, 10 arc-seconds
-/// and 2 mm, or for heights about what places are seen to err by, where that is more; these figures are taken as they
-/// are where no more than three of the parameters are determined. Offsets of an arc have an error of their own on top
-/// of that of their points, from the residuals (median of the squares). Bad setups are named, and adjusted without
-/// priors where few others leave no doubt (badSetups()).
+/// and 2 mm, or for heights about what places are seen to err by, where that is more. Where no more than three of the
+/// parameters are determined these figures are taken, wider by what they are uncertain themselves (assumedSigma()).
+/// Offsets of an arc have an error of their own on top of that of their points, from the residuals (median of the
+/// squares). Bad setups are named, and adjusted without priors where few others leave no doubt (badSetups()).
 SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setups, const SetupOptions& options);
 
 }  // namespace tank_datum

@@ -62,8 +62,13 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
   return sigmas;
 }
 
+namespace {
+constexpr double kUsualWorth = 3.0;  // parameters
+}
+
+double assumedSigma(double usual) { return usual * std::sqrt(1.0 + 2.0 / kUsualWorth); }
+
 double temperedSigma(double sigma, double known, double usual, double others) {
-  constexpr double kUsualWorth = 3.0;  // parameters
   constexpr double kFarBetter = 0.25;  // of the usual sigma
   const double ratio = std::max(sigma / (kFarBetter * usual), others);
   const double worth = sigma < usual ? kUsualWorth * ratio * ratio / (1.0 + ratio * ratio) : 0.0;

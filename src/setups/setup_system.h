@@ -41,6 +41,10 @@ Eigen::VectorXd priorSigmas(const KindSigmas& kinds, const std::vector<bool>& fr
 KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
                           const std::array<bool, kParameterKinds>& held, const std::vector<bool>& freed);
 
+/// The usual sigma where nothing else is known: wider by what one that is worth three parameters is uncertain itself
+/// (Student).
+double assumedSigma(double usual);
+
 /// A sigma estimated from few parameters. One below the usual sigma is drawn up towards it on the logarithm's scale, as
 /// if that came from three parameters; but not where the setups agree far better than usual, as scans that one
 /// adjustment has fitted to each other do. Wider by what a variance from few parameters is uncertain itself (Student).

@@ -46,5 +46,13 @@ TEST(RangeOf, OfOneValueIsIt) {
   EXPECT_EQ(range.second, 4.5);
 }
 
+TEST(CountWhere, IsOfAllThatPass) {
+  const auto is_third = [](std::size_t i) { return i % 3 == 0; };
+  for (const int threads : {1, 2}) {
+    EXPECT_EQ(countWhere(1000, threads, is_third), 334U);
+    EXPECT_EQ(countWhere(0, threads, is_third), 0U);
+  }
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -13,7 +13,6 @@ namespace {
 using namespace made_feet;
 
 constexpr int kFirst = 40, kLast = 60;
-
 bool isInArc(int station) { return station >= kFirst && station <= kLast; }
 
 /// A lip with a ringwall 15 mm lower, and an arc of stations that rise above the others.
@@ -25,6 +24,7 @@ struct Banked {
   int every = 1;        ///< stations to one whose ringwall is seen, the arc's apart
   int missing = 0;      ///< stations that do not stand on either side of the arc
   double lip = 0.0;     ///< where the surface ends; 3 mm more are seen of it; 0: nothing [m]
+  double soil = 0.0;    ///< where what lies in the arc ends, before which nothing is lower [m]
 };
 
 /// The section of a lip of so much, whose edge is blurred by as much as a fifth of a bin.
@@ -46,8 +46,8 @@ std::vector<bool> banksOf(const Banked& given) {
     const double level = in ? given.rise : 0.0;
     levels.push_back(in || !beside ? level : kUnknown);
     const double off = kQuartile * given.spread * (s / 7 % 3 - 1);
-    const double ringwall = level - 0.015 - (in ? given.depth : off);
-    if (in || s % given.every == 0) made.addStation(s, 120, given.from, given.to, [&](double) { return ringwall; });
+    const auto ringwall = [&](double d) { return level - 0.015 - (!in ? off : d < given.soil ? 0.0 : given.depth); };
+    if (in || s % given.every == 0) made.addStation(s, 120, given.from, given.to, ringwall);
     if (given.lip > 0.0) made.addStation(s, 120, 0.0205, given.lip + 0.003, [&](double) { return level; });
   }
   return findBanks(made.foot(), lipOf(given.lip), levels, kAll);
@@ -61,8 +61,8 @@ TEST(FindBanks, WhatRisesAboveItsNeighboursAsTheFoundationSinksBelowItIsABank) {
 }
 
 /// Whether an arc is a bank that falls from 22 mm at its first station to nothing behind its last one, where a station
-/// that stands 22 mm high before it shows its ringwall or does not.
-bool isFallingBank(bool shows) {
+/// that stands 22 mm high before it shows its ringwall so far [m].
+bool isFallingBank(double shown) {
   constexpr int kBefore = kFirst - 8;
   MadeFoot made;
   std::vector<double> levels;
@@ -72,14 +72,63 @@ bool isFallingBank(bool shows) {
     const double level = !high ? 0.0 : isInArc(s) ? 0.022 * (1.0 - along) : 0.022;
     levels.push_back(stands ? level : kUnknown);
     const double ringwall = isInArc(s) ? -0.015 : level - 0.015;
-    if (stands && (s != kBefore || shows)) made.addStation(s, 120, 0.0605, 0.2995, [&](double) { return ringwall; });
+    const double to = s == kBefore ? shown : 0.2995;
+    if (stands && to > 0.0605) made.addStation(s, 120, 0.0605, to, [&](double) { return ringwall; });
   }
   return findBanks(made.foot(), lipOf(0.0), levels, kAll)[kFirst + 2];
 }
 
 TEST(FindBanks, AStationThatMayStandOnTheSameBankIsNoMeasureOfItsRise) {
-  EXPECT_TRUE(isFallingBank(false));
-  EXPECT_FALSE(isFallingBank(true));
+  EXPECT_TRUE(isFallingBank(0.0));
+  EXPECT_TRUE(isFallingBank(0.1995));  // where soil may go on to
+  EXPECT_FALSE(isFallingBank(0.2995));
+}
+
+TEST(FindBanks, WhatLiesOnAFoundationIsToldByWhatIsSeenBeyond) {
+  Banked given{0.020, 0.006};
+  given.soil = 0.2405;  // three of twelve bins are lower
+  EXPECT_TRUE(isBank(given));
+  given.soil = 0.2805;  // one
+  EXPECT_FALSE(isBank(given));
+}
+
+/// Whether soil over an arc is a bank, beyond which a station shows so few points; others, from three stations on, show
+/// all of the ringwall.
+bool isSparseBank(int points) {
+  constexpr double kFrom = 0.1, kSoil = 0.24, kTo = 0.4995;
+  MadeFoot made;
+  std::vector<double> levels;
+  for (int s = 0; s < 360; ++s) {
+    const bool in = isInArc(s), beside = isInArc(s - 3) || isInArc(s + 3);
+    levels.push_back(in ? 0.020 : beside ? kUnknown : 0.0);
+    made.addStation(s, 120, kFrom, in ? kSoil : kTo, [&](double) { return in ? 0.005 : -0.015; });
+    for (int i = 0; in && i < points; ++i)
+      made.add(s * made.step(), kSoil + (kTo - kSoil) * std::fmod(0.618034 * (points * s + i), 1.0), -0.005);
+  }
+  return findBanks(made.foot(), lipOf(0.0), levels, kAll)[(kFirst + kLast) / 2];
+}
+
+TEST(FindBanks, AStationThatShowsFewBinsIsLookedAtInWiderOnes) {
+  EXPECT_TRUE(isSparseBank(2));  // the soil fills a third of 25 bins, and beyond are one or two points in each
+  EXPECT_FALSE(isSparseBank(0));
+}
+
+/// Whether an arc is a bank whose ringwall falls by so much, so far from the shell; elsewhere it does at 242 mm.
+bool isBankBeforeEdge(double edge, double fall) {
+  MadeFoot made;
+  std::vector<double> levels;
+  for (int s = 0; s < 360; ++s) {
+    levels.push_back(isInArc(s) ? 0.020 : 0.0);
+    const double end = isInArc(s) ? edge : 0.242, top = levels.back() - 0.015;
+    made.addStation(s, 240, 0.0605, 0.2595, [&](double d) { return d < end ? top : top - fall; });
+  }
+  return findBanks(made.foot(), lipOf(0.0), levels, kAll)[(kFirst + kLast) / 2];
+}
+
+TEST(FindBanks, ABinBeforeAnEdgeDoesNotTell) {
+  EXPECT_FALSE(isBankBeforeEdge(0.222, 0.030));  // it is lower by 30 mm, the next one, as elsewhere, is not
+  EXPECT_FALSE(isBankBeforeEdge(0.202, 0.009));  // with it two of three bins would be lower
+  EXPECT_TRUE(isBankBeforeEdge(0.142, 0.0049));  // a slope of 0.25 is no edge: five of six are
 }
 
 TEST(FindBanks, AnArcOverTheFirstAzimuthIsOneArc) {

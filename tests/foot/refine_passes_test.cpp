@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -35,6 +36,44 @@ TEST(RefineStations, TheSectionIsAsSharpAsItsPointsThoughTheFirstLookSmoothsTheD
   tank.foot.coefficients = Eigen::Vector3d::Zero();
   const RefinedFoot found = refineStations(wavingRing(20'000, 1'400), tank, {}, {});
   EXPECT_NEAR(found.refined.profile.noise, kNoise, 0.2 * kNoise);
+}
+
+/// The stations that are measured of a shell upon a level pad, against which a bank of such a slope lies but for 60
+/// degrees.
+std::vector<StationDatum> measuredBesideBank(double slope) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> any;
+  constexpr double kHigh = 0.12;
+  Ring ring;
+  ring.reach = 0.5;
+  for (int i = 0; i < 400'000; ++i) {
+    const double a = kTwoPi * any(random), d = 0.5 * any(random), beside = std::abs(a - 0.5 * kTwoPi) - 30.0 * kDegree;
+    const double bank = std::min(1.0, beside / (3.0 * kDegree)) * kHigh - slope * d;
+    const double ground = beside > 0.0 ? std::max(0.0, bank) : 0.0;
+    const double rough = ground > 0.0 ? 0.01 : kNoise, height = 0.5 * any(random);
+    if (i % 2 == 0)
+      ring.points.push_back(
+          {(kRadius + d) * std::cos(a), (kRadius + d) * std::sin(a), ground + rough * normal(random)});
+    const double r = kRadius + kNoise * normal(random);
+    if (i % 2 == 1 && height > std::max(0.0, bank + slope * d))
+      ring.points.push_back({r * std::cos(a), r * std::sin(a), height});
+  }
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  std::vector<StationDatum> measured = refineStations(ring, tank, {}, {}).stations;
+  measured.erase(std::remove_if(measured.begin(), measured.end(),
+                                [](const StationDatum& s) { return s.flag != StationFlag::Measured; }),
+                 measured.end());
+  return measured;
+}
+
+TEST(RefineStations, ABankAgainstMostOfAShellDoesNotHideTheFootThatIsSeen) {
+  const std::vector<StationDatum> measured = measuredBesideBank(0.25);
+  EXPECT_GE(measured.size(), 57U);
+  EXPECT_LE(measured.size(), 66U);
+  for (const StationDatum& s : measured) EXPECT_NEAR(s.z, 0.0, 0.001) << s.direction;
 }
 
 }  // namespace

@@ -14,14 +14,15 @@ constexpr double kError = 0.006, kLean = 0.05;
 constexpr ExpectedSlope kLevel{0.0, 0.0, 0.0};
 
 /// Standard error of the slopes of 72 windows, every third seen so steeply that beams feign nothing, which differ from
-/// those of the ring by their errors times so much; of the others, times that.
+/// those of the ring by their errors times so much; the others, times that, lie below.
 double sigmaWhere(double best, double others) {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
   std::vector<SeriesValue> seen, series;
   for (int k = 0; k < 72; ++k) {
     const bool steep = k % 3 == 0;
-    seen.push_back({(steep ? best : others) * kError * normal(random), kError, 1.0});
+    const double off = kError * normal(random);
+    seen.push_back({steep ? best * off : -std::abs(others * off), kError, 1.0});
     series.push_back(seen.back());
     if (!steep) series.back().sigma = std::hypot(kError, kLean);
   }
@@ -38,6 +39,25 @@ TEST(DrawTogether, WhatBeamsFeignMakesNoSlopesDiffer) { EXPECT_LT(sigmaWhere(1.0
 TEST(DrawTogether, SlopesThatDifferLittleMayDifferUnseen) {
   EXPECT_LT(sigmaWhere(0.2, 0.2), 0.2 * kError);
   EXPECT_GT(sigmaWhere(0.2, 0.2), 0.1 * kError);
+}
+
+/// The slope as it is drawn in an arc whose windows show it so far off the ring's, of which beams may feign kLean.
+double inArcOff(double off, double rise_beyond) {
+  std::vector<SeriesValue> seen, series;
+  for (int k = 0; k < 72; ++k) {
+    const bool in = k >= 20 && k < 40;
+    seen.push_back({in ? off : 0.0, kError, 1.0});
+    series.push_back(seen.back());
+    if (in) series.back().sigma = std::hypot(kError, kLean);
+  }
+  return drawTogether(seen, series, 0.0, {0.0, 0.0, 0.0, rise_beyond}).windows[30].value;
+}
+
+TEST(DrawTogether, BeamsFeignNoRise) {
+  EXPECT_GT(inArcOff(2.5 * kError, 0.0), 2.0 * kError);
+  EXPECT_LT(inArcOff(1.5 * kError, 0.0), 0.5 * kError);  // by chance
+  EXPECT_GT(inArcOff(-2.5 * kError, 0.0), -1.0 * kError);
+  EXPECT_LT(inArcOff(2.5 * kError, 0.01), 1.0 * kError);  // but before a crown
 }
 
 /// Slopes of 72 windows, the first of which lies off by so much; of the second as they are drawn.

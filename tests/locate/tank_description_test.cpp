@@ -163,12 +163,16 @@ TEST(Describe, SaysWhereATankStandsAndWhatWasSeen) {
   EXPECT_NEAR(tank.height, 4.0, 0.06);
 }
 
-/// Whether a shell has a foundation of which points lie beside so many degrees of it.
-bool hasFoundation(double degrees, double least) {
+/// Whether a shell has a foundation of which points lie beside so many degrees of it, in so many arcs.
+bool hasFoundation(double degrees, double least, int arcs = 4) {
   Sample sample{{}, 0.1, false};
   addFace(sample.points, 0.0, 0.4, 4.4);
-  for (double a = 0.0; a < degrees * kDegree; a += 0.006)
-    sample.points.emplace_back((kRadius + 0.5) * std::cos(a), (kRadius + 0.5) * std::sin(a), 0.3);
+  for (int arc = 0; arc < arcs; ++arc) {
+    for (double along = 0.0; along < degrees * kDegree / arcs; along += 0.006) {
+      const double a = kTwoPi * arc / arcs + along;
+      sample.points.emplace_back((kRadius + 0.5) * std::cos(a), (kRadius + 0.5) * std::sin(a), 0.3);
+    }
+  }
   return describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002, least).has_foundation;
 }
 
@@ -177,6 +181,13 @@ TEST(Describe, AFoundationIsSeenOverAShareOfTheShell) {
   EXPECT_FALSE(hasFoundation(80.0, 0.25));
   EXPECT_TRUE(hasFoundation(200.0, 0.5));
   EXPECT_FALSE(hasFoundation(160.0, 0.5));
+}
+
+TEST(Describe, AFoundationIsSeenInOneArc) {
+  EXPECT_TRUE(hasFoundation(35.0, 0.25, 1));
+  EXPECT_FALSE(hasFoundation(25.0, 0.25, 1));
+  EXPECT_TRUE(hasFoundation(65.0, 0.5, 1));
+  EXPECT_FALSE(hasFoundation(55.0, 0.5, 1));
 }
 
 /// Feet over an arc of 40 degrees about azimuth 0, risen by `slope` per radian.

@@ -50,6 +50,10 @@ TEST(EstimateSigmas, AFreedSetupSaysNothing) {
   EXPECT_NEAR(found[0], 0.002, 1e-5);
 }
 
+TEST(AssumedSigma, IsTheUsualOneAsUncertainAsThreeParametersLeaveIt) {
+  EXPECT_NEAR(assumedSigma(0.003), 0.003 * std::sqrt(5.0 / 3.0), 1e-15);
+}
+
 TEST(TemperedSigma, OfAQuarterOfTheUsualIsDrawnTowardsItAsIfByOneAndAHalfParameters) {
   const double usual = 0.002;
   // known by as many: half way on the logarithm's scale, and wider by Student's factor for three

@@ -1,0 +1,106 @@
+#include "foot/foot_passes.h"
+
+#include <utility>
+
+#include "core/parallel.h"
+#include "core/statistics.h"
+#include "fit/circular_series.h"
+#include "foot/hidden_strip.h"
+#include "foot/rough_arcs.h"
+#include "foot/shell_below.h"
+#include "tank_datum/core/unknown.h"
+
+namespace tank_datum {
+namespace {
+
+/// Section, slopes and a fit of every station, from the elevations known so far.
+/// @param before  the pass before, whose sections are kept where these show another surface
+FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
+  FootPass pass;
+  pass.stood = stoodBefore(elevations, before.outliers);
+  const std::vector<double> fitted = before.priors.settled ? elevationsOf(before.fits) : std::vector<double>{};
+  pass.sections = stackKnown(foot, elevations.known, fitted);
+  if (isResolved(foot)) pass.sections = heldTo(before.sections, std::move(pass.sections), foot.reach);
+  pass.priors = learnPriors(foot, elevations, pass.sections);
+  pass.fits.resize(foot.directions.size());
+  forEachIndex(pass.fits.size(), 0, [&](std::size_t i) {
+    if (elevations.seen[i]) {
+      pass.fits[i] = fitStation(foot, i, elevations.filled[i], pass.sections.at(i), pass.priors);
+    }
+  });
+  return pass;
+}
+
+/// What a pass leaves to the next one.
+FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& seen) {
+  const std::vector<double> elevations = elevationsOf(pass.fits);
+  return {withoutOutliers(elevations, pass.outliers, pass.priors.settled), filledUp(elevations), seen};
+}
+
+/// The elevations of stations whose shell is not seen are not stacked.
+FootElevations whereShellIsSeen(FootElevations elevations, const Foot& foot) {
+  for (std::size_t i = 0; i < foot.shell_seen.size(); ++i) {
+    if (!foot.shell_seen[i]) elevations.known[i] = kUnknown;
+  }
+  return elevations;
+}
+
+/// Leaves out stations under whose wall the foundation is seen to go on, where these are few: that wall is no shell.
+FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<double>& levels) {
+  const UnderShell under = findUnderShell(foot, pass.fits, levels);
+  if (!under.isOfFew()) {
+    pass.under_shell = under.share;
+    return pass;
+  }
+  pass.under_shell = 0.0;
+  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
+    if (under.seen[i]) pass.outliers.reasons[i] = Unmeasured::OffCircle;
+  }
+  pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
+  return pass;
+}
+
+/// Marks the stations that show the surface of a pass.
+/// @return whether there are more of them
+bool markThoseOn(const FootPass& pass, std::vector<bool>& on) {
+  bool more = false;
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    if (on[i] || !pass.fits[i].valid()) continue;
+    on[i] = more = true;
+  }
+  return more;
+}
+
+/// The first pass, upon a surface that a tank may stand on. Where a bank lies against most of a shell it is the surface
+/// that most stations show; what the others show is looked for then.
+/// @param elevations  that it begins with
+FootPass runFirstPass(const Foot& foot, const Tank& tank, FootElevations& elevations) {
+  std::vector<bool> banks(foot.directions.size(), false);
+  FootPass pass;
+  for (bool bank = true; bank;) {
+    FootElevations next = alignedElevations(foot, whereShellIsSeen(firstElevations(foot, tank, banks), foot));
+    if (!pass.fits.empty() && finiteOf(next.known).empty()) break;
+    elevations = std::move(next);
+    pass = runPass(foot, elevations, {});
+    bank = pass.priors.falls() && markThoseOn(pass, banks);
+  }
+  return pass;
+}
+
+}  // namespace
+
+FootPass runPasses(const Foot& foot, const Tank& tank, FootElevations& elevations) {
+  constexpr int kPasses = 3;  // the section sharpens as the elevations do; the third moves a few stations by 0.1 mm
+  FootPass pass = runFirstPass(foot, tank, elevations);
+  for (int i = 0; i < kPasses; ++i) {
+    if (i > 0) pass = runPass(foot, elevations, pass);
+    if (pass.sections.whole.unseen > 0.0) return pass;
+    pass.outliers = findOutliers(foot, pass);
+    elevations = elevationsAfter(pass, elevations.seen);
+  }
+  if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
+  pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
+  return isResolved(foot) ? withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled)) : pass;
+}
+
+}  // namespace tank_datum
