@@ -5,6 +5,7 @@
 
 #include "core/clauses.h"
 #include "core/parallel.h"
+#include "core/parts.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "datum_status.h"
@@ -27,6 +28,7 @@
 #include "tank_datum/edge/find_edge_points.h"
 #include "tank_datum/search/estimate_normals.h"
 #include "trust/foot_density.h"
+#include "trust/ground_inside.h"
 #include "trust/tank_tests.h"
 #include "trust/tests_of_tank.h"
 
@@ -172,7 +174,8 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   datum.foot_density = footDensity(ring, tank);
   const ShellEvidence evidence = lookAtShell(ring, tank);
   datum.lean = evidence.lean;
-  datum.tests = testsOfShell(tank, evidence);
+  datum.tests = concatenated<std::vector<TankTest>>(
+      {testsOfShell(tank, evidence), testsOfGround(groundInside(ring, tank, evidence))});
   if (worstOf(datum.tests) == TestOutcome::Fail) return judgeTests(std::move(datum), options);
   FootResult foot = measureFoot(ring, onItsFoot(tank, evidence), evidence.lean, options, callbacks);
   tell(callbacks, "deformation");

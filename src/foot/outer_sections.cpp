@@ -62,13 +62,16 @@ UsualSection usualOf(const std::vector<Section>& sections, const std::vector<boo
 }
 
 /// Leaves out bins beside an edge: there rows of a scan show what lies before it at one station and what lies behind
-/// at the next.
+/// at the next. (A shoulder goes on falling.)
 void leaveOutEdges(UsualSection& usual, double bin_width) {
-  constexpr double kSteep = 0.3;  // no foundation slopes so, nor what lies against it [m/m]
+  constexpr double kSteep = 0.3;    // no foundation slopes so, nor what lies against it [m/m]
+  constexpr double kSharper = 2.0;  // than what falls or rises on both sides
   const Section heights = usual.height;
+  const auto rise = [&](std::size_t b) { return b + 1 < heights.size() ? heights[b + 1] - heights[b] : kUnknown; };
   for (std::size_t b = 0; b + 1 < heights.size(); ++b) {
-    const double rise = heights[b + 1] - heights[b];
-    if (std::abs(rise) > kSteep * bin_width) usual.height[rise < 0.0 ? b : b + 1] = kUnknown;
+    const double before = b == 0 ? kUnknown : std::abs(rise(b - 1)), after = std::abs(rise(b + 1));
+    const double beside = std::isfinite(before) && std::isfinite(after) ? std::min(before, after) : 0.0;
+    if (std::abs(rise(b)) > kSteep * bin_width + kSharper * beside) usual.height[rise(b) < 0.0 ? b : b + 1] = kUnknown;
   }
 }
 
@@ -119,14 +122,14 @@ SectionSeen::SectionSeen(const std::vector<RingSections>& all, std::size_t stati
     return 2 * ring.usual.told(ring.own[station]) > ring.usual.told(ring.usual.height);
   };
   const auto shown = std::find_if(all.begin(), all.end(), shows_most);
-  const RingSections& ring = shown == all.end() ? all.back() : *shown;
+  const RingSections& ring = shown == all.end() ? all.front() : *shown;
   section_ = &ring.own[station];
   usual_ = &ring.usual;
 }
 
 Depth SectionSeen::depth(double least) const {
   constexpr double kStands = 3.0;
-  double weights = 0.0, below = 0.0, spread = 0.0;
+  double weights = 0.0, below = 0.0, spread = 0.0, clearest = 0.0;
   std::size_t told = 0;
   Depth depth;
   for (std::size_t b = section_->size(); b-- > 0;) {
@@ -135,9 +138,9 @@ Depth SectionSeen::depth(double least) const {
     const double weight = 1.0 / (usually * usually);
     weights += weight, below += weight * off, spread += weight * usually;
     ++told;
-    const bool stands = told >= kFewestBins && below > std::max(kStands * spread, least * weights);
-    if (stands && below / weights > depth.value)
-      depth = {below / weights, static_cast<double>(b) / static_cast<double>(section_->size())};
+    if (told < kFewestBins || below <= std::max({kStands, clearest}) * spread || below <= least * weights) continue;
+    clearest = below / spread;
+    depth = {below / weights, static_cast<double>(b) / static_cast<double>(section_->size())};
   }
   if (told < kFewestBins) depth.value = kUnknown;
   return depth;

@@ -45,14 +45,15 @@ struct Depth {
   double from = 0.0;   ///< of the reach
 };
 
-/// A station's section among others, in the narrowest bins most of which it shows.
+/// A station's section among others, in the narrowest bins most of which it shows; in the narrowest where it shows most
+/// of none.
 class SectionSeen {
  public:
   /// @param all  the narrowest bins first; outlives this
   SectionSeen(const std::vector<RingSections>& all, std::size_t station);
 
-  /// The largest depth of any part that reaches to the end: what lies on a foundation ends somewhere, and only beyond
-  /// is the foundation seen.
+  /// The depth that stands out most of any part that reaches to the end: what lies on a foundation ends somewhere, and
+  /// only beyond is the foundation seen.
   /// @param least  that counts [m]
   Depth depth(double least) const;
 

@@ -146,7 +146,8 @@ void look(Tank& tank, const std::vector<WallView>& views, double least) {
   tank.height = median(heights);
   tank.side = inside > outside ? Side::Inside : Side::Outside;
   const auto count = static_cast<double>(tank.side == Side::Inside ? inside : outside);
-  tank.has_foundation = count >= least * seen || longestFoundation(views, tank.side) >= kFoundationArc * least / kLeastFoundation;
+  tank.has_foundation =
+      count >= least * seen || longestFoundation(views, tank.side) >= kFoundationArc * least / kLeastFoundation;
 }
 
 /// See Tank::low_wall.

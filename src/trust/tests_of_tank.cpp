@@ -52,6 +52,9 @@ struct Bounds {
 //            below a foot: of 830 simulated tanks that stand on what was measured the share is 0.015 at most. Of 19
 //            whose crown passes for the foot, as wide beams fill the groove behind it, it is 0.025 to 0.16. Strays on
 //            one side of the shell, forty pits of a pad, and setups of which a few points lie lower reach that too.
+// see_through
+//            Azimuths at which ground is seen inside of the circle and no wall, for each at which the wall is: an arc
+//            that a shell's circle does not follow, as of an oval building. A shell is opaque: there are none.
 // raised     How far the stations stand above where the shell is seen elsewhere, over how far that scatters about its
 //            plane: a datum is nowhere above what is seen of its shell.
 // low_wall   Of a wall up to two metres high, share of what is seen behind whose top something lies. Of a shell in a
@@ -62,7 +65,8 @@ constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0},
     kSigma{"sigma", "1", 1.0, HUGE_VAL}, kShellGap{"shell_gap", "1", 0.2, HUGE_VAL},
     kLowWall{"low_wall", "1", 0.1, HUGE_VAL}, kUnderShell{"under_shell", "1", 0.2, HUGE_VAL},
-    kAboveShell{"above_shell", "1", 0.03, HUGE_VAL}, kRaised{"raised", "1", 3.0, HUGE_VAL};
+    kAboveShell{"above_shell", "1", 0.03, HUGE_VAL}, kRaised{"raised", "1", 3.0, HUGE_VAL},
+    kSeeThrough{"see_through", "1", 0.1, 0.25};
 
 constexpr double kThinnestPlate = 0.006;  // [footUnit]
 
@@ -132,6 +136,13 @@ std::vector<TankTest> testsOfRaised(double raised) {
                  "what it is measured on stands above where its shell is seen elsewhere, by %.1f times how far that "
                  "scatters, as soil against it does",
                  raised)};
+}
+
+std::vector<TankTest> testsOfGround(double ground_inside) {
+  if (!std::isfinite(ground_inside)) return {};
+  return {judged(kSeeThrough, ground_inside,
+                 "ground is seen inside its circle where its wall is not, over %.2f times what is seen of it",
+                 ground_inside)};
 }
 
 std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell) {

@@ -15,6 +15,9 @@ namespace tank_datum {
 /// Where each test's numbers come from stands in the table of tests_of_tank.cpp.
 std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell);
 
+/// @param ground_inside  groundInside(); none of what is not known
+std::vector<TankTest> testsOfGround(double ground_inside);
+
 /// The tests of what was measured at the foot.
 std::vector<TankTest> testsOfStations(const std::vector<Station>& stations, const Level& level, const Tilt& tilt,
                                       const ShellEvidence& shell);

@@ -194,6 +194,14 @@ TEST(TestsUnderShell, AFoundationThatGoesOnUnderItsWallIsDoubtfulAndNeverMore) {
   EXPECT_TRUE(testsUnderShell(kUnknown).empty());
 }
 
+TEST(TestsOfGround, GroundInsideTheCircleBesideItsWallIsOfNoTank) {
+  const auto at = [](double share) { return outcomeOf(testsOfGround(share), "see_through"); };
+  EXPECT_EQ(at(0.09), TestOutcome::Pass);
+  EXPECT_EQ(at(0.11), TestOutcome::Doubtful);
+  EXPECT_TRUE(at(0.24) == TestOutcome::Doubtful && at(0.26) == TestOutcome::Fail);
+  EXPECT_TRUE(testsOfGround(kUnknown).empty());
+}
+
 TEST(TestsAboveShell, AShellThatIsSeenBelowItsFootIsDoubtfulAndNeverMore) {
   const auto at = [](double share) { return outcomeOf(testsAboveShell(share), "above_shell"); };
   EXPECT_EQ(at(0.0), TestOutcome::Pass);

@@ -1,0 +1,95 @@
+#include "trust/ground_inside.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kRadius = 10.0, kNoise = 0.01, kNear = 0.12;  // 2.5 times 0.4 % of the radius, and twice the noise [m]
+
+/// A shell seen over 80 degrees with ground all round it, and ground inside of its circle over 60 more.
+struct Seen {
+  double wall_from = 0.10;        ///< height above the ground [m]
+  int outside = 40, inside = 40;  ///< points of the ground in a sector of 5 degrees
+  double from = 0.2, to = 0.4;    ///< how far inside [m]
+  double at = 90.0;               ///< where it begins [deg]
+  double sigma_radius = 0.0;      ///< [m]
+  Side side = Side::Outside;
+};
+
+double shareOf(const Seen& seen) {
+  Tank tank;
+  tank.circle = {{1.0, -2.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d(0.25, 0.0, 0.0);
+  tank.side = seen.side;
+  ShellEvidence shell;
+  shell.circle = tank.circle;
+  shell.noise = kNoise;
+  shell.sigma_radius = seen.sigma_radius;
+  Ring ring;
+  ring.reach = 0.5;
+  const auto add = [&](double from, double to, int of_sector, double off_from, double off_to, double height) {
+    const int count = static_cast<int>(std::lround((to - from) / 5.0)) * of_sector;
+    for (int i = 0; i < count; ++i) {
+      const double share = (i + 0.5) / count, a = (from + (to - from) * share) * kDegree;
+      const double r = kRadius + off_from + (off_to - off_from) * std::fmod(0.618034 * i, 1.0);
+      ring.points.emplace_back(1.0 + r * std::cos(a), -2.0 + r * std::sin(a), 0.25 + height);
+    }
+  };
+  add(0.0, 80.0, 40, -0.005, 0.005, seen.wall_from);
+  add(0.0, 360.0, seen.outside, 0.2, 0.4, 0.0);
+  add(seen.at, seen.at + 60.0, seen.inside, -seen.from, -seen.to, 0.0);
+  return groundInside(ring, tank, shell);
+}
+
+TEST(GroundInside, IsCountedBesideTheWall) {
+  EXPECT_NEAR(shareOf({}), 12.0 / 16.0, 1e-12);
+  Seen behind;
+  behind.at = 10.0;
+  EXPECT_EQ(shareOf(behind), 0.0);
+}
+
+TEST(GroundInside, StraysLieThinnerThanGroundOutside) {
+  Seen seen;
+  seen.inside = 10;
+  EXPECT_EQ(shareOf(seen), 0.0);
+  seen.inside = 14;
+  EXPECT_GT(shareOf(seen), 0.7);
+  seen.outside = seen.inside = 4;
+  EXPECT_EQ(shareOf(seen), 0.0);
+  seen.outside = seen.inside = 6;
+  EXPECT_GT(shareOf(seen), 0.7);
+}
+
+TEST(GroundInside, LiesClearOfTheCircle) {
+  Seen seen;
+  seen.from = 0.05, seen.to = kNear - 0.01;
+  EXPECT_EQ(shareOf(seen), 0.0);
+  seen.from = kNear + 0.01, seen.to = kNear + 0.02;
+  EXPECT_GT(shareOf(seen), 0.7);
+  seen.sigma_radius = 0.005;  // six of which are 30 mm
+  EXPECT_EQ(shareOf(seen), 0.0);
+  seen.from = kNear + 0.04, seen.to = kNear + 0.05;
+  EXPECT_GT(shareOf(seen), 0.7);
+}
+
+TEST(GroundInside, AWallStandsAboveTheGround) {
+  Seen seen;
+  seen.wall_from = 0.08;
+  EXPECT_GT(shareOf(seen), 0.7);
+  seen.wall_from = 0.07;  // a kerb
+  EXPECT_TRUE(std::isnan(shareOf(seen)));
+}
+
+TEST(GroundInside, FromInsideItIsTheTanksOwn) {
+  Seen seen;
+  seen.side = Side::Inside;
+  EXPECT_TRUE(std::isnan(shareOf(seen)));
+}
+
+}  // namespace
+}  // namespace tank_datum
