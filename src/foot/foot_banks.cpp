@@ -103,7 +103,8 @@ std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const 
     }
     std::vector<char> no_measure;  // where it would not be seen, a station may stand on the same bank
     for (std::size_t i = 0; i < count; ++i) no_measure.push_back(lower[i] || !seen[i].shows(deepest.from) ? 1 : 0);
-    if (riseOf(run, levels, no_measure, near) < kShareUp * deepest.value) continue;
+    const double rise = riseOf(run, levels, no_measure, near);
+    if (rise < kShareUp * deepest.value || (std::isinf(rise) && deepest.of_part)) continue;
     for (std::size_t i = run.first; i <= run.last; ++i) banks[i % count] = std::isfinite(levels[i % count]);
   }
   return banks;

@@ -72,19 +72,26 @@ bool markThoseOn(const FootPass& pass, std::vector<bool>& on) {
 }
 
 /// The first pass, upon a surface that a tank may stand on. Where a bank lies against most of a shell it is the surface
-/// that most stations show; what the others show is looked for then.
+/// that most stations show; what the others show is looked for then, and must be no bank's end.
 /// @param elevations  that it begins with
 FootPass runFirstPass(const Foot& foot, const Tank& tank, FootElevations& elevations) {
+  constexpr double kGentle = 0.1;  // a foundation's slope; a bank is as gentle where it ends [m/m]
   std::vector<bool> banks(foot.directions.size(), false);
-  FootPass pass;
-  for (bool bank = true; bank;) {
-    FootElevations next = alignedElevations(foot, whereShellIsSeen(firstElevations(foot, tank, banks), foot));
-    if (!pass.fits.empty() && finiteOf(next.known).empty()) break;
-    elevations = std::move(next);
-    pass = runPass(foot, elevations, {});
-    bank = pass.priors.falls() && markThoseOn(pass, banks);
+  const auto look = [&] { return alignedElevations(foot, whereShellIsSeen(firstElevations(foot, tank, banks), foot)); };
+  elevations = look();
+  FootPass first = runPass(foot, elevations, {});
+  if (!first.priors.falls()) return first;
+  bool more = markThoseOn(first, banks);
+  while (more) {
+    FootElevations others = look();
+    FootPass pass = runPass(foot, others, {});
+    if (pass.priors.seen >= -kGentle && !finiteOf(others.known).empty()) {
+      elevations = std::move(others);
+      return pass;
+    }
+    more = markThoseOn(pass, banks);
   }
-  return pass;
+  return first;
 }
 
 }  // namespace

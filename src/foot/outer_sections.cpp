@@ -5,12 +5,32 @@
 
 #include "core/parallel.h"
 #include "core/statistics.h"
+#include "fit/line_sums.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr std::size_t kFewestBins = 2;  // that tell
+
+/// How far bins of a section lie below the usual one, all together.
+struct Depths {
+  const Section& section;
+  const UsualSection& usual;
+  double weights = 0.0, below = 0.0, spread = 0.0;
+  std::size_t told = 0;
+
+  Depths(const Section& of, const UsualSection& among) : section(of), usual(among) {}
+  void add(std::size_t bin) {
+    if (!usual.tells(section, bin)) return;
+    const double usually = usual.spread[bin], weight = 1.0 / (usually * usually);
+    weights += weight, below += weight * (usual.height[bin] - section[bin]), spread += weight * usually;
+    ++told;
+  }
+  double mean() const { return below / weights; }
+  /// In what sections usually scatter by, which is not less for many bins: they err together.
+  double standOut() const { return below / spread; }
+};
 
 /// The section of a station and its neighbours, each relative to its own elevation.
 Section sectionAround(const Foot& foot, const std::vector<double>& levels, std::size_t station, std::size_t bins) {
@@ -61,18 +81,21 @@ UsualSection usualOf(const std::vector<Section>& sections, const std::vector<boo
   return usual;
 }
 
-/// Leaves out bins beside an edge: there rows of a scan show what lies before it at one station and what lies behind
-/// at the next. (A shoulder goes on falling.)
-void leaveOutEdges(UsualSection& usual, double bin_width) {
-  constexpr double kSteep = 0.3;    // no foundation slopes so, nor what lies against it [m/m]
-  constexpr double kSharper = 2.0;  // than what falls or rises on both sides
-  const Section heights = usual.height;
-  const auto rise = [&](std::size_t b) { return b + 1 < heights.size() ? heights[b + 1] - heights[b] : kUnknown; };
-  for (std::size_t b = 0; b + 1 < heights.size(); ++b) {
-    const double before = b == 0 ? kUnknown : std::abs(rise(b - 1)), after = std::abs(rise(b + 1));
-    const double beside = std::isfinite(before) && std::isfinite(after) ? std::min(before, after) : 0.0;
-    if (std::abs(rise(b)) > kSteep * bin_width + kSharper * beside) usual.height[rise(b) < 0.0 ? b : b + 1] = kUnknown;
+/// Behind the last bin of the foundation beyond the surface: where the usual section leaves the line through those
+/// before. The bin before that may hold the edge, which rows meet at one station and not at the next.
+std::size_t endOfFoundation(const UsualSection& usual, std::size_t first) {
+  constexpr double kOff = 3.0;  // times what sections scatter by
+  LineSums line;
+  std::size_t last = first, end = first;
+  for (std::size_t b = first; b < usual.height.size(); ++b) {
+    if (!std::isfinite(usual.height[b])) continue;
+    const double at = static_cast<double>(b), slope = line.n > 2.0 ? line.slope() : 0.0;
+    const double expected = line.n > 0.0 ? line.height() + slope * (at - line.distance()) : usual.height[b];
+    if (std::abs(usual.height[b] - expected) > kOff * usual.spread[b]) return last;
+    line.add(at, usual.height[b]);
+    last = end, end = b + 1;
   }
+  return end;
 }
 
 /// The first bin that the surface itself does not reach into, nor the blur of a lip's edge.
@@ -91,8 +114,10 @@ RingSections sectionsOf(const Foot& foot, const FootProfile& surface, const std:
   forEachIndex(levels.size(), 0, [&](std::size_t i) {
     if (std::isfinite(levels[i])) ring.own[i] = sectionAround(foot, levels, i, bins);
   });
-  ring.usual = usualOf(ring.own, tells, firstBeyond(foot, surface, bins), bins, kNoise * foot.reach);
-  leaveOutEdges(ring.usual, foot.reach / static_cast<double>(bins));
+  const std::size_t first = firstBeyond(foot, surface, bins);
+  ring.usual = usualOf(ring.own, tells, first, bins, kNoise * foot.reach);
+  const bool on_lip = surface.surface == Surface::AnnularPlate;
+  ring.usual.end = on_lip ? first : endOfFoundation(ring.usual, first);
   return ring;
 }
 
@@ -102,9 +127,9 @@ bool UsualSection::tells(const Section& section, std::size_t bin) const {
   return std::isfinite(height[bin]) && std::isfinite(section[bin]);
 }
 
-std::size_t UsualSection::told(const Section& section, std::size_t from) const {
+std::size_t UsualSection::told(const Section& section, std::size_t from, std::size_t to) const {
   std::size_t bins = 0;
-  for (std::size_t b = from; b < section.size(); ++b) bins += tells(section, b) ? 1 : 0;
+  for (std::size_t b = from; b < std::min(to, section.size()); ++b) bins += tells(section, b) ? 1 : 0;
   return bins;
 }
 
@@ -117,38 +142,40 @@ std::vector<RingSections> sectionsBeyond(const Foot& foot, const FootProfile& su
   return {first, all.end()};
 }
 
-SectionSeen::SectionSeen(const std::vector<RingSections>& all, std::size_t station) {
+SectionSeen::SectionSeen(const std::vector<RingSections>& all, std::size_t station)
+    : narrowest_(&all.front()), shown_(narrowest_), station_(station) {
   const auto shows_most = [station](const RingSections& ring) {
-    return 2 * ring.usual.told(ring.own[station]) > ring.usual.told(ring.usual.height);
+    const UsualSection& usual = ring.usual;
+    return 2 * usual.told(ring.own[station], 0, usual.end) > usual.told(usual.height, 0, usual.end);
   };
   const auto shown = std::find_if(all.begin(), all.end(), shows_most);
-  const RingSections& ring = shown == all.end() ? all.front() : *shown;
-  section_ = &ring.own[station];
-  usual_ = &ring.usual;
+  if (shown != all.end()) shown_ = &*shown;
 }
 
 Depth SectionSeen::depth(double least) const {
   constexpr double kStands = 3.0;
-  double weights = 0.0, below = 0.0, spread = 0.0, clearest = 0.0;
-  std::size_t told = 0;
+  const Section& whole = narrowest_->own[station_];
+  Depths all(whole, narrowest_->usual);
+  for (std::size_t b = 0; b < whole.size(); ++b) all.add(b);
   Depth depth;
-  for (std::size_t b = section_->size(); b-- > 0;) {
-    if (!usual_->tells(*section_, b)) continue;
-    const double off = usual_->height[b] - (*section_)[b], usually = usual_->spread[b];
-    const double weight = 1.0 / (usually * usually);
-    weights += weight, below += weight * off, spread += weight * usually;
-    ++told;
-    if (told < kFewestBins || below <= std::max({kStands, clearest}) * spread || below <= least * weights) continue;
-    clearest = below / spread;
-    depth = {below / weights, static_cast<double>(b) / static_cast<double>(section_->size())};
+  if (all.told < kFewestBins) depth.value = kUnknown;
+  if (all.told >= kFewestBins && all.standOut() > kStands && all.mean() > least) depth.value = all.mean();
+  const Section& own = shown_->own[station_];
+  Depths part(own, shown_->usual);
+  double clearest = std::max(kStands, depth.value > 0.0 ? all.standOut() : 0.0);
+  for (std::size_t b = std::min(own.size(), shown_->usual.end); b-- > 0;) {
+    part.add(b);
+    if (part.told < kFewestBins || part.standOut() <= clearest || part.mean() <= least) continue;
+    clearest = part.standOut();
+    depth = {part.mean(), static_cast<double>(b) / static_cast<double>(own.size()), true};
   }
-  if (told < kFewestBins) depth.value = kUnknown;
   return depth;
 }
 
 bool SectionSeen::shows(double from) const {
-  const auto first = static_cast<std::size_t>(std::floor(from * static_cast<double>(section_->size())));
-  return usual_->told(*section_, first) >= kFewestBins;
+  const UsualSection& usual = shown_->usual;
+  const auto first = static_cast<std::size_t>(std::floor(from * static_cast<double>(usual.height.size())));
+  return usual.told(shown_->own[station_], first, from > 0.0 ? usual.end : usual.height.size()) >= kFewestBins;
 }
 
 }  // namespace tank_datum

@@ -15,13 +15,14 @@ using Section = std::vector<double>;
 struct UsualSection {
   Section height, spread;
   std::size_t seen = 0, shared = 0;  ///< bins that a few sections show at least, and half of them
+  std::size_t end = 0;  ///< of a wide surface: behind its last bin before an edge, or where it bends; upon a lip, none
 
   /// Whether sections show the same bins, mostly.
   bool isWhole() const { return 2 * shared > seen; }
   /// Whether a bin of a section can be compared.
   bool tells(const Section& section, std::size_t bin) const;
-  /// How many can, from one on.
-  std::size_t told(const Section& section, std::size_t from = 0) const;
+  /// How many of some can.
+  std::size_t told(const Section& section, std::size_t from, std::size_t to) const;
 };
 
 /// The sections of all stations in bins of one width, and what is usual among them.
@@ -41,19 +42,19 @@ std::vector<RingSections> sectionsBeyond(const Foot& foot, const FootProfile& su
 
 /// How far a section lies below the usual one from somewhere on.
 struct Depth {
-  double value = 0.0;  ///< 0 where chance explains it; NaN where too little is seen to tell [m]
-  double from = 0.0;   ///< of the reach
+  double value = 0.0;    ///< 0 where chance explains it; NaN where too little is seen to tell [m]
+  double from = 0.0;     ///< of the reach
+  bool of_part = false;  ///< of the foundation's, beyond what lies on it
 };
 
-/// A station's section among others, in the narrowest bins most of which it shows; in the narrowest where it shows most
-/// of none.
+/// A station's section among others.
 class SectionSeen {
  public:
   /// @param all  the narrowest bins first; outlives this
   SectionSeen(const std::vector<RingSections>& all, std::size_t station);
 
-  /// The depth that stands out most of any part that reaches to the end: what lies on a foundation ends somewhere, and
-  /// only beyond is the foundation seen.
+  /// How far all of the section lies below, or the part that stands out most of what ends with the foundation: soil
+  /// ends somewhere, and only beyond is the foundation seen. (What lies beyond its edge need not move with it.)
   /// @param least  that counts [m]
   Depth depth(double least) const;
 
@@ -61,8 +62,8 @@ class SectionSeen {
   bool shows(double from) const;
 
  private:
-  const Section* section_;
-  const UsualSection* usual_;
+  const RingSections *narrowest_, *shown_;  ///< bins; the narrowest most of which it shows, of the foundation
+  std::size_t station_;
 };
 
 }  // namespace tank_datum

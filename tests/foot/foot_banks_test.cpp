@@ -27,10 +27,10 @@ struct Banked {
   double soil = 0.0;    ///< where what lies in the arc ends, before which nothing is lower [m]
 };
 
-/// The section of a lip of so much, whose edge is blurred by as much as a fifth of a bin.
+/// The section of a lip of so much, whose edge is blurred by as much as a fifth of a bin; 0: of a foundation.
 FootProfile lipOf(double edge) {
   FootProfile profile;
-  profile.surface = Surface::AnnularPlate;
+  profile.surface = edge > 0.0 ? Surface::AnnularPlate : Surface::Foundation;
   profile.edge = edge, profile.blur = 0.004;
   return profile;
 }
@@ -111,24 +111,6 @@ bool isSparseBank(int points) {
 TEST(FindBanks, AStationThatShowsFewBinsIsLookedAtInWiderOnes) {
   EXPECT_TRUE(isSparseBank(2));  // the soil fills a third of 25 bins, and beyond are one or two points in each
   EXPECT_FALSE(isSparseBank(0));
-}
-
-/// Whether an arc is a bank whose ringwall falls by so much, so far from the shell; elsewhere it does at 242 mm.
-bool isBankBeforeEdge(double edge, double fall) {
-  MadeFoot made;
-  std::vector<double> levels;
-  for (int s = 0; s < 360; ++s) {
-    levels.push_back(isInArc(s) ? 0.020 : 0.0);
-    const double end = isInArc(s) ? edge : 0.242, top = levels.back() - 0.015;
-    made.addStation(s, 240, 0.0605, 0.2595, [&](double d) { return d < end ? top : top - fall; });
-  }
-  return findBanks(made.foot(), lipOf(0.0), levels, kAll)[(kFirst + kLast) / 2];
-}
-
-TEST(FindBanks, ABinBeforeAnEdgeDoesNotTell) {
-  EXPECT_FALSE(isBankBeforeEdge(0.222, 0.030));  // it is lower by 30 mm, the next one, as elsewhere, is not
-  EXPECT_FALSE(isBankBeforeEdge(0.202, 0.009));  // with it two of three bins would be lower
-  EXPECT_TRUE(isBankBeforeEdge(0.142, 0.0049));  // a slope of 0.25 is no edge: five of six are
 }
 
 TEST(FindBanks, AnArcOverTheFirstAzimuthIsOneArc) {

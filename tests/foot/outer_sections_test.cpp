@@ -12,30 +12,29 @@ namespace {
 
 using namespace made_feet;
 
-/// What is usual in bins of 20 mm where a foundation falls by such a slope and, 0.3 m from the shell, by a step [m].
-UsualSection usualWithStep(double slope, double step) {
+/// Where a foundation ends, in bins of 20 mm, that falls by 0.04 m/m and, 0.3 m from the shell, by a step [m].
+std::size_t endBefore(double step, Surface surface = Surface::Foundation) {
   MadeFoot made;
-  made.addAll(400, 0.1, 0.5, [&](double d) { return -slope * d - (d < 0.3 ? 0.0 : step); });
+  made.addAll(400, 0.1, 0.5, [&](double d) { return -0.04 * d - (d < 0.3 ? 0.0 : step); });
+  FootProfile profile;
+  profile.surface = surface;
   const std::vector<double> levels(360, 0.0);
-  return sectionsBeyond(made.foot(), {}, levels, std::vector<bool>(360, true)).front().usual;
+  return sectionsBeyond(made.foot(), profile, levels, std::vector<bool>(360, true)).front().usual.end;
 }
 
-TEST(SectionsBeyond, TheBinBeforeAnEdgeTellsNothing) {
-  const UsualSection edge = usualWithStep(0.2, 0.014);  // 18 mm where 4 mm are to either side
-  EXPECT_TRUE(std::isnan(edge.height[14]));
-  EXPECT_TRUE(std::isfinite(edge.height[13]) && std::isfinite(edge.height[15]));
-  EXPECT_TRUE(std::isfinite(usualWithStep(0.4, 0.012).height[14]));  // 20 where 8 are
+TEST(SectionsBeyond, AFoundationEndsABinBeforeItsEdge) {
+  EXPECT_EQ(endBefore(0.0), 25U);
+  EXPECT_EQ(endBefore(0.0025), 25U);  // three times the noise is 3 mm
+  EXPECT_EQ(endBefore(0.0040), 14U);
+  EXPECT_EQ(endBefore(-0.0040), 14U);
 }
 
-TEST(SectionsBeyond, TheBinBehindAnEdgeThatRisesTellsNothing) {
-  const UsualSection edge = usualWithStep(0.0, -0.02);
-  EXPECT_TRUE(std::isnan(edge.height[15]));
-  EXPECT_TRUE(std::isfinite(edge.height[14]) && std::isfinite(edge.height[16]));
-}
+TEST(SectionsBeyond, WhatALipLiesOnMayMoveByItself) { EXPECT_EQ(endBefore(0.0, Surface::AnnularPlate), 3U); }
 
 /// A ring whose sections are level, known to 1 mm, in bins of which one station shows some, so much lower.
 RingSections ringOf(std::size_t bins, const std::vector<std::size_t>& shown, double lower) {
-  RingSections ring{std::vector<Section>(1, Section(bins, kUnknown)), {Section(bins, 0.0), Section(bins, 0.001), 0, 0}};
+  RingSections ring{std::vector<Section>(1, Section(bins, kUnknown)),
+                    {Section(bins, 0.0), Section(bins, 0.001), 0, 0, bins}};
   for (const std::size_t b : shown) ring.own[0][b] = -lower;
   return ring;
 }
@@ -45,13 +44,30 @@ TEST(SectionSeen, OfAStationThatShowsFewBinsOfAnyWidthTheNarrowestTell) {
   EXPECT_NEAR(SectionSeen(all, 0).depth(0.004).value, 0.010, 1e-12);
 }
 
-TEST(SectionSeen, TheDepthThatStandsOutMostCounts) {
-  std::vector<RingSections> all = {ringOf(25, {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19}, 0.008)};
-  all[0].own[0][18] = all[0].own[0][19] = -0.080;
-  all[0].usual.spread[18] = all[0].usual.spread[19] = 0.025;
-  const Depth depth = SectionSeen(all, 0).depth(0.004);
-  EXPECT_NEAR(depth.value, 0.008, 0.0005);
-  EXPECT_LT(depth.from, 0.4);
+/// The depth of a station that shows bins 4 to 24, from one on so much lower; the foundation ends before another.
+Depth depthOf(std::size_t from, double lower, std::size_t end, double spread = 0.001) {
+  std::vector<RingSections> all = {ringOf(25, {}, 0.0)};
+  for (std::size_t b = 4; b < 25; ++b) all[0].own[0][b] = b < from ? 0.0 : -lower;
+  all[0].usual.end = end;
+  for (std::size_t b = end; b < 25; ++b) all[0].usual.spread[b] = spread;
+  return SectionSeen(all, 0).depth(0.004);
+}
+
+TEST(SectionSeen, ThePartThatStandsOutMostCounts) {
+  const Depth part = depthOf(20, 0.010, 25);  // of all bins 2.4 mm, less than the least
+  EXPECT_TRUE(part.of_part);
+  EXPECT_NEAR(part.value, 0.010, 1e-12);
+  EXPECT_GE(part.from, 20.0 / 25.0);
+  const Depth all = depthOf(4, 0.010, 25);
+  EXPECT_FALSE(all.of_part);
+  EXPECT_NEAR(all.value, 0.010, 1e-12);
+}
+
+TEST(SectionSeen, WhatLiesBeyondTheFoundationIsNoPartOfIt) { EXPECT_EQ(depthOf(20, 0.010, 20).value, 0.0); }
+
+TEST(SectionSeen, WhatScattersSaysLittle) {
+  EXPECT_NEAR(depthOf(4, 0.008, 20, 0.050).value, 0.008, 0.0001);
+  EXPECT_EQ(depthOf(20, 0.080, 25, 0.001).value, 0.080);
 }
 
 TEST(SectionSeen, ShowsWhatLiesFartherInTwoBins) {

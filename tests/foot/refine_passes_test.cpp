@@ -38,25 +38,25 @@ TEST(RefineStations, TheSectionIsAsSharpAsItsPointsThoughTheFirstLookSmoothsTheD
   EXPECT_NEAR(found.refined.profile.noise, kNoise, 0.2 * kNoise);
 }
 
-/// The stations that are measured of a shell upon a level pad, against which a bank of such a slope lies but for 60
-/// degrees.
-std::vector<StationDatum> measuredBesideBank(double slope) {
+/// The stations that are measured of a shell upon a pad that falls by so much, against which a steeper bank lies but
+/// for 60 degrees.
+std::vector<StationDatum> measuredBesideBank(double pad) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> any;
-  constexpr double kHigh = 0.12;
+  constexpr double kHigh = 0.12, kSlope = 0.25;
   Ring ring;
   ring.reach = 0.5;
   for (int i = 0; i < 400'000; ++i) {
     const double a = kTwoPi * any(random), d = 0.5 * any(random), beside = std::abs(a - 0.5 * kTwoPi) - 30.0 * kDegree;
-    const double bank = std::min(1.0, beside / (3.0 * kDegree)) * kHigh - slope * d;
-    const double ground = beside > 0.0 ? std::max(0.0, bank) : 0.0;
-    const double rough = ground > 0.0 ? 0.01 : kNoise, height = 0.5 * any(random);
+    const double bank = std::min(1.0, beside / (3.0 * kDegree)) * kHigh - kSlope * d;
+    const double ground = beside > 0.0 ? std::max(-pad * d, bank) : -pad * d;
+    const double rough = ground > -pad * d ? 0.01 : kNoise, height = 0.5 * any(random);
     if (i % 2 == 0)
       ring.points.push_back(
           {(kRadius + d) * std::cos(a), (kRadius + d) * std::sin(a), ground + rough * normal(random)});
     const double r = kRadius + kNoise * normal(random);
-    if (i % 2 == 1 && height > std::max(0.0, bank + slope * d))
+    if (i % 2 == 1 && height > std::max(0.0, bank + kSlope * d))
       ring.points.push_back({r * std::cos(a), r * std::sin(a), height});
   }
   Tank tank;
@@ -70,10 +70,15 @@ std::vector<StationDatum> measuredBesideBank(double slope) {
 }
 
 TEST(RefineStations, ABankAgainstMostOfAShellDoesNotHideTheFootThatIsSeen) {
-  const std::vector<StationDatum> measured = measuredBesideBank(0.25);
+  const std::vector<StationDatum> measured = measuredBesideBank(0.0);
   EXPECT_GE(measured.size(), 57U);
   EXPECT_LE(measured.size(), 66U);
   for (const StationDatum& s : measured) EXPECT_NEAR(s.z, 0.0, 0.001) << s.direction;
+}
+
+TEST(RefineStations, WhatABankLeavesMustBeGentlerThanBanksEnd) {
+  EXPECT_GT(measuredBesideBank(0.08).size(), 50U);
+  EXPECT_EQ(measuredBesideBank(0.12).size(), 0U);
 }
 
 }  // namespace
