@@ -78,7 +78,7 @@ TEST(RefineStations, ABankAgainstMostOfAShellDoesNotHideTheFootThatIsSeen) {
 
 TEST(RefineStations, WhatABankLeavesMustBeGentlerThanBanksEnd) {
   EXPECT_GT(measuredBesideBank(0.08).size(), 50U);
-  EXPECT_EQ(measuredBesideBank(0.12).size(), 0U);
+  EXPECT_EQ(measuredBesideBank(0.107).size(), 0U);
 }
 
 }  // namespace
