@@ -60,38 +60,25 @@ FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<doub
   return pass;
 }
 
-/// Marks the stations that show the surface of a pass.
-/// @return whether there are more of them
-bool markThoseOn(const FootPass& pass, std::vector<bool>& on) {
-  bool more = false;
-  for (std::size_t i = 0; i < on.size(); ++i) {
-    if (on[i] || !pass.fits[i].valid()) continue;
-    on[i] = more = true;
-  }
-  return more;
-}
-
 /// The first pass, upon a surface that a tank may stand on. Where a bank lies against most of a shell it is the surface
-/// that most stations show; what the others show is looked for then, and must be no bank's end.
+/// that most stations show; what the others show is looked for then, once, and must be no bank's end.
 /// @param elevations  that it begins with
 FootPass runFirstPass(const Foot& foot, const Tank& tank, FootElevations& elevations) {
   constexpr double kGentle = 0.1;  // a foundation's slope; a bank is as gentle where it ends [m/m]
-  std::vector<bool> banks(foot.directions.size(), false);
-  const auto look = [&] { return alignedElevations(foot, whereShellIsSeen(firstElevations(foot, tank, banks), foot)); };
-  elevations = look();
+  const auto look = [&](const std::vector<bool>& left_out) {
+    return alignedElevations(foot, whereShellIsSeen(firstElevations(foot, tank, left_out), foot));
+  };
+  elevations = look({});
   FootPass first = runPass(foot, elevations, {});
   if (!first.priors.falls()) return first;
-  bool more = markThoseOn(first, banks);
-  while (more) {
-    FootElevations others = look();
-    FootPass pass = runPass(foot, others, {});
-    if (pass.priors.seen >= -kGentle && !finiteOf(others.known).empty()) {
-      elevations = std::move(others);
-      return pass;
-    }
-    more = markThoseOn(pass, banks);
-  }
-  return first;
+  std::vector<bool> bank;
+  for (const FootFit& fit : first.fits) bank.push_back(fit.valid());
+  FootElevations others = look(bank);
+  if (finiteOf(others.known).empty()) return first;
+  FootPass second = runPass(foot, others, {});
+  if (second.priors.seen < -kGentle) return first;
+  elevations = std::move(others);
+  return second;
 }
 
 }  // namespace
