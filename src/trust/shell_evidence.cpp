@@ -186,7 +186,6 @@ double sigmaOfRadius(const std::vector<Middle>& middles, const Circle& circle, d
 }  // namespace
 
 ShellEvidence lookAtShell(const Ring& ring, const Tank& tank) {
-  constexpr std::size_t kFewestSectors = 8;
   ShellEvidence evidence;
   const std::vector<Middle> middles = middlesOf(ring, tank, evidence.spacing);
   evidence.sectors = middles.size();

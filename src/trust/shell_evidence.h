@@ -12,7 +12,7 @@ namespace tank_datum {
 /// What all points of the ring that stand above the foot say of the shell, azimuth by azimuth: no more than spacing,
 /// noise and radius go into it.
 struct ShellEvidence {
-  std::size_t sectors = 0;         ///< in which something stands
+  std::size_t sectors = 0;         ///< in which something stands; the rest is known of kFewestSectors, if a circle fits
   Circle circle;                   ///< through the middle of each [m]
   double spacing = kUnknown;       ///< of the points on the wall [m]
   double noise = kUnknown;         ///< standard deviation of a sector's points about their middle [m]
@@ -26,6 +26,8 @@ struct ShellEvidence {
 
   bool known() const { return circle.valid(); }
 };
+
+constexpr std::size_t kFewestSectors = 8;  ///< that tell of a shell
 
 /// What a tank's shell may be out of round: the standard deviation, of the radius. API 653 lets 13 to 32 mm stand 0.3 m
 /// above the foot of tanks of 6 to 40 m of radius; a real one of 10.67 m has 22 mm.
