@@ -6,21 +6,15 @@
 
 #include "core/parallel.h"
 #include "core/portable_math.h"
-#include "core/statistics.h"
 #include "core/units.h"
-#include "fit/circular_series.h"
 #include "foot/foot_bridges.h"
-#include "foot/foot_check.h"
 #include "foot/foot_doubts.h"
-#include "foot/foot_fit.h"
 #include "foot/foot_passes.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
-#include "foot/hidden_strip.h"
 #include "foot/polar_ring.h"
 #include "foot/raised_foot.h"
-#include "foot/rough_arcs.h"
 #include "foot/shell_below.h"
 #include "foot/shell_circle.h"
 #include "foot/shell_fits.h"
@@ -29,7 +23,6 @@
 #include "stations/highest_wave.h"
 #include "stations/ring_series.h"
 #include "stations/stations.h"
-#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
