@@ -74,12 +74,31 @@ struct WindowErrors {
   }
 };
 
+/// Where windows lie above what follows them, those to either side taken together: by more than chance explains.
+std::vector<bool> liesAbove(const std::vector<NoisyValue>& off, const std::vector<ProcessValue>& followed,
+                            const std::vector<SeriesValue>& seen) {
+  constexpr std::size_t kBeside = 2;
+  constexpr double kChance = 3.0;  // standard errors
+  const std::size_t count = off.size();
+  std::vector<bool> above(count, false);
+  for (std::size_t k = 0; k < count; ++k) {
+    double weights = 0.0, sum = 0.0;
+    for (std::size_t j = k + count - kBeside; j <= k + count + kBeside; ++j) {
+      const std::size_t i = j % count;
+      if (!std::isfinite(off[i].value)) continue;
+      const double weight = 1.0 / square(seen[i].sigma);
+      weights += weight, sum += weight * (off[i].value - followed[i].value);
+    }
+    above[k] = std::isfinite(off[k].value) && off[k].value > followed[k].value && sum > kChance * std::sqrt(weights);
+  }
+  return above;
+}
+
 /// How far the windows lie off the ring's slope, as a process that follows them says. Beams only draw a slope down:
 /// where it follows windows to well below what they show, they feign nothing there.
 /// @param rises  whether what lies beyond the lips lies higher: beams draw slopes up there
 std::vector<SeriesValue> offRing(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series,
                                  double common, double ring, bool rises) {
-  constexpr double kChance = 2.0;  // standard errors of a window
   WindowErrors errors(seen, series, common);
   std::vector<ProcessValue> followed;
   for (bool changed = true; changed;) {
@@ -91,9 +110,9 @@ std::vector<SeriesValue> offRing(const std::vector<SeriesValue>& seen, const std
     }
     followed = followCircle(off, common, kRoundRing);
     changed = false;
-    for (std::size_t k = 0; k < seen.size() && !rises; ++k) {
-      const bool above = off[k].value - followed[k].value > kChance * seen[k].sigma;
-      if (!above || errors.feigned[k] == 0.0) continue;
+    const std::vector<bool> above = rises ? std::vector<bool>(seen.size(), false) : liesAbove(off, followed, seen);
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      if (!above[k] || errors.feigned[k] == 0.0) continue;
       errors.feigned[k] = 0.0;
       changed = true;
     }

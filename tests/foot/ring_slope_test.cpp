@@ -41,23 +41,26 @@ TEST(DrawTogether, SlopesThatDifferLittleMayDifferUnseen) {
   EXPECT_GT(sigmaWhere(0.2, 0.2), 0.1 * kError);
 }
 
-/// The slope as it is drawn in an arc whose windows show it so far off the ring's, of which beams may feign kLean.
-double inArcOff(double off, double rise_beyond) {
+/// The slope as it is drawn among so many windows beside each other that show it so far off the ring's, of which beams
+/// may feign kLean.
+double slopeOff(int windows, double off, double rise_beyond = 0.0) {
   std::vector<SeriesValue> seen, series;
   for (int k = 0; k < 72; ++k) {
-    const bool in = k >= 20 && k < 40;
+    const bool in = std::abs(2 * (k - 30)) < windows;
     seen.push_back({in ? off : 0.0, kError, 1.0});
     series.push_back(seen.back());
-    if (in) series.back().sigma = std::hypot(kError, kLean);
+    if (k >= 20 && k <= 40) series.back().sigma = std::hypot(kError, kLean);
   }
   return drawTogether(seen, series, 0.0, {0.0, 0.0, 0.0, rise_beyond}).windows[30].value;
 }
 
 TEST(DrawTogether, BeamsFeignNoRise) {
-  EXPECT_GT(inArcOff(2.5 * kError, 0.0), 2.0 * kError);
-  EXPECT_LT(inArcOff(1.5 * kError, 0.0), 0.5 * kError);  // by chance
-  EXPECT_GT(inArcOff(-2.5 * kError, 0.0), -1.0 * kError);
-  EXPECT_LT(inArcOff(2.5 * kError, 0.01), 1.0 * kError);  // but before a crown
+  EXPECT_GT(slopeOff(19, 1.6 * kError), 1.0 * kError);  // five windows know it to 0.45 of their errors
+  EXPECT_LT(slopeOff(19, 1.1 * kError), 0.5 * kError);
+  EXPECT_LT(slopeOff(1, 4.0 * kError), 0.5 * kError);  // by chance
+  EXPECT_GT(slopeOff(3, 2.7 * kError), 0.5 * kError);
+  EXPECT_GT(slopeOff(19, -2.5 * kError), -1.0 * kError);
+  EXPECT_LT(slopeOff(19, 2.5 * kError, 0.01), 1.0 * kError);  // but before a crown
 }
 
 /// Slopes of 72 windows, the first of which lies off by so much; of the second as they are drawn.
