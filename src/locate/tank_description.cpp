@@ -122,14 +122,15 @@ std::vector<WallView> aboveSteps(std::vector<WallView> views) {
   return views;
 }
 
-/// The longest arc in which a foundation is seen beside the shell [rad].
+/// The longest arc in which a foundation is seen beside the shell; of a few sectors, none [rad].
 double longestFoundation(const std::vector<WallView>& views, Side side) {
+  constexpr std::size_t kFewest = 4;  // sectors, in which something lies by chance
   std::vector<char> seen;
   for (const WallView& view : views)
     seen.push_back(view.stands && (side == Side::Inside ? view.inside : view.outside) ? 1 : 0);
   std::size_t longest = 0;
   for (const RingRun& run : runsRound(seen)) longest = std::max(longest, run.last - run.first + 1);
-  return kTwoPi * static_cast<double>(longest) / static_cast<double>(views.size());
+  return longest < kFewest ? 0.0 : kTwoPi * static_cast<double>(longest) / static_cast<double>(views.size());
 }
 
 /// What the views say of a tank, its foot and circle apart.

@@ -183,6 +183,23 @@ TEST(Describe, AFoundationIsSeenOverAShareOfTheShell) {
   EXPECT_FALSE(hasFoundation(160.0, 0.5));
 }
 
+/// The same of one arc beside a shell of 1.2 m radius, whose sectors are of 14 degrees.
+bool hasFoundationOfSmall(double degrees) {
+  constexpr double kSmall = 1.2;
+  Sample sample{{}, 0.1, false};
+  for (double a = 0.0; a < kTwoPi; a += 0.02) {
+    for (double z = 0.4; z <= 4.4; z += 0.06) sample.points.emplace_back(kSmall * std::cos(a), kSmall * std::sin(a), z);
+    if (a < degrees * kDegree)
+      sample.points.emplace_back((kSmall + 0.5) * std::cos(a), (kSmall + 0.5) * std::sin(a), 0.3);
+  }
+  return describe(sample.points, sample, {{0.0, 0.0}, kSmall}, 0.002).has_foundation;
+}
+
+TEST(Describe, AFoundationIsSeenInFourSectorsAtLeast) {
+  EXPECT_FALSE(hasFoundationOfSmall(40.0));
+  EXPECT_TRUE(hasFoundationOfSmall(55.0));
+}
+
 TEST(Describe, AFoundationIsSeenInOneArc) {
   EXPECT_TRUE(hasFoundation(35.0, 0.25, 1));
   EXPECT_FALSE(hasFoundation(25.0, 0.25, 1));
