@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/statistics.h"
@@ -136,10 +137,14 @@ std::size_t UsualSection::told(const Section& section, std::size_t from, std::si
 std::vector<RingSections> sectionsBeyond(const Foot& foot, const FootProfile& surface,
                                          const std::vector<double>& levels, const std::vector<bool>& tells) {
   std::vector<RingSections> all;
-  for (const std::size_t bins : {25U, 12U, 6U}) all.push_back(sectionsOf(foot, surface, levels, tells, bins));
-  const auto first = std::find_if(all.begin(), all.end(), [](const auto& ring) { return ring.usual.isWhole(); });
-  if (first == all.end()) return {all.front()};
-  return {first, all.end()};
+  bool whole = false;
+  for (const std::size_t bins : {25U, 12U, 6U}) {
+    RingSections ring = sectionsOf(foot, surface, levels, tells, bins);
+    if (!whole && ring.usual.isWhole()) whole = true, all.clear();
+    if (whole || all.empty()) all.push_back(std::move(ring));
+    if (whole && surface.surface == Surface::AnnularPlate) break;  // upon a lip no part is asked for
+  }
+  return all;
 }
 
 SectionSeen::SectionSeen(const std::vector<RingSections>& all, std::size_t station)
@@ -158,8 +163,11 @@ Depth SectionSeen::depth(double least) const {
   Depths all(whole, narrowest_->usual);
   for (std::size_t b = 0; b < whole.size(); ++b) all.add(b);
   Depth depth;
-  if (all.told < kFewestBins) depth.value = kUnknown;
-  if (all.told >= kFewestBins && all.standOut() > kStands && all.mean() > least) depth.value = all.mean();
+  if (all.told < kFewestBins) {
+    depth.value = kUnknown;
+  } else if (all.standOut() > kStands && all.mean() > least) {
+    depth.value = all.mean();
+  }
   const Section& own = shown_->own[station_];
   Depths part(own, shown_->usual);
   double clearest = std::max(kStands, depth.value > 0.0 ? all.standOut() : 0.0);

@@ -31,7 +31,7 @@ double groundInside(const Ring& ring, const Tank& tank, const ShellEvidence& she
   constexpr double kClear = 0.15;                          // of the reach: the wall is above, the ground below
   constexpr double kChance = 3.0;                          // standard errors
   if (!shell.known() || tank.side == Side::Inside) return kUnknown;
-  const double radius = shell.circle.radius, near = 2.5 * kOutOfRoundness * radius + 2.0 * shell.noise;
+  const double radius = shell.circle.radius, near = shell.near();
   // opposite to the arc that is seen the circle errs by twice what its radius does
   const double clear = near + 2.0 * kChance * shell.sigma_radius;
   std::array<SectorSeen, kSectors> sectors{};

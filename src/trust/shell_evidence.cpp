@@ -200,7 +200,7 @@ ShellEvidence lookAtShell(const Ring& ring, const Tank& tank) {
   std::vector<double> off;
   for (const auto& p : plan) off.push_back(evidence.circle.residual(p));
   evidence.off_round = robustSigma(off, 0.0);
-  const double near = 2.5 * kOutOfRoundness * evidence.circle.radius + 2.0 * evidence.noise;
+  const double near = evidence.near();
   evidence.on_circle =
       static_cast<double>(std::count_if(off.begin(), off.end(), [near](double r) { return std::abs(r) <= near; })) /
       static_cast<double>(off.size());

@@ -9,6 +9,12 @@
 
 namespace tank_datum {
 
+constexpr std::size_t kFewestSectors = 8;  ///< that tell of a shell
+
+/// What a tank's shell may be out of round: the standard deviation, of the radius. API 653 lets 13 to 32 mm stand 0.3 m
+/// above the foot of tanks of 6 to 40 m of radius; a real one of 10.67 m has 22 mm.
+constexpr double kOutOfRoundness = 0.004;
+
 /// What all points of the ring that stand above the foot say of the shell, azimuth by azimuth: no more than spacing,
 /// noise and radius go into it.
 struct ShellEvidence {
@@ -25,13 +31,9 @@ struct ShellEvidence {
   Circle at_foot;  ///< the circle at the foot, from which a shell that leans is away further up [m]
 
   bool known() const { return circle.valid(); }
+  /// How far a wall may be off the circle that noise and out-of-roundness leave on it [m].
+  double near() const { return 2.5 * kOutOfRoundness * circle.radius + 2.0 * noise; }
 };
-
-constexpr std::size_t kFewestSectors = 8;  ///< that tell of a shell
-
-/// What a tank's shell may be out of round: the standard deviation, of the radius. API 653 lets 13 to 32 mm stand 0.3 m
-/// above the foot of tanks of 6 to 40 m of radius; a real one of 10.67 m has 22 mm.
-constexpr double kOutOfRoundness = 0.004;
 
 ShellEvidence lookAtShell(const Ring& ring, const Tank& tank);
 

@@ -13,6 +13,7 @@ namespace {
 using namespace made_feet;
 
 constexpr int kFirst = 40, kLast = 60;
+
 bool isInArc(int station) { return station >= kFirst && station <= kLast; }
 
 /// A lip with a ringwall 15 mm lower, and an arc of stations that rise above the others.
