@@ -93,6 +93,20 @@ TEST(StepBackHeight, WhatLeansByHalfAMetreInAMetreIsARoof) {
   EXPECT_FALSE(stepsBackLeaning(-5.0));
 }
 
+/// Whether a wall steps back of which hits are seen between two heights, upon a face 1 m high.
+bool stepsBackBetween(double from, double to) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.0, 0.15);
+  for (const double z : {from, 0.5 * (from + to), to}) hits.push_back({z, 0.0});
+  return findStepBack(hits, kVoxel, kThickness).found();
+}
+
+TEST(StepBackHeight, OfLessThanHalfOfTheLowestWallNothingTellsARoof) {
+  EXPECT_FALSE(stepsBackBetween(1.25, 1.25));
+  EXPECT_FALSE(stepsBackBetween(1.2, 1.3));
+  EXPECT_TRUE(stepsBackBetween(1.15, 1.35));
+}
+
 /// The height of a step of 1 m upon which the shell is first seen so much higher.
 double stepBelowHidden(double hidden) {
   constexpr double kFine = 0.03;
