@@ -69,6 +69,7 @@ Ring FootFrame::into(Ring ring) const {
     for (Eigen::Vector3d& p : *points) p = in(p);
   }
   ring.reach /= unit_;
+  ring.rounding /= unit_;
   return ring;
 }
 
@@ -102,6 +103,7 @@ void FootFrame::backFrom(FootResult& foot) const {
   foot.curve.rms *= unit_;
   foot.curve.max_residual *= unit_;
   foot.refined.sigma_radius *= unit_;
+  foot.refined.rounding *= unit_;
   foot.refined.shell_from *= unit_;
   scale(foot.refined.profile, unit_);
   for (std::size_t i = 0; i < foot.stations.size(); ++i) {

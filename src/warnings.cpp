@@ -24,6 +24,11 @@ std::vector<std::string> warningsOf(const Datum& datum) {
                   datum.asked_height, seen);
     warnings.emplace_back(text);
   }
+  if (datum.refined.rounding > 0.0) {
+    snprintfPlain(text, sizeof text, "elevations are rounded to %.3g mm; sigma_z holds what that leaves of them unknown",
+                  1e3 * datum.refined.rounding);
+    warnings.emplace_back(text);
+  }
   return warnings;
 }
 

@@ -181,6 +181,13 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   const double error = noise * std::sqrt(alike);
   fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
   fit.sigma_slope = error * std::sqrt(inverse(1, 1));
+  if (prior.rounding.step > 0.0) {
+    const SurfaceRows::Equations sums = rows.equations();
+    const double across = std::sqrt(sums.matrix(1, 1) / sums.weight - square(sums.matrix(0, 1) / sums.weight));
+    fit.rounding = prior.rounding.errorOf(own, std::abs(slope) * across);  // the fit's own slopes may be of steps
+    fit.sigma = std::hypot(fit.sigma, fit.rounding);
+    fit.sigma_slope = std::hypot(fit.sigma_slope, fit.rounding / across);
+  }
   fit.noise = noise;
   fit.own = own;
   fit.middle = meanDistance(rows);

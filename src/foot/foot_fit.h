@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/rounding_step.h"
 #include "core/units.h"
 #include "foot/foot_profile.h"
 #include "foot/polar_ring.h"
@@ -24,6 +25,7 @@ struct FootPrior {
   double sigma_bend = 0;   ///< of the datum's second-order term along the shell [1/m]
   double shared = 0;       ///< variance that the points' errors have in common, the surface's own roughness [m^2]
   double scatter = 0;      ///< of points about the surface where many rows show it: one row of a scan hides it [m]
+  Rounding rounding;       ///< of elevations [m]
 };
 
 /// The foundation surface at one station: z at the shell, with its slope outwards.
@@ -35,6 +37,7 @@ struct FootFit {
   double noise = kUnknown;                          ///< standard deviation of the points about it [m]
   double own = kUnknown;                            ///< the same of these points alone [m]
   double row = kUnknown;                            ///< share by which they are one row of a scan, 0 to 1
+  double rounding = 0;                              ///< standard error that rounding leaves in z, in sigma too [m]
   double half_width = kUnknown;                     ///< half the angle of the window the points come from [rad]
   std::size_t points = 0;                           ///< within the band of the profile
 

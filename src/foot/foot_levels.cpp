@@ -165,14 +165,15 @@ RingProcess withShared(RingProcess process, const OwnFits& own, const std::vecto
   return process;
 }
 
-/// Of each station the standard error that no count of points lessens: by the slope that is settled, and by blends.
+/// Of each station the standard error that no count of points lessens: by the slope that is settled, by blends, and by
+/// rounding.
 std::vector<double> sharedSigmas(const FootPass& pass) {
   const double misfit = misfitOf(pass.sections);
   std::vector<double> shared;
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {
     const FootFit& fit = pass.fits[i];
     const double slope = pass.priors.settled && fit.valid() ? fit.middle * pass.priors.sigma_slope[i] : 0.0;
-    shared.push_back(std::hypot(slope, misfit));
+    shared.push_back(std::hypot(std::hypot(slope, misfit), fit.rounding));
   }
   return shared;
 }

@@ -43,6 +43,7 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   SlopeWindows windows{36, kHalfWindow, kWideSlope, false};
   windows.scatter = priors.scatter = scatterOf(fitSlopes(foot, elevations, sections, windows, priors.sigma_bend).fits);
   const Slopes found = fitSlopes(foot, elevations, sections, windows, priors.sigma_bend);
+  priors.rounding.scatter = priors.scatter;
   std::vector<WeightedValue> seen;
   std::vector<double> all, azimuths, slopes, weights;
   for (const FootFit& fit : found.fits) {
@@ -126,6 +127,7 @@ struct LipSlopes {
   std::vector<double> steepness;  ///< of the rays, 0: not known
   double ring_lean = 0;           ///< of all windows' rays together [m/m]
   double doubt = 0;               ///< the lean that range noise may feign, typical [m/m]
+  double scatter = 0;             ///< of points about the lip [m]
   double common = 0;              ///< in the errors of all windows, as their scatter shows it [m/m]
 };
 
@@ -136,6 +138,7 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
   const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kAnySlope, true}, sigma_bend);
   if (std::none_of(found.fits.begin(), found.fits.end(), [](const FootFit& fit) { return fit.valid(); })) return {};
   LipSlopes lips;
+  lips.scatter = scatterOf(found.fits);
   for (const FootFit& fit : found.fits) {
     lips.series.push_back({kUnknown, kUnknown, 1.0});
     if (!fit.valid()) continue;
@@ -171,6 +174,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   constexpr double kLeastSigma = 0.001;  // what blends and roughness do to the slope of a lip [m/m]
   const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
   if (lips.series.empty()) return;
+  priors.rounding.scatter = lips.scatter;
   const FootProfile& whole = sections.whole;
   const ExpectedSlope expected{whole.slope_beyond, lips.doubt, blendLean(whole, lips.ring_lean), crownRise(whole),
                                whole.sigma_beyond};
@@ -211,6 +215,7 @@ FootPrior FootPriors::at(std::size_t station) const {
   prior.sigma_slope = sigma_slope[station];
   prior.sigma_bend = sigma_bend;
   prior.scatter = scatter;
+  prior.rounding = rounding;
   return prior;
 }
 
@@ -225,6 +230,7 @@ FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const
   priors.slope.assign(foot.directions.size(), sections.whole.slope);
   priors.sigma_slope.assign(foot.directions.size(), narrow ? kLipSlope : kWideSlope);
   priors.sigma_bend = kHighestWave / foot.radius;
+  priors.rounding.step = foot.rounding;
   priors.settled = narrow;
   narrow ? learnNarrow(foot, elevations, sections, priors) : learnWide(foot, elevations, sections, priors);
   return priors;

@@ -24,6 +24,7 @@ struct Foot {
   double reach;                                ///< of the ring [m]
   double half_step;                            ///< half the angle between stations [rad]
   double radius;                               ///< of the shell, roughly [m]
+  double rounding;                             ///< step that elevations were rounded to, or 0 [m]
   std::vector<double> directions;              ///< counter-clockwise at equal steps [rad]
   std::vector<std::vector<FootPoint>> points;  ///< of each station's own stretch
   std::vector<bool> shell_seen;                ///< whether the shell is seen at the station itself
@@ -114,6 +115,7 @@ struct FootPriors {
   double sigma_seen = 0;                   ///< its standard error [m/m]
   BlendedLip blends;                       ///< where it is settled
   double scatter = 0;                      ///< of points about a wide surface [m]
+  Rounding rounding;                       ///< of elevations [m]
   std::vector<double> steepness;           ///< how rays slant to a narrow one, at every station; 0: not known
 
   FootPrior at(std::size_t station) const;

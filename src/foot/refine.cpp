@@ -47,7 +47,7 @@ std::vector<double> directionsOf(const StationOptions& options) {
 
 /// What the passes look at, each station's own points among it.
 Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank, const RefineOptions& options,
-                const StationOptions& station_options) {
+                const StationOptions& station_options, double rounding) {
   const double reach = shell.heights.to;
   const double side = tank.side == Side::Outside ? 1.0 : -1.0;
   const double weld = std::min(options.largest_weld, 0.05 * reach);
@@ -58,6 +58,7 @@ Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank
             reach,
             kPi / station_options.count,
             tank.circle.radius,
+            rounding,
             directionsOf(station_options),
             {},
             {}};
@@ -140,10 +141,11 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const StationOptions fitted = fittedStations(asked);
   RefinedFoot found;
   found.refined.circle = tank.circle;
+  found.refined.rounding = ring.rounding;
   const PolarRing polar(ring.points, tank.circle.center);
   const ShellFits shell = fitShellLines(directionsOf(fitted), polar, tank, ring.reach);
   if (!(shell.noise() > 0.0)) return found;  // no shell line anywhere
-  const Foot foot = lookAtFoot(polar, shell, tank, options, fitted);
+  const Foot foot = lookAtFoot(polar, shell, tank, options, fitted, ring.rounding);
   FootElevations elevations;
   const FootPass pass = runPasses(foot, tank, elevations);
   found.refined.profile = pass.sections.whole;

@@ -96,7 +96,10 @@ std::size_t binsBeforeStep(const std::vector<SectionBin>& given, const StepScale
     if (stepBetween(bins, surface, next, scales) > 0.0) return surface.last;
     surface.last = next.last;
   }
-  return bins.size();
+  // what is last goes nowhere as a blend or a groove does: beyond a step it is what lies there, however little of it
+  const BinRange& last = stretches.back();
+  const bool ends = last.first >= surface.last && stepBetween(bins, surface, last, scales) > 0.0;
+  return ends ? surface.last : std::max(surface.last, last.last);
 }
 
 }  // namespace tank_datum

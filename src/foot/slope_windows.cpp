@@ -20,6 +20,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   prior.sigma_slope = windows.sigma_slope;
   prior.sigma_bend = sigma_bend;
   prior.scatter = windows.scatter;
+  prior.rounding.step = foot.rounding;
   forEachIndex(slopes.fits.size(), 0, [&](std::size_t k) {
     const std::size_t i = k * slopes.stride;
     if (!elevations.seen[i]) return;

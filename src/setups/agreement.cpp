@@ -6,7 +6,9 @@
 
 #include "core/parallel.h"
 #include "core/plain_text.h"
+#include "locate/foot_unit.h"
 #include "setups/parts_by_order.h"
+#include "setups/rounded_points.h"
 #include "setups/setup_adjustment.h"
 #include "setups/setup_ring.h"
 #include "setups/setup_verdicts.h"
@@ -163,6 +165,7 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
                            const SetupOptions& options, int threads) {
   SetupAgreement agreement;
   if (ring.points.empty()) return agreement;
+  spreadRounded(ring, footUnit(tank.circle.radius, tank.resolution));
   agreement.repeated_points = repeated.removed;
   agreement.given = {options.error, options.tilt, options.error};
   agreement.setups = setupsOf(ring, scan, tank.circle.radius, options);

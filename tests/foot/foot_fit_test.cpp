@@ -115,6 +115,28 @@ TEST(FitFoot, PointsAllOverABandTellItsSlope) {
   EXPECT_LT(fit.sigma, 2e-4);
 }
 
+/// The fit of a level surface, 0.3 of a step above one, whose points were rounded and spread over the steps.
+FootFit roundedTo(double step, double noise, double slope = 0.0) {
+  FootPrior prior = priorOf();
+  prior.rounding.step = step;
+  auto points = pointsOn([=](double d, double) { return 2.0 + 0.3 * step + slope * d; }, 2000, noise);
+  std::mt19937_64 random(5);
+  for (FootPoint& p : points) p.z = (std::round(p.z / step) + uniform(random) - 0.5) * step;
+  return fitted(points, prior, slope);
+}
+
+TEST(FitFoot, RoundingLeavesMoreUnknownThanPointsScatterBy) {
+  constexpr double kStep = 0.001;
+  const FootFit level = roundedTo(kStep, 0.0);
+  EXPECT_NEAR(level.z, 2.0, 5e-5) << "off by 0.3 steps";
+  EXPECT_NEAR(level.rounding, kStep / std::sqrt(12.0), 1e-5);
+  EXPECT_GT(level.sigma, level.rounding);
+  EXPECT_GT(level.sigma_slope, level.rounding / 0.1) << "alike for all: half of a band's points";
+  EXPECT_LT(roundedTo(kStep, kStep).rounding, 0.01 * kStep) << "noise parts them";
+  EXPECT_LT(roundedTo(kStep, 0.0, 0.02).rounding, 0.01 * kStep) << "as a slope does that is known";
+  EXPECT_EQ(fitted(pointsOn([](double, double) { return 2.0; }, 200)).rounding, 0.0);
+}
+
 TEST(FitFoot, FewerThanFourPointsAreNotEnough) {
   const std::vector<FootPoint> three = {{0, 0.05, 2.0}, {0.1, 0.15, 2.0}, {0, 0.29, 2.0}, {0, 0.295, 2.0}};
   EXPECT_FALSE(fitted(three).valid());  // the last two are in the blur of where the surface ends

@@ -115,6 +115,12 @@ TEST(BinsBeforeStep, AGrooveIsPassedOver) {
   EXPECT_EQ(groove(0.030), 15U);
 }
 
+TEST(BinsBeforeStep, OfAnEdgeJustBeforeTheSectionsEndAreThoseToTheEdge) {
+  EXPECT_EQ(before(stepAt(0.13, 0.05)), 38U) << "two bins lie beyond, too narrow for what is passed over";
+  EXPECT_EQ(before([](double d) { return d < 0.123 ? 0.0 : -0.05 - 4.0 * (d - 0.123); }), 36U) << "on no line";
+  EXPECT_EQ(before(stepAt(0.13, 0.001)), 40U);
+}
+
 TEST(BinsBeforeStep, OfAnEdgeWhoseFaceIsSeenAreThoseToTheEdge) {
   // a plate 10 mm thick; three bins hold points of its face, one its face and the ringwall [mm]
   const std::vector<double> heights = {0.02,  -0.07, -0.01, 0.05,  0.03,  0.00,  0.02,  -0.05, 0.06,

@@ -51,6 +51,7 @@ class MadeFoot {
                        kReach,
                        0.5 * step(),
                        kRadius,
+                       0.0,
                        {},
                        {},
                        {}});

@@ -81,6 +81,7 @@ struct Refined {
   FootProfile profile;                   ///< the section of the foot, and which surface was intersected
   Circle circle;                         ///< of the shell at the datum, from the stations [m]
   double sigma_radius = kUnknown;        ///< standard error of its radius [m]
+  double rounding = 0;                   ///< step that the points' elevations were rounded to, where it is coarse [m]
   double shell_from = kUnknown;          ///< height above the datum from which on the shell is seen, typical [m]
   double raised = kUnknown;              ///< of the stations above where the shell is seen elsewhere, over its scatter
   double above_shell = kUnknown;         ///< share of the stations below which the shell, and only it, is seen

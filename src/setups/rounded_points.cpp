@@ -1,0 +1,52 @@
+#include "setups/rounded_points.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/point_hash.h"
+#include "core/rounding_step.h"
+
+namespace tank_datum {
+namespace {
+
+/// The steps of the coordinates of every setup; 0 where they are finer than `finest`.
+std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
+  constexpr std::size_t kPlenty = 20'000;  // points
+  const std::size_t stride = ring.points.size() / kPlenty + 1;
+  std::vector<Eigen::Vector3d> steps(ring.setupCount(), Eigen::Vector3d::Zero());
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < ring.points.size(); i += stride) {
+        if (ring.setupOf(i) == s) values.push_back(ring.points[i][axis]);
+      }
+      const double step = roundingStep(std::move(values));
+      if (step >= finest) steps[s][axis] = step;
+    }
+  }
+  return steps;
+}
+
+/// Evenly between -0.5 and 0.5, the same of the same point.
+double evenly(std::uint32_t hash, Eigen::Index axis) {
+  const std::uint64_t bits = mixed(hash + (static_cast<std::uint64_t>(axis) + 1) * 0x9e3779b97f4a7c15ULL) >> 11;
+  return static_cast<double>(bits) * 0x1.0p-53 - 0.5;
+}
+
+}  // namespace
+
+void spreadRounded(Ring& ring, double unit) {
+  constexpr double kFinest = 2e-4;  // smaller ones are lost in what scanners err by [m]
+  const std::vector<Eigen::Vector3d> steps = stepsOf(ring, kFinest * unit);
+  ring.rounding = 0.0;
+  for (const Eigen::Vector3d& step : steps) ring.rounding = std::max(ring.rounding, step.z());
+  if (std::all_of(steps.begin(), steps.end(), [](const Eigen::Vector3d& step) { return step.isZero(); })) return;
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    const Eigen::Vector3d& step = steps[ring.setupOf(i)];
+    const std::uint32_t hash = pointHash(ring.points[i]);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) ring.points[i][axis] += step[axis] * evenly(hash, axis);
+  }
+}
+
+}  // namespace tank_datum
