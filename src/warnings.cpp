@@ -25,7 +25,8 @@ std::vector<std::string> warningsOf(const Datum& datum) {
     warnings.emplace_back(text);
   }
   if (datum.refined.rounding > 0.0) {
-    snprintfPlain(text, sizeof text, "elevations are rounded to %.3g mm; sigma_z holds what that leaves of them unknown",
+    snprintfPlain(text, sizeof text,
+                  "elevations are rounded to %.3g mm; sigma_z holds what that leaves of them unknown",
                   1e3 * datum.refined.rounding);
     warnings.emplace_back(text);
   }

@@ -5,8 +5,8 @@
 
 namespace tank_datum {
 
-/// The step that values were rounded to: the gap between neighbours of which most others are small multiples. 0: none is
-/// seen.
+/// The step that values were rounded to: the gap between neighbours of which most others are small multiples. 0: none
+/// is seen.
 double roundingStep(std::vector<double> values);
 
 /// Standard deviation of what rounding does to the mean of many values: as much as to one where they are alike, next to

@@ -151,7 +151,8 @@ void look(Tank& tank, const std::vector<WallView>& views, double least) {
       count >= least * seen || longestFoundation(views, tank.side) >= kFoundationArc * least / kLeastFoundation;
 }
 
-/// See Tank::low_wall. Of a roof few points may be seen: where it shows in half of the sectors, it is in the others too.
+/// See Tank::low_wall. Of a roof few points may be seen: where it shows in half of the sectors, it is in the others
+/// too.
 double lowWall(const Tank& tank, const std::vector<WallView>& views) {
   if (tank.side == Side::Inside || !(tank.height <= kHighestRingwall)) return kUnknown;
   std::size_t stand = 0, behind = 0, roof = 0;

@@ -41,14 +41,21 @@ TEST(RoundingStep, ValuesThatWereNotRoundedHaveNone) {
   EXPECT_EQ(roundingStep({}), 0.0);
 }
 
+/// The step of values a step apart, but for some of a hundred gaps that are so many steps.
+double stepWithOdd(double gap, int every) {
+  std::vector<double> values(1, 0.0);
+  for (int i = 1; i <= 100; ++i) values.push_back(values.back() + 0.001 * (i % every == 0 ? gap : 1.0));
+  return roundingStep(std::move(values));
+}
+
 TEST(RoundingStep, NineOfTenGapsShowIt) {
-  const auto with_odd = [](int odd) {
-    std::vector<double> values;
-    for (int i = 0; i < 100; ++i) values.push_back(0.001 * i + (i % 10 < odd && i > 0 ? 0.0003 : 0.0));
-    return roundingStep(std::move(values));
-  };
-  EXPECT_NEAR(with_odd(0), 0.001, 1e-9);
-  EXPECT_EQ(with_odd(5), 0.0);
+  EXPECT_NEAR(stepWithOdd(2.5, 20), 0.001, 1e-9);
+  EXPECT_EQ(stepWithOdd(2.5, 6), 0.0);
+}
+
+TEST(RoundingStep, AMultipleMayBeATenthOfAStepOff) {
+  EXPECT_NEAR(stepWithOdd(2.07, 2), 0.001, 1e-9);
+  EXPECT_EQ(stepWithOdd(2.15, 2), 0.0);
 }
 
 TEST(RoundingStep, TwentyGapsTell) {

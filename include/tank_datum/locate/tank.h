@@ -67,11 +67,11 @@ std::optional<Refusal> firstError(const CropOptions& options);
 
 /// The points of a scan near the datum, about the tank's centre.
 struct Ring {
-  Points points;      ///< the scan's points in the ring, or an even share of them, relative to the scan's origin [m]
-  Points search;      ///< these thinned by voxels to an even spacing, for the search of edge points
-  double reach = 0;   ///< half-width used [m]
+  Points points;        ///< the scan's points in the ring, or an even share of them, relative to the scan's origin [m]
+  Points search;        ///< these thinned by voxels to an even spacing, for the search of edge points
+  double reach = 0;     ///< half-width used [m]
   double rounding = 0;  ///< step that elevations were rounded to, where it is coarse [m]
-  ScanCounts counts;  ///< what the pass over the scan met
+  ScanCounts counts;    ///< what the pass over the scan met
   std::vector<SetupKey> setups;  ///< those with points in the ring, in the order of the scan
   std::vector<std::uint16_t>
       point_setups;  ///< of each point the index of its setup; empty when there is one setup only
