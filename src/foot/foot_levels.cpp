@@ -167,12 +167,15 @@ RingProcess withShared(RingProcess process, const OwnFits& own, const std::vecto
 
 /// Of each station the standard error that no count of points lessens: by the slope that is settled, by blends, and by
 /// rounding.
-std::vector<double> sharedSigmas(const FootPass& pass) {
+/// Slopes that differ from window to window by more than patches explain do so from station to station too.
+std::vector<double> sharedSigmas(const Foot& foot, const FootPass& pass, const LevelRoughness& rough) {
   const double misfit = misfitOf(pass.sections);
+  const double uneven = rough.slopesBeyond(pass.priors.uneven, pass.sections.whole, kSlopeWindow * foot.radius);
   std::vector<double> shared;
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {
     const FootFit& fit = pass.fits[i];
-    const double slope = pass.priors.settled && fit.valid() ? fit.middle * pass.priors.sigma_slope[i] : 0.0;
+    const double slope =
+        pass.priors.settled && fit.valid() ? fit.middle * std::hypot(pass.priors.sigma_slope[i], uneven) : 0.0;
     shared.push_back(std::hypot(std::hypot(slope, misfit), fit.rounding));
   }
   return shared;
@@ -213,7 +216,7 @@ FootLevels levelStations(const Foot& foot, const FootPass& pass) {
   FootLevels levels{pass.fits, followRing(withoutDips(own.levels, pass), own.sigmas, kDip * foot.reach)};
   if (!levels.process.valid()) return withoutRises(foot, pass, std::move(levels));
   const std::vector<Bend> bends = findBends(foot, own.levels, own.sigmas, levels.process);
-  const std::vector<double> shared = sharedSigmas(pass);
+  const std::vector<double> shared = sharedSigmas(foot, pass, own.rough);
   levels.process = withShared(withRisesDoubted(std::move(levels.process)), own, shared);
   const RingProcess& process = levels.process;
   for (std::size_t i = 0; i < levels.fits.size(); ++i) {

@@ -144,6 +144,13 @@ double LevelRoughness::over(double longer) const {
   return length > 0.0 ? variance * sharedAlong(std::max(longer, arc), length) / sharedAlong(arc, length) : 0.0;
 }
 
+double LevelRoughness::slopesBeyond(double seen, const FootProfile& profile, double longer) const {
+  if (!(length > 0.0)) return seen;
+  const double band = profile.band_to - profile.band_from;
+  const double heights = over(longer) / sharedAlong(band, length);  // as if each patch were as long as the band is wide
+  return std::sqrt(std::max(0.0, square(seen) - 12.0 * heights / square(band)));
+}
+
 double LevelRoughness::leftOutBy(const RingProcess& process, std::size_t place, double own) const {
   if (!(length > 0.0)) return 0.0;
   const double alone = square(process.scale * own) + square(process.nugget);

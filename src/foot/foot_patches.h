@@ -25,6 +25,9 @@ struct LevelRoughness {
 
   /// Variance of a level over a longer arc [m^2].
   double over(double longer) const;
+  /// What slopes across a band differ by that patches do not explain.
+  /// @param seen  what they differ by over longer arcs [m/m]
+  double slopesBeyond(double seen, const FootProfile& profile, double longer) const;
   /// What a process leaves out of its variance at a place: it takes levels to err alone, and patches reach over several
   /// of them [m^2].
   /// @param own  standard error of the station's level [m]

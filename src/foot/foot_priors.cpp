@@ -133,9 +133,8 @@ struct LipSlopes {
 
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
                     double sigma_bend) {
-  constexpr double kHalfWindow = 2.5 * kPi / 180.0;
   constexpr double kAnySlope = 0.5;  // of a window, which is to say what its own points do [m/m]
-  const Slopes found = fitSlopes(foot, elevations, sections, {72, kHalfWindow, kAnySlope, true}, sigma_bend);
+  const Slopes found = fitSlopes(foot, elevations, sections, {72, 0.5 * kSlopeWindow, kAnySlope, true}, sigma_bend);
   if (std::none_of(found.fits.begin(), found.fits.end(), [](const FootFit& fit) { return fit.valid(); })) return {};
   LipSlopes lips;
   lips.scatter = scatterOf(found.fits);
@@ -175,6 +174,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
   if (lips.series.empty()) return;
   priors.rounding.scatter = lips.scatter;
+  priors.uneven = lips.common;
   const FootProfile& whole = sections.whole;
   const ExpectedSlope expected{whole.slope_beyond, lips.doubt, blendLean(whole, lips.ring_lean), crownRise(whole),
                                whole.sigma_beyond};

@@ -12,8 +12,9 @@
 
 namespace tank_datum {
 
-constexpr double kSettledSlope = 1e-4;         ///< standard deviation of a slope that is not to be learnt again [m/m]
-constexpr double kFarIsland = 10.0 * kDegree;  ///< over which no gap between stations is bridged [rad]
+constexpr double kSettledSlope = 1e-4;          ///< standard deviation of a slope that is not to be learnt again [m/m]
+constexpr double kSlopeWindow = 5.0 * kDegree;  ///< in which the slope of a lip is looked at [rad]
+constexpr double kFarIsland = 10.0 * kDegree;   ///< over which no gap between stations is bridged [rad]
 constexpr double kHeapFalls = 0.01;  ///< than a wide surface does all round: what falls by more is no foundation [m/m]
 
 /// What the passes look at; none of them changes it. Vectors are indexed by station.
@@ -113,6 +114,7 @@ struct FootPriors {
   bool settled = false;                    ///< a station's own points have no more to say about its slope
   double seen = 0;                         ///< as the ring's windows show it, feigned or not [m/m]
   double sigma_seen = 0;                   ///< its standard error [m/m]
+  double uneven = 0;                       ///< what slopes of a lip's windows differ by beyond their errors [m/m]
   BlendedLip blends;                       ///< where it is settled
   double scatter = 0;                      ///< of points about a wide surface [m]
   Rounding rounding;                       ///< of elevations [m]

@@ -118,6 +118,20 @@ TEST(LevelStations, ASlopeThatIsSettledIsLearntNoFurtherThanATenthOfAMillimetreA
   EXPECT_LT(left, 0.7);
 }
 
+TEST(LevelStations, WhereSlopesAreUnevenStationsAreKnownNoBetterThanThose) {
+  const auto sigma = [](double uneven) {
+    MadeFoot made;
+    made.addAll(12, 0.02, 0.28, [](double) { return 0.0; });
+    Ready settled = ready(made);
+    settled.pass.priors.settled = true;
+    settled.pass.priors.uneven = uneven;
+    level(settled);
+    return settled.pass.fits[10].sigma;
+  };
+  EXPECT_NEAR(sigma(0.01), 0.01 * 0.15, 0.0003);
+  EXPECT_LT(sigma(0.0), 0.0006);
+}
+
 /// Beams lift a level lip beside the shell and lower it beside the edge. Of every station's rows one lies beside the
 /// shell here, one beside the edge there.
 TEST(LevelStations, StationsWhoseRowsLieBesideTheShellOrTheEdgeAreLevelledWithoutWhatBlendsDoThere) {

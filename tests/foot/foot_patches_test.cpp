@@ -182,6 +182,15 @@ TEST(LevelRoughness, IsNoLessThanIsKnownAndOfUnknownPatchesThatAlone) {
   EXPECT_EQ(unknown.leftOutBy({}, 0, 0.001), 0.0);
 }
 
+TEST(LevelRoughness, SlopesDifferByMoreThanPatchesMakeThem) {
+  const LevelRoughness level = levelRoughness({kRough, 0.04}, pad(), kArc, 0.0);
+  const double band = pad().band_to - pad().band_from;
+  const double patches = kRough / band * std::sqrt(12.0 * sharedAlong(0.4, 0.04));
+  EXPECT_NEAR(level.slopesBeyond(2.0 * patches, pad(), 0.4), std::sqrt(3.0) * patches, 1e-6);
+  EXPECT_EQ(level.slopesBeyond(0.9 * patches, pad(), 0.4), 0.0);
+  EXPECT_EQ(levelRoughness({}, pad(), kArc, 1e-6).slopesBeyond(0.01, pad(), 0.4), 0.01);
+}
+
 TEST(LevelRoughness, AProcessLeavesOutWhatStationsThatItAveragesShare) {
   const LevelRoughness level = levelRoughness({kRough, 0.04}, pad(), kArc, 0.0);
   RingProcess process;

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
+#include "core/units.h"
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
@@ -76,6 +78,22 @@ TEST(LearnPriors, ALipWhoseEdgeACrownHidesIsLevelAmidWhatIsSeenOfIt) {
   made.addAll(40, 0.0155, 0.0385, [](double) { return 0.0; });
   const FootPriors priors = learnt(made, Surface::AnnularPlate, 0.165, 0.039);
   EXPECT_NEAR(priors.blends.level_at, 0.5 * (kScales.weld + 0.039), 1e-9);
+}
+
+/// What the slopes of a lip differ by beyond their errors that swing by so much in waves of so many stations.
+double unevenLip(double by, double stations) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const double slope = by * std::sin(kTwoPi * s / stations);
+    made.addStation(s, 40, 0.0155, 0.0585, [slope](double d) { return slope * (d - 0.035); });
+  }
+  return learnt(made, Surface::AnnularPlate, 0.165, 0.060).uneven;
+}
+
+TEST(LearnPriors, SlopesOfALipThatChangeFromWindowToWindowAreUneven) {
+  EXPECT_NEAR(unevenLip(0.01, 13.0), 0.0065, 0.0025);
+  EXPECT_LT(unevenLip(0.01, 180.0), 0.001);
+  EXPECT_LT(unevenLip(0.0, 13.0), 0.001);
 }
 
 TEST(LearnPriors, BeamsThatMeetACrownBesideALipMayHaveRaisedItsEnd) {
