@@ -2,36 +2,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include "core/portable_math.h"
-#include "core/statistics.h"
 #include "core/units.h"
 
 namespace tank_datum {
 
-double roundingStep(std::vector<double> values) {
-  constexpr std::size_t kFewest = 20;  // gaps
-  constexpr double kFar = 8.5;         // steps
-  constexpr double kOff = 0.1;         // of a step
-  constexpr double kMost = 0.9;        // of the gaps
-  std::sort(values.begin(), values.end());
-  std::vector<double> gaps;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (values[i] > values[i - 1]) gaps.push_back(values[i] - values[i - 1]);
+namespace {
+
+/// Values that several are alike to, in order.
+struct SharedLevels {
+  std::vector<double> levels;
+  std::size_t values = 0;  ///< at all of them
+
+  /// @param alike    what values differ by that are one [m]
+  /// @param fewest  of a level
+  SharedLevels(const std::vector<double>& sorted, double alike, std::size_t fewest) {
+    for (std::size_t first = 0, end = 0; first < sorted.size(); first = end) {
+      for (end = first + 1; end < sorted.size() && sorted[end] - sorted[end - 1] <= alike; ++end) continue;
+      if (end - first < fewest) continue;
+      levels.push_back(sorted[first]);
+      values += end - first;
+    }
   }
-  if (gaps.size() < kFewest) return 0.0;
+};
+
+/// The gap of which most gaps between levels are small multiples; 0: there is none.
+/// @param fewest  levels that tell
+double stepBetween(const std::vector<double>& levels, std::size_t fewest) {
+  constexpr double kFar = 8.5;   // steps
+  constexpr double kOff = 0.2;   // of a step: so few digits float32 may have left
+  constexpr double kMost = 0.9;  // of the gaps
+  if (levels.size() < fewest) return 0.0;
+  std::vector<double> gaps, single;
+  for (std::size_t i = 1; i < levels.size(); ++i) gaps.push_back(levels[i] - levels[i - 1]);
   const double least = *std::min_element(gaps.begin(), gaps.end());
-  std::vector<double> single;  // coordinates have digits enough for a step, not for all of its own
-  for (const double gap : gaps) {
-    if (gap < (1.0 + kOff) * least) single.push_back(gap);
-  }
-  const double step = median(std::move(single));
+  std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(single),
+               [least](double gap) { return gap < (1.0 + kOff) * least; });
+  const double step = std::accumulate(single.begin(), single.end(), 0.0) / static_cast<double>(single.size());
   const auto is_multiple = [step](double gap) {
     const double steps = gap / step;
     return steps < kFar && std::abs(steps - std::round(steps)) < kOff;
   };
   const auto multiples = std::count_if(gaps.begin(), gaps.end(), is_multiple);
   return static_cast<double>(multiples) >= kMost * static_cast<double>(gaps.size()) ? step : 0.0;
+}
+
+}  // namespace
+
+double roundingStep(std::vector<double> values, double finest) {
+  constexpr double kAlike = 0.01;                         // of the finest step: sums of the same digits
+  constexpr double kShare = 0.2;                          // of the values: others may not be rounded
+  constexpr std::size_t kFewest = 4, kFewestSingle = 21;  // levels
+  std::sort(values.begin(), values.end());
+  for (const std::size_t fewest : {8U, 3U, 2U, 1U}) {  // a few values may be alike by chance, many are not
+    const SharedLevels shared(values, kAlike * finest, fewest);
+    if (static_cast<double>(shared.values) < kShare * static_cast<double>(values.size())) continue;
+    const double step = stepBetween(shared.levels, fewest > 1 ? kFewest : kFewestSingle);
+    if (step >= finest) return step;
+  }
+  return 0.0;
 }
 
 double roundingError(double step, double scatter) {

@@ -5,9 +5,10 @@
 
 namespace tank_datum {
 
-/// The step that values were rounded to: the gap between neighbours of which most others are small multiples. 0: none
-/// is seen.
-double roundingStep(std::vector<double> values);
+/// The step that values, or a good part of them, were rounded to: the gap between levels that several share of which
+/// most others are small multiples. 0: none is seen.
+/// @param finest  steps are no smaller
+double roundingStep(std::vector<double> values, double finest);
 
 /// Standard deviation of what rounding does to the mean of many values: as much as to one where they are alike, next to
 /// nothing where they scatter by half of a step (the first term of its Fourier series; Widrow and Kollar 2008).

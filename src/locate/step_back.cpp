@@ -77,10 +77,10 @@ std::size_t firstFrom(const std::vector<Hit>& run, double height) {
 }  // namespace
 
 StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
-  constexpr double kClear = 0.2;  // of what the pieces are apart: a wall that leans or bends has no step
-  constexpr double kRows = 0.25;  // rows of a scan on a wall are no farther apart [m]
-  constexpr double kRoof = 0.5;   // no wall leans by so much: a roof behind the top of a low tank does [m/m]
-  constexpr double kSeen = 0.5;   // of the lowest wall: from single hits nothing tells a roof
+  constexpr double kClear = 0.2;      // of what the pieces are apart: a wall that leans or bends has no step
+  constexpr double kRows = 0.25;      // rows of a scan on a wall are no farther apart [m]
+  constexpr double kRoof = 0.5;       // no wall leans by so much: a roof behind the top of a low tank does [m/m]
+  constexpr std::size_t kFewest = 2;  // hits above: a single one may lie on a roof
   const std::vector<Hit> run =
       longestRun(uprightOf(std::move(hits), voxel, least), std::max(kHoleInVoxels * voxel, kRows));
   if (run.empty()) return {};
@@ -88,7 +88,8 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
   const Hit& lowest = run.front();
   const double top = run.back().z, piece = kFewestVoxels * voxel;
   StepBack step;
-  double least_scatter = HUGE_VAL, upper_seen = 0.0;
+  double least_scatter = HUGE_VAL, highest = 0.0;
+  std::size_t above = 0;
   for (double height = lowest.z + piece + 0.25 * voxel; height <= std::min(lowest.z + kHighestRingwall, top);
        height += 0.5 * voxel) {
     const std::size_t middle = firstFrom(run, height),
@@ -104,11 +105,11 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
     scatter /= static_cast<double>(end);
     if (scatter > std::min(least_scatter, kClear * pieces.apart())) continue;
     least_scatter = scatter;
-    upper_seen = run[end - 1].z - run[middle].z;
+    above = end - middle, highest = run[middle - 1].z;
     const double between = 0.5 * (run[middle - 1].z + run[middle].z);
     step = {between, lowest.off + pieces.upperAt(between - lowest.z), pieces.apart(), lowest.z, top};
   }
-  return step.height <= top - piece && upper_seen >= kSeen * piece ? step : StepBack{};
+  return highest <= top - piece && above >= kFewest ? step : StepBack{};
 }
 
 }  // namespace tank_datum

@@ -43,7 +43,6 @@ struct WallView {
   bool outside = false, inside = false;  ///< whether a foundation was seen on that side
   StepBack step;                         ///< of what stands there and around
   bool behind_top = false;               ///< whether something lies there, as a ringwall's top does
-  bool farther_in = false;               ///< whether it goes on there, as a roof does; a shell hides what does
 };
 
 std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& circle, double rms) {
@@ -58,8 +57,9 @@ std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& 
     if (!view.stands) continue;
     const auto is_high = [&](double z) { return z > view.top - 2.0 * voxel; };
     const auto is_behind = [&](const Hit& hit) { return hit.off < -thickness && is_high(hit.z); };
-    view.behind_top = std::any_of(sectors[i].around.begin(), sectors[i].around.end(), is_behind);
-    view.farther_in = std::any_of(sectors[i].farther_in.begin(), sectors[i].farther_in.end(), is_high);
+    const std::vector<double>& farther = sectors[i].farther_in;  // upon a roof; the shell upon a ringwall hides it
+    view.behind_top = std::any_of(sectors[i].around.begin(), sectors[i].around.end(), is_behind) &&
+                      std::none_of(farther.begin(), farther.end(), is_high);
     view.outside = hasFoundation(sectors[i].outside, view.bottom, voxel, circle.radius);
     view.inside = hasFoundation(sectors[i].inside, view.bottom, voxel, circle.radius);
   }
@@ -151,18 +151,12 @@ void look(Tank& tank, const std::vector<WallView>& views, double least) {
       count >= least * seen || longestFoundation(views, tank.side) >= kFoundationArc * least / kLeastFoundation;
 }
 
-/// See Tank::low_wall. Of a roof few points may be seen: where it shows in half of the sectors, it is in the others
-/// too.
+/// See Tank::low_wall.
 double lowWall(const Tank& tank, const std::vector<WallView>& views) {
   if (tank.side == Side::Inside || !(tank.height <= kHighestRingwall)) return kUnknown;
-  std::size_t stand = 0, behind = 0, roof = 0;
-  for (const WallView& view : views) {
-    if (!view.stands) continue;
-    ++stand;
-    behind += view.behind_top;
-    roof += view.behind_top && view.farther_in;
-  }
-  return 2 * roof >= behind ? 0.0 : static_cast<double>(behind - roof) / static_cast<double>(stand);
+  std::size_t stand = 0, behind = 0;
+  for (const WallView& view : views) stand += view.stands, behind += view.stands && view.behind_top;
+  return static_cast<double>(behind) / static_cast<double>(stand);
 }
 
 /// The feet of the walls; a shell that ends above a shadow says nothing of the foot.

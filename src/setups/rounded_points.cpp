@@ -10,20 +10,24 @@
 namespace tank_datum {
 namespace {
 
-/// The steps of the coordinates of every setup; 0 where they are finer than `finest`.
+/// The steps of the coordinates of every setup; 0 where they are finer than `finest`. Where others are rounded and z is
+/// not, the scan was turned since: z has theirs, unseen.
 std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
-  constexpr std::size_t kPlenty = 20'000;  // points
-  const std::size_t stride = ring.points.size() / kPlenty + 1;
-  std::vector<Eigen::Vector3d> steps(ring.setupCount(), Eigen::Vector3d::Zero());
+  constexpr double kPlenty = 20'000.0;  // points, whatever their order
+  const double share = std::min(1.0, kPlenty / static_cast<double>(ring.points.size()));
+  const auto last = static_cast<std::uint32_t>(share * 0xffffffffU);
+  std::vector<Points> samples(ring.setupCount());
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    if (pointHash(ring.points[i]) <= last) samples[ring.setupOf(i)].push_back(ring.points[i]);
+  }
+  std::vector<Eigen::Vector3d> steps(samples.size(), Eigen::Vector3d::Zero());
   for (std::size_t s = 0; s < steps.size(); ++s) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       std::vector<double> values;
-      for (std::size_t i = 0; i < ring.points.size(); i += stride) {
-        if (ring.setupOf(i) == s) values.push_back(ring.points[i][axis]);
-      }
-      const double step = roundingStep(std::move(values));
-      if (step >= finest) steps[s][axis] = step;
+      for (const auto& p : samples[s]) values.push_back(p[axis]);
+      steps[s][axis] = roundingStep(std::move(values), finest);
     }
+    if (steps[s].z() == 0.0) steps[s].z() = steps[s].maxCoeff();
   }
   return steps;
 }

@@ -22,30 +22,57 @@ std::vector<double> valuesOver(double range, double step, int count, double from
   return values;
 }
 
+constexpr double kFinest = 0.0002;
+
+double stepOf(std::vector<double> values) { return roundingStep(std::move(values), kFinest); }
+
 TEST(RoundingStep, IsWhatAllGapsAreMultiplesOf) {
-  EXPECT_NEAR(roundingStep(valuesOver(2.0, 0.001, 20'000)), 0.001, 1e-9);
-  EXPECT_NEAR(roundingStep(valuesOver(2.0, 0.005, 20'000, 4e6)), 0.005, 1e-8);
-  EXPECT_NEAR(roundingStep(valuesOver(2.0, 0.0003, 3'000)), 0.0003, 1e-9) << "a third of the steps are met";
+  EXPECT_NEAR(stepOf(valuesOver(2.0, 0.001, 20'000)), 0.001, 1e-9);
+  EXPECT_NEAR(stepOf(valuesOver(2.0, 0.005, 20'000, 4e6)), 0.005, 1e-8);
+  EXPECT_NEAR(stepOf(valuesOver(2.0, 0.001, 1'000)), 0.001, 1e-9) << "a third of the steps are met";
+  EXPECT_EQ(stepOf(valuesOver(2.0, 0.00015, 20'000)), 0.0) << "finer than is asked for";
 }
 
-TEST(RoundingStep, IsSeenThroughTheLastDigitOfFloat32) {
-  std::vector<double> values = valuesOver(2.0, 0.001, 20'000, 100.0);
-  for (double& value : values) value = static_cast<float>(value);  // to 8e-6
-  EXPECT_NEAR(roundingStep(std::move(values)), 0.001, 2e-5);
+TEST(RoundingStep, IsSeenThroughTheLastDigits) {
+  std::vector<double> values = valuesOver(2.0, 0.001, 20'000, 1600.0), sums = valuesOver(2.0, 0.001, 20'000);
+  for (double& value : values) value = static_cast<float>(value);  // to 0.00012
+  for (std::size_t i = 0; i < sums.size(); i += 2) sums[i] = (sums[i] + 1000.1) - 1000.1;
+  EXPECT_NEAR(stepOf(std::move(values)), 0.001, 3e-5);
+  EXPECT_NEAR(stepOf(std::move(sums)), 0.001, 1e-6);
+}
+
+TEST(RoundingStep, ValuesAHundredthOfTheFinestStepApartAreAlike) {
+  const auto apart = [](double by) {
+    std::vector<double> values;
+    for (int i = 0; i < 800; ++i) values.push_back(0.001 * (i % 100) + by * (i / 100));
+    return stepOf(std::move(values));
+  };
+  EXPECT_NEAR(apart(1.5e-6), 0.001, 1e-6);
+  EXPECT_EQ(apart(3e-6), 0.0);
 }
 
 TEST(RoundingStep, ValuesThatWereNotRoundedHaveNone) {
-  EXPECT_EQ(roundingStep(valuesOver(2.0, 0.0, 20'000)), 0.0);
-  EXPECT_EQ(roundingStep(valuesOver(2.0, 0.0, 21)), 0.0);
-  EXPECT_EQ(roundingStep(std::vector<double>(1'000, 2.5)), 0.0);
-  EXPECT_EQ(roundingStep({}), 0.0);
+  for (const int count : {3, 21, 300, 3'000, 20'000, 100'000}) EXPECT_EQ(stepOf(valuesOver(2.0, 0.0, count)), 0.0);
+  EXPECT_EQ(stepOf(std::vector<double>(1'000, 2.5)), 0.0);
+  EXPECT_EQ(stepOf({}), 0.0);
 }
 
-/// The step of values a step apart, but for some of a hundred gaps that are so many steps.
+TEST(RoundingStep, AFifthOfTheValuesMayBeRounded) {
+  const auto with_others = [](int rounded) {
+    std::vector<double> values = valuesOver(0.5, 0.001, rounded), others = valuesOver(0.5, 0.0, 20'000 - rounded);
+    values.insert(values.end(), others.begin(), others.end());
+    return stepOf(std::move(values));
+  };
+  EXPECT_NEAR(with_others(19'000), 0.001, 1e-9);
+  EXPECT_NEAR(with_others(6'000), 0.001, 1e-5);
+  EXPECT_EQ(with_others(2'000), 0.0);
+}
+
+/// The step of levels a step apart, five values each, but for some of a hundred gaps that are so many steps.
 double stepWithOdd(double gap, int every) {
-  std::vector<double> values(1, 0.0);
-  for (int i = 1; i <= 100; ++i) values.push_back(values.back() + 0.001 * (i % every == 0 ? gap : 1.0));
-  return roundingStep(std::move(values));
+  std::vector<double> values(5, 0.0);
+  for (int i = 1; i <= 100; ++i) values.insert(values.end(), 5, values.back() + 0.001 * (i % every == 0 ? gap : 1.0));
+  return stepOf(std::move(values));
 }
 
 TEST(RoundingStep, NineOfTenGapsShowIt) {
@@ -53,24 +80,24 @@ TEST(RoundingStep, NineOfTenGapsShowIt) {
   EXPECT_EQ(stepWithOdd(2.5, 6), 0.0);
 }
 
-TEST(RoundingStep, AMultipleMayBeATenthOfAStepOff) {
-  EXPECT_NEAR(stepWithOdd(2.07, 2), 0.001, 1e-9);
-  EXPECT_EQ(stepWithOdd(2.15, 2), 0.0);
-}
-
-TEST(RoundingStep, TwentyGapsTell) {
-  EXPECT_EQ(roundingStep(valuesOver(0.0185, 0.001, 2'000)), 0.0);
-  EXPECT_NEAR(roundingStep(valuesOver(0.0215, 0.001, 2'000)), 0.001, 1e-9);
+TEST(RoundingStep, AMultipleMayBeAFifthOfAStepOff) {
+  EXPECT_NEAR(stepWithOdd(2.15, 2), 0.001, 1e-9);
+  EXPECT_EQ(stepWithOdd(2.3, 2), 0.0);
 }
 
 TEST(RoundingStep, EightStepsAreAGap) {
-  std::vector<double> near, far;
-  for (int i = 0; i < 50; ++i) {
-    const int pair = i / 2, odd = i % 2;
-    near.push_back(0.001 * (9 * pair + odd)), far.push_back(0.001 * (10 * pair + odd));
-  }
-  EXPECT_NEAR(roundingStep(near), 0.001, 1e-9);
-  EXPECT_EQ(roundingStep(far), 0.0);
+  EXPECT_NEAR(stepWithOdd(8.0, 2), 0.001, 1e-9);
+  EXPECT_EQ(stepWithOdd(9.0, 2), 0.0);
+}
+
+TEST(RoundingStep, FourLevelsTell) {
+  const auto levels = [](int count) {
+    std::vector<double> values;
+    for (int i = 0; i < 10 * count; ++i) values.push_back(0.001 * (i % count));
+    return stepOf(std::move(values));
+  };
+  EXPECT_EQ(levels(3), 0.0);
+  EXPECT_NEAR(levels(4), 0.001, 1e-9);
 }
 
 /// The error of the mean of many values that scatter so much, rounded to 1, over all that they may lie at.

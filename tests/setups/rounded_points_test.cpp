@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -61,6 +62,16 @@ TEST(RoundedPoints, StepsOfAFifthOfAMillimetreAndMoreCount) {
   EXPECT_EQ(rounding(0.00015, 1.0), 0.0);
   EXPECT_NEAR(rounding(0.00025, 1.0), 0.00025, 1e-9);
   EXPECT_EQ(rounding(0.00025, 10.0), 0.0) << "of a tank in other units";
+}
+
+TEST(RoundedPoints, WhatWasTurnedSinceIsRoundedUnseen) {
+  Ring ring;
+  ring.points = pointsRoundedTo(0.001, 6);
+  for (auto& p : ring.points) p = Eigen::AngleAxisd(0.001, Eigen::Vector3d::UnitX()) * p;
+  const double given = ring.points[0].z();
+  spreadRounded(ring, 1.0);
+  EXPECT_NEAR(ring.rounding, 0.001, 1e-9);
+  EXPECT_NE(ring.points[0].z(), given);
 }
 
 TEST(RoundedPoints, OneSetupMayBeRoundedAndAnotherNot) {
