@@ -13,10 +13,12 @@ namespace {
 /// The steps of the coordinates of every setup; 0 where they are finer than `finest`. Where others are rounded and z is
 /// not, the scan was turned since: z has theirs, unseen.
 std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
-  constexpr double kPlenty = 20'000.0;  // points, whatever their order
-  const double share = std::min(1.0, kPlenty / static_cast<double>(ring.points.size()));
-  const auto last = static_cast<std::uint32_t>(share * 0xffffffffU);
+  constexpr double kPlenty = 20'000.0;  // points of a setup, whatever their order
+  constexpr std::size_t kMany = 16;     // setups, of which each has a smaller sample
   std::vector<Points> samples(ring.setupCount());
+  const double plenty = kPlenty * static_cast<double>(std::min(kMany, samples.size()));
+  const double share = std::min(1.0, plenty / static_cast<double>(ring.points.size()));
+  const auto last = static_cast<std::uint32_t>(share * 0xffffffffU);
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     if (pointHash(ring.points[i]) <= last) samples[ring.setupOf(i)].push_back(ring.points[i]);
   }

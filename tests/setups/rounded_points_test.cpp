@@ -64,6 +64,17 @@ TEST(RoundedPoints, StepsOfAFifthOfAMillimetreAndMoreCount) {
   EXPECT_EQ(rounding(0.00025, 10.0), 0.0) << "of a tank in other units";
 }
 
+TEST(RoundedPoints, OfThirtySetupsEachTells) {
+  Ring ring;
+  for (std::uint16_t s = 0; s < 30; ++s) {
+    ring.setups.push_back({s, 0});
+    for (const auto& p : pointsRoundedTo(0.001, 10 + s)) ring.points.push_back(p), ring.point_setups.push_back(s);
+  }
+  const Points given = ring.points;
+  spreadRounded(ring, 1.0);
+  for (std::size_t i = 0; i < given.size(); i += 30'000) EXPECT_NE(ring.points[i].z(), given[i].z()) << i;
+}
+
 TEST(RoundedPoints, WhatWasTurnedSinceIsRoundedUnseen) {
   Ring ring;
   ring.points = pointsRoundedTo(0.001, 6);
