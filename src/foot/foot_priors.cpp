@@ -128,12 +128,14 @@ struct LipSlopes {
   double ring_lean = 0;           ///< of all windows' rays together [m/m]
   double doubt = 0;               ///< the lean that range noise may feign, typical [m/m]
   double scatter = 0;             ///< of points about the lip [m]
+  double uneven = 0;              ///< what slopes differ by beyond their errors and chance [m/m]
   double common = 0;              ///< in the errors of all windows, as their scatter shows it [m/m]
 };
 
 LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const FootSections& sections,
                     double sigma_bend) {
   constexpr double kAnySlope = 0.5;  // of a window, which is to say what its own points do [m/m]
+  constexpr double kByChance = 0.7;  // of a variance: two standard errors of one that some thirty differences tell
   const Slopes found = fitSlopes(foot, elevations, sections, {72, 0.5 * kSlopeWindow, kAnySlope, true}, sigma_bend);
   if (std::none_of(found.fits.begin(), found.fits.end(), [](const FootFit& fit) { return fit.valid(); })) return {};
   LipSlopes lips;
@@ -144,7 +146,12 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.series.back() = {fit.slope, std::max(fit.sigma_slope, 1e-6), 1.0};
   }
   doubtStray(lips.series);
+  std::vector<double> variances;
+  for (const SeriesValue& v : lips.series) {
+    if (std::isfinite(v.value)) variances.push_back(square(v.sigma));
+  }
   lips.common = addCommonSigma(lips.series);
+  lips.uneven = std::sqrt(std::max(0.0, square(lips.common) - kByChance * median(variances)));
   lips.seen = lips.series;
   for (std::size_t k = 0; k < lips.series.size(); ++k) {
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
@@ -174,7 +181,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   const LipSlopes lips = lipSlopes(foot, elevations, sections, priors.sigma_bend);
   if (lips.series.empty()) return;
   priors.rounding.scatter = lips.scatter;
-  priors.uneven = lips.common;
+  priors.uneven = lips.uneven;
   const FootProfile& whole = sections.whole;
   const ExpectedSlope expected{whole.slope_beyond, lips.doubt, blendLean(whole, lips.ring_lean), crownRise(whole),
                                whole.sigma_beyond};

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "core/units.h"
@@ -94,6 +95,27 @@ TEST(LearnPriors, SlopesOfALipThatChangeFromWindowToWindowAreUneven) {
   EXPECT_NEAR(unevenLip(0.01, 13.0), 0.0065, 0.0025);
   EXPECT_LT(unevenLip(0.01, 180.0), 0.001);
   EXPECT_LT(unevenLip(0.0, 13.0), 0.001);
+}
+
+/// Of how many of forty lips the slopes are uneven that swing by so much, seen by noisy points.
+int unevenOfForty(double by) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0.0, 0.0005);
+  int uneven = 0;
+  for (int ring = 0; ring < 40; ++ring) {
+    MadeFoot made;
+    for (int s = 0; s < 360; ++s) {
+      const double slope = by * std::sin(kTwoPi * s / 13.0);
+      made.addStation(s, 40, 0.0155, 0.0585, [&](double d) { return slope * (d - 0.035) + noise(random); });
+    }
+    uneven += learnt(made, Surface::AnnularPlate, 0.165, 0.060).uneven > 0.0;
+  }
+  return uneven;
+}
+
+TEST(LearnPriors, SlopesAreSeldomUnevenByChance) {
+  EXPECT_EQ(unevenOfForty(0.0), 0);
+  EXPECT_GT(unevenOfForty(0.0080), 20);
 }
 
 TEST(LearnPriors, BeamsThatMeetACrownBesideALipMayHaveRaisedItsEnd) {
