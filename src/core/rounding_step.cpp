@@ -9,7 +9,6 @@
 #include "core/units.h"
 
 namespace tank_datum {
-
 namespace {
 
 /// Values that several are alike to, in order.
@@ -17,7 +16,7 @@ struct SharedLevels {
   std::vector<double> levels;
   std::size_t values = 0;  ///< at all of them
 
-  /// @param alike    what values differ by that are one [m]
+  /// @param alike   what values differ by that are one [m]
   /// @param fewest  of a level
   SharedLevels(const std::vector<double>& sorted, double alike, std::size_t fewest) {
     for (std::size_t first = 0, end = 0; first < sorted.size(); first = end) {

@@ -48,14 +48,18 @@ std::pair<std::size_t, std::size_t> FootRing::between(const Entries& entries, do
 
 namespace {
 
-double meanDistance(const SurfaceRows& rows) {
-  double sum = 0, weights = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    sum += rows.weights()[i] * rows.a()[i];
-    weights += rows.weights()[i];
+/// How far a fit's points lie from the shell, by their weights.
+struct Distances {
+  double weights = 0, mean = 0, squares = 0;  ///< squares about the mean
+
+  explicit Distances(const SurfaceRows& rows) {
+    const std::vector<double>&d = rows.a(), &w = rows.weights();
+    for (std::size_t i = 0; i < rows.size(); ++i) weights += w[i], mean += w[i] * d[i];
+    mean /= weights;
+    for (std::size_t i = 0; i < rows.size(); ++i) squares += w[i] * (d[i] - mean) * (d[i] - mean);
   }
-  return sum / weights;
-}
+  double spread() const { return std::sqrt(squares / weights); }
+};
 
 /// The share of a sum of squares that some terms of a fit explain, less what they explain by chance (adjusted
 /// coefficient of determination).
@@ -96,23 +100,15 @@ struct FeignedSlopes {
 /// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
 /// both err together, and a row of the scan close to an end of the band is cut on that side alone.
 /// @param rows  a is d, the residuals are z without the fit
-double selectionError(const SurfaceRows& rows, double from, double to) {
+double selectionError(const SurfaceRows& rows, const Distances& distances, double from, double to) {
   const std::vector<double>&d = rows.a(), &z = rows.residuals(), &weights = rows.weights();
-  double sum = 0, mean_d = 0, mean_z = 0, squares = 0, products = 0;
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    sum += weights[i];
-    mean_d += weights[i] * d[i];
-    mean_z += weights[i] * z[i];
-  }
-  mean_d /= sum;
-  mean_z /= sum;
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    squares += weights[i] * (d[i] - mean_d) * (d[i] - mean_d);
-    products += weights[i] * (d[i] - mean_d) * (z[i] - mean_z);
-  }
-  if (!(squares > 0.0)) return 0.0;
-  const double spread = std::sqrt(squares / sum), to_end = std::min(mean_d - from, to - mean_d) / spread;
-  return std::abs(products / squares) * spread * portable::exp(-0.5 * to_end * to_end);
+  if (!(distances.squares > 0.0)) return 0.0;
+  double mean_z = 0, products = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) mean_z += weights[i] * z[i];
+  mean_z /= distances.weights;
+  for (std::size_t i = 0; i < d.size(); ++i) products += weights[i] * (d[i] - distances.mean) * (z[i] - mean_z);
+  const double spread = distances.spread(), to_end = std::min(distances.mean - from, to - distances.mean) / spread;
+  return std::abs(products / distances.squares) * spread * portable::exp(-0.5 * to_end * to_end);
 }
 
 /// The points on the surface that a fit looks at, up to where the surface or what is seen of it ends.
@@ -179,18 +175,18 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.along = solution[2];
   fit.bend = solution[3];
   const double error = noise * std::sqrt(alike);
-  fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(rows, profile.band_from, to));
+  const Distances distances(rows);
+  fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(rows, distances, profile.band_from, to));
   fit.sigma_slope = error * std::sqrt(inverse(1, 1));
   if (prior.rounding.step > 0.0) {
-    const SurfaceRows::Equations sums = rows.equations();
-    const double across = std::sqrt(sums.matrix(1, 1) / sums.weight - square(sums.matrix(0, 1) / sums.weight));
+    const double across = distances.spread();
     fit.rounding = prior.rounding.errorOf(own, std::abs(slope) * across);  // the fit's own slopes may be of steps
     fit.sigma = std::hypot(fit.sigma, fit.rounding);
     fit.sigma_slope = std::hypot(fit.sigma_slope, fit.rounding / across);
   }
   fit.noise = noise;
   fit.own = own;
-  fit.middle = meanDistance(rows);
+  fit.middle = distances.mean;
   return fit;
 }
 

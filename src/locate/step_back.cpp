@@ -88,7 +88,7 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
   const Hit& lowest = run.front();
   const double top = run.back().z, piece = kFewestVoxels * voxel;
   StepBack step;
-  double least_scatter = HUGE_VAL, highest = 0.0;
+  double least_scatter = HUGE_VAL, lower_top = 0.0;
   std::size_t above = 0;
   for (double height = lowest.z + piece + 0.25 * voxel; height <= std::min(lowest.z + kHighestRingwall, top);
        height += 0.5 * voxel) {
@@ -105,11 +105,11 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
     scatter /= static_cast<double>(end);
     if (scatter > std::min(least_scatter, kClear * pieces.apart())) continue;
     least_scatter = scatter;
-    above = end - middle, highest = run[middle - 1].z;
+    above = end - middle, lower_top = run[middle - 1].z;
     const double between = 0.5 * (run[middle - 1].z + run[middle].z);
     step = {between, lowest.off + pieces.upperAt(between - lowest.z), pieces.apart(), lowest.z, top};
   }
-  return highest <= top - piece && above >= kFewest ? step : StepBack{};
+  return lower_top <= top - piece && above >= kFewest ? step : StepBack{};
 }
 
 }  // namespace tank_datum

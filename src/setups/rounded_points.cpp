@@ -10,17 +10,23 @@
 namespace tank_datum {
 namespace {
 
+/// Evenly between 0 and 1, the same of the same point, and another one for each use.
+double evenly(std::uint32_t hash, std::uint64_t use) {
+  const std::uint64_t bits = mixed(hash + (use + 1) * 0x9e3779b97f4a7c15ULL) >> 11;
+  return static_cast<double>(bits) * 0x1.0p-53;
+}
+
 /// The steps of the coordinates of every setup; 0 where they are finer than `finest`. Where others are rounded and z is
 /// not, the scan was turned since: z has theirs, unseen.
 std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
-  constexpr double kPlenty = 20'000.0;  // points of a setup, whatever their order
-  constexpr std::size_t kMany = 16;     // setups, of which each has a smaller sample
+  constexpr double kPlenty = 20'000.0;    // points of a setup, whatever their order
+  constexpr std::size_t kMany = 16;       // setups, of which each has a smaller sample
+  constexpr std::uint64_t kToSample = 3;  // beside the axes: a ring that was thinned by hashes has low ones only
   std::vector<Points> samples(ring.setupCount());
   const double plenty = kPlenty * static_cast<double>(std::min(kMany, samples.size()));
   const double share = std::min(1.0, plenty / static_cast<double>(ring.points.size()));
-  const auto last = static_cast<std::uint32_t>(share * 0xffffffffU);
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (pointHash(ring.points[i]) <= last) samples[ring.setupOf(i)].push_back(ring.points[i]);
+    if (evenly(pointHash(ring.points[i]), kToSample) < share) samples[ring.setupOf(i)].push_back(ring.points[i]);
   }
   std::vector<Eigen::Vector3d> steps(samples.size(), Eigen::Vector3d::Zero());
   for (std::size_t s = 0; s < steps.size(); ++s) {
@@ -34,12 +40,6 @@ std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
   return steps;
 }
 
-/// Evenly between -0.5 and 0.5, the same of the same point.
-double evenly(std::uint32_t hash, Eigen::Index axis) {
-  const std::uint64_t bits = mixed(hash + (static_cast<std::uint64_t>(axis) + 1) * 0x9e3779b97f4a7c15ULL) >> 11;
-  return static_cast<double>(bits) * 0x1.0p-53 - 0.5;
-}
-
 }  // namespace
 
 void spreadRounded(Ring& ring, double unit) {
@@ -51,7 +51,8 @@ void spreadRounded(Ring& ring, double unit) {
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     const Eigen::Vector3d& step = steps[ring.setupOf(i)];
     const std::uint32_t hash = pointHash(ring.points[i]);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) ring.points[i][axis] += step[axis] * evenly(hash, axis);
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      ring.points[i][axis] += step[axis] * (evenly(hash, static_cast<std::uint64_t>(axis)) - 0.5);
   }
 }
 
