@@ -1,6 +1,7 @@
 #include "setups/rounded_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,13 @@ namespace {
 double evenly(std::uint32_t hash, std::uint64_t use) {
   const std::uint64_t bits = mixed(hash + (use + 1) * 0x9e3779b97f4a7c15ULL) >> 11;
   return static_cast<double>(bits) * 0x1.0p-53;
+}
+
+/// Whether a step is a power of two, as float32 leaves of large coordinates: each axis has its own then, z often none.
+bool isOfFloats(double step) {
+  constexpr double kOff = 0.005;  // decimal steps differ from powers of two by 0.02 and more
+  int exponent = 0;
+  return std::abs(std::remainder(std::frexp(step, &exponent), 0.5)) < kOff;
 }
 
 /// The steps of the coordinates of every setup; 0 where they are finer than `finest`. Where others are rounded and z is
@@ -35,7 +43,8 @@ std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
       for (const auto& p : samples[s]) values.push_back(p[axis]);
       steps[s][axis] = roundingStep(std::move(values), finest);
     }
-    if (steps[s].z() == 0.0) steps[s].z() = steps[s].maxCoeff();
+    const double coarsest = steps[s].maxCoeff();
+    if (steps[s].z() == 0.0 && !isOfFloats(coarsest)) steps[s].z() = coarsest;
   }
   return steps;
 }

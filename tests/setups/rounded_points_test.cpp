@@ -85,6 +85,22 @@ TEST(RoundedPoints, WhatWasTurnedSinceIsRoundedUnseen) {
   EXPECT_NE(ring.points[0].z(), given);
 }
 
+TEST(RoundedPoints, OfFloatsEachAxisHasItsOwnStep) {
+  const auto rounding_of_z = [](double step) {
+    Ring ring;
+    ring.points = pointsRoundedTo(step, 7);
+    const Points fine = pointsRoundedTo(0.0, 7);
+    for (std::size_t i = 0; i < fine.size(); ++i) ring.points[i].z() = fine[i].z();
+    const double given = ring.points[0].x();
+    spreadRounded(ring, 1.0);
+    EXPECT_NE(ring.points[0].x(), given);
+    return ring.rounding;
+  };
+  EXPECT_EQ(rounding_of_z(0x1p-7), 0.0);
+  EXPECT_NEAR(rounding_of_z(0.002), 0.002, 1e-9) << "a decimal step, 2.3 % from a power of two";
+  EXPECT_NEAR(rounding_of_z(0.008), 0.008, 1e-9);
+}
+
 TEST(RoundedPoints, OneSetupMayBeRoundedAndAnotherNot) {
   Ring ring;
   const Points rounded = pointsRoundedTo(0.001, 4), whole = pointsRoundedTo(0.0, 5);
