@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -8,6 +9,7 @@
 #include <sstream>
 
 #include "core/printable.h"
+#include "io/text_number.h"
 #include "results/output_guard.h"
 #include "scene_file.h"
 #include "tank_datum/core/error.h"
@@ -68,7 +70,7 @@ constexpr Setting kFlags[] = {
 constexpr Setting kWords[] = {
     {"--foundation", "/tanks/0/foundation/kind", "pad, annular_plate or crown"},
     {"--roof", "/tanks/0/roof", "none, cone, dome or floating"},
-    {"--field", "/scanner/field", "full circle, or only the tank's ring"},
+    {"--field", "/scanner/field", "full, or tank: only what a tank fills of it"},
 };
 
 /// A list of records of numbers, as in 2:0.003:45,3:0.002:10
@@ -87,10 +89,14 @@ const std::vector<Records>& records() {
   return all;
 }
 
+/// A number as people type it, .5 and 1. too, which JSON does not know; whole ones stay whole.
 Json parsedNumber(const std::string& flag, const std::string& text) {
   Json value = Json::parse(text, nullptr, false);
-  if (!value.is_number()) throw Error(Error::Kind::Option, "options", flag, text, "a number");
-  return value;
+  if (value.is_number()) return value;
+  double number = 0.0;
+  const char *end = text.data() + text.size(), *after = parseNumber(text.data(), end, number);
+  if (after == end && std::isfinite(number)) return number;
+  throw Error(Error::Kind::Option, "options", flag, text, "a number");
 }
 
 std::vector<std::string> parts(const std::string& text, char separator) {
