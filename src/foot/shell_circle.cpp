@@ -22,11 +22,53 @@ constexpr double kStray = 6.0;
 // The shell of a tank leans by less than one in a hundred; on a short arc lean and centre can hardly be told apart.
 constexpr double kLean = 0.01;
 
+/// What a shell is out of round by, usually: a fraction of its radius (root mean square). API 650, 7.5.3, allows 13 mm
+/// of 6 m and 32 mm of 40 m at the foot.
+constexpr double kOutOfRound = 3e-4;
+
 /// The lines' radii at two heights as observations of the circle and its lean.
 struct Observations {
   std::vector<Row> rows;
-  std::vector<double> radii;  ///< less that of the circle they are measured from [m]
+  std::vector<double> azimuths, radii;  ///< [rad], less that of the circle they are measured from [m]
 };
+
+/// A radius that was observed, and what the circle's moves by with it.
+struct Gain {
+  double azimuth, gain;
+};
+
+/// What the lobes of a shell, of two waves round it and more, make the radius of a circle err by that goes through a
+/// part of it: standard deviation, of the root mean square of the lobes. Nothing of a circle through all of it.
+double sharedWithLobes(const std::vector<Gain>& gains) {
+  constexpr int kWaves = 12;
+  double share = 0.0, all = 0.0;
+  for (int n = 2; n <= kWaves; ++n) {
+    const double usual = 1.0 / (n * n * n);  // variance of lobes: the longer, the larger
+    double c = 0.0, s = 0.0;
+    for (const Gain& g : gains) {
+      c += g.gain * portable::cos(n * g.azimuth);
+      s += g.gain * portable::sin(n * g.azimuth);
+    }
+    share += usual * (c * c + s * s);
+    all += usual;
+  }
+  return std::sqrt(share / all);
+}
+
+/// The gains of a circle that is fitted to stations a degree apart, over an arc [rad].
+std::vector<Gain> gainsOver(double arc) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  std::vector<Eigen::Vector3d> rows;
+  for (int i = 0; i < static_cast<int>(arc / kDegree + 0.5); ++i) {
+    rows.push_back({1.0, portable::cos(i * kDegree), portable::sin(i * kDegree)});
+    normal += rows.back() * rows.back().transpose();
+  }
+  const Eigen::Vector3d of_radius = normal.inverse().col(0);
+  std::vector<Gain> gains;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    gains.push_back({static_cast<double>(i) * kDegree, of_radius.dot(rows[i])});
+  return gains;
+}
 
 Observations observationsOf(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
                             const ShellHeights& heights, double radius) {
@@ -36,6 +78,7 @@ Observations observationsOf(const std::vector<ShellLine>& lines, const std::vect
     const double c = portable::cos(azimuths[i]), s = portable::sin(azimuths[i]);
     for (const double h : {heights.from, heights.to}) {
       const double at = h > lines[i].straight_to ? 0.0 : h;
+      all.azimuths.push_back(azimuths[i]);
       all.rows.push_back((Row() << 1.0, c, s, at * c, at * s).finished());
       all.radii.push_back(lines[i].at(0.0, at) - radius);
     }
@@ -56,22 +99,25 @@ void addPrior(const CirclePrior& prior, double sigma, Normal& normal) {
 }  // namespace
 
 CirclePrior priorOf(const Tank& tank) {
-  constexpr double kAlike = 10.0 * kPi / 180.0;  // a shell's lobes and the cells' errors are alike over ten degrees
+  constexpr double kAlike = 10.0 * kDegree;  // a shell's lobes and the cells' errors are alike over ten degrees
   if (tank.coverage < kPi || !(tank.rms > 0.0)) return {};
   const double sigma = tank.rms / std::sqrt(tank.coverage / kAlike);
-  return {sigma, std::hypot(sigma, 0.5 * kLean * tank.height)};
+  const double lobes =
+      std::hypot(kOutOfRound * tank.circle.radius, tank.rms) * sharedWithLobes(gainsOver(tank.coverage));
+  return {std::hypot(sigma, lobes), std::hypot(sigma, 0.5 * kLean * tank.height)};
 }
 
 ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
                            const ShellHeights& heights, const Circle& start, const CirclePrior& prior) {
-  const auto [rows, radii] = observationsOf(lines, azimuths, heights, start.radius);
+  const auto [rows, azimuths_of, radii] = observationsOf(lines, azimuths, heights, start.radius);
   ShellCircle result;
   result.circle = start;
   if (rows.size() < 10) return result;
   std::vector<double> weights(rows.size(), 1.0), left = radii;
-  Row solution = Row::Zero();
+  Row solution = Row::Zero(), of_radius = Row::Zero();
+  double sigma = 0.0;
   for (int iteration = 0; iteration < 20; ++iteration) {
-    const double sigma = std::max(robustSigma(left, median(left)), 1e-7);
+    sigma = std::max(robustSigma(left, median(left)), 1e-7);
     Normal normal = Normal::Zero();
     Row rhs = Row::Zero();
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -81,12 +127,16 @@ ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vecto
     addPrior(prior, sigma, normal);
     const Normal inverse = normal.inverse();
     solution = inverse * rhs;
+    of_radius = inverse.row(0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       left[i] = radii[i] - rows[i].dot(solution);
       weights[i] = std::abs(left[i]) < kStray * sigma ? 1.0 : 0.0;
     }
-    result.sigma_radius = sigma * std::sqrt(2.0 * inverse(0, 0));
   }
+  std::vector<Gain> gains;
+  for (std::size_t i = 0; i < rows.size(); ++i) gains.push_back({azimuths_of[i], weights[i] * of_radius.dot(rows[i])});
+  const double lobes = std::hypot(kOutOfRound * start.radius, sigma) * sharedWithLobes(gains);
+  result.sigma_radius = std::hypot(sigma * std::sqrt(2.0 * of_radius[0]), lobes);
   result.circle = {start.center + solution.segment<2>(1), start.radius + solution[0]};
   return result;
 }

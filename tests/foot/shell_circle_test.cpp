@@ -58,16 +58,53 @@ TEST(ShellCircle, AShortArcIsHeldByWhatTheWholeShellSaid) {
   EXPECT_NEAR(held.circle.radius, kRadius, 0.002);
 }
 
+/// 0.3 mm of a metre in waves of which the longer are the larger (Python: the sum over n of n^-3 (c_n^2 + s_n^2)).
+TEST(ShellCircle, OfAnArcLobesAreInTheRadius) {
+  EXPECT_NEAR(fitted(linesOf(40, 10.003)).sigma_radius, 0.0312, 0.0005);
+  EXPECT_NEAR(fitted(linesOf(76, 10.003)).sigma_radius, 0.0148, 0.0002);
+  EXPECT_NEAR(fitted(linesOf(180, 10.003)).sigma_radius, 0.00373, 0.00005);
+  EXPECT_NEAR(fitted(linesOf(300, 10.003)).sigma_radius, 0.00068, 0.00001);
+}
+
+/// Shells out of round by as much as theirs may be: what an arc gives of their radius is within its errors.
+TEST(ShellCircle, TheRadiusOfAnArcIsWithinItsError) {
+  constexpr int kShells = 300;
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> amplitude(0.1, 2.0);  // of the usual one
+  for (const int seen : {76, 120, 200, 300}) {
+    int within = 0;
+    for (int k = 0; k < kShells; ++k) {
+      auto lines = linesOf(seen, 10.003);
+      const double usual = amplitude(random) * 0.003;
+      for (int n = 2; n <= 8; ++n) {
+        const double c = usual * normal(random) / std::pow(n, 1.5), s = usual * normal(random) / std::pow(n, 1.5);
+        for (int i = 0; i < seen; ++i)
+          lines[static_cast<std::size_t>(i)].radius += c * std::cos(n * i * kDegree) + s * std::sin(n * i * kDegree);
+      }
+      const ShellCircle round = fitted(lines);
+      within += std::abs(round.circle.radius - 10.003) < 2.0 * round.sigma_radius;
+    }
+    EXPECT_GT(within, 0.94 * kShells) << seen;
+  }
+}
+
 TEST(ShellCircle, AWholeFootOutweighsTheLocatedCircle) {
   EXPECT_NEAR(fitted(linesOf(360, 10.003, 0.001), {0.005, 0.05}).circle.radius, 10.003, 0.0003);
 }
 
 Tank seenOver(double coverage_deg, double rms) {
   Tank tank;
+  tank.circle = {{0, 0}, kRadius};
   tank.coverage = coverage_deg * kPi / 180.0;
   tank.rms = rms;
   tank.height = 10.0;
   return tank;
+}
+
+TEST(PriorOf, OfAPartOfTheShellHasWhatLobesMakeOfIt) {
+  EXPECT_NEAR(priorOf(seenOver(180, 0.001)).sigma_radius, 0.00394, 0.00003);
+  EXPECT_NEAR(priorOf(seenOver(180, 0.010)).sigma_radius, 0.01320, 0.0001);  // its own lobes
 }
 
 TEST(PriorOf, IsNothingForLessThanHalfOfTheShell) {
