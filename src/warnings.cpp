@@ -30,6 +30,14 @@ std::vector<std::string> warningsOf(const Datum& datum) {
                   1e3 * datum.refined.rounding);
     warnings.emplace_back(text);
   }
+  if (datum.refined.narrow_lip > 0.0) {
+    snprintfPlain(
+        text, sizeof text,
+        "the lip is narrower than can be fitted: what it lies on was, and elevations are raised to the lip's, "
+        "by %.2g mm usually",
+        1e3 * datum.refined.narrow_lip);
+    warnings.emplace_back(text);
+  }
   return warnings;
 }
 

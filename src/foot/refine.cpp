@@ -13,6 +13,7 @@
 #include "foot/foot_profile.h"
 #include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
+#include "foot/narrow_lips.h"
 #include "foot/polar_ring.h"
 #include "foot/raised_foot.h"
 #include "foot/shell_below.h"
@@ -122,6 +123,15 @@ std::vector<StationDatum> withReasons(std::vector<StationDatum> stations, const 
   return stations;
 }
 
+/// The stations on what they lie above their fits by.
+std::vector<StationDatum> onLips(std::vector<StationDatum> stations, const std::vector<Lift>& lifts) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    stations[i].z += lifts[i].height;
+    stations[i].sigma_z = std::hypot(stations[i].sigma_z, lifts[i].sigma);
+  }
+  return stations;
+}
+
 /// What belongs to the stations asked for, in their order, of what belongs to the fitted ones; of nothing, nothing.
 template <typename T>
 std::vector<T> asAsked(const std::vector<T>& all, const StationOptions& fitted, const StationOptions& asked) {
@@ -166,7 +176,12 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const double sigma_bend = kHighestWave / tank.circle.radius;
   auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
   if (isResolved(foot)) bridged = withShadowsDoubted(std::move(bridged), foot, pass);
-  found.stations = asAsked(withRefusedDoubted(bridged, pass.outliers.refused, foot), fitted, asked);
+  bridged = withRefusedDoubted(std::move(bridged), pass.outliers.refused, foot);
+  const std::vector<Lift> lifts = findNarrowLips(foot, levels.fits, pass.sections);
+  found.refined.narrow_lip = usualLip(lifts, levels.fits);
+  if (found.refined.narrow_lip > 0.0) found.refined.profile.surface = Surface::AnnularPlate;
+  levels.fits = lifted(std::move(levels.fits), lifts);
+  found.stations = asAsked(onLips(std::move(bridged), lifts), fitted, asked);
   found.refined.sections = asAsked(profilesOf(foot, elevations, levels.fits, shell.lines, band), fitted, asked);
   return found;
 }

@@ -78,14 +78,15 @@ struct StationProfile {
 
 /// What the refinement found for the tank as a whole.
 struct Refined {
-  FootProfile profile;                   ///< the section of the foot, and which surface was intersected
-  Circle circle;                         ///< of the shell at the datum, from the stations [m]
-  double sigma_radius = kUnknown;        ///< standard error of its radius [m]
-  double rounding = 0;                   ///< step that the points' elevations were rounded to, where it is coarse [m]
-  double shell_from = kUnknown;          ///< height above the datum from which on the shell is seen, typical [m]
-  double raised = kUnknown;              ///< of the stations above where the shell is seen elsewhere, over its scatter
-  double above_shell = kUnknown;         ///< share of the stations below which the shell, and only it, is seen
-  double under_shell = kUnknown;         ///< share of the stations under whose wall the foundation goes on; 0 when few
+  FootProfile profile;             ///< the section of the foot, and which surface was intersected
+  Circle circle;                   ///< of the shell at the datum, from the stations [m]
+  double sigma_radius = kUnknown;  ///< standard error of its radius [m]
+  double rounding = 0;             ///< step that the points' elevations were rounded to, where it is coarse [m]
+  double narrow_lip = 0;           ///< how far a lip too narrow for the section lies above its surface; 0: none [m]
+  double shell_from = kUnknown;    ///< height above the datum from which on the shell is seen, typical [m]
+  double raised = kUnknown;        ///< of the stations above where the shell is seen elsewhere, over its scatter
+  double above_shell = kUnknown;   ///< share of the stations below which the shell, and only it, is seen
+  double under_shell = kUnknown;   ///< share of the stations under whose wall the foundation goes on; 0 when few
   std::vector<StationProfile> sections;  ///< one per station where RefineOptions::profile_points > 0, else none
 
   bool valid() const { return profile.valid(); }

@@ -1,0 +1,209 @@
+#include "foot/narrow_lips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "core/portable_math.h"
+#include "core/ring_runs.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "foot/foot_roughness.h"
+#include "foot/ring_slope.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kHolds = 0.5;  // of a height: two standard errors hold it
+constexpr double kHigh = 0.1;   // of the reach: how high above the surface is looked
+
+/// A point beside the shell: its distance from it, and its height over the surface that was fitted [m].
+struct Beside {
+  double d, height;
+};
+
+/// What a few stations show beside the shell, and of the surface beyond.
+struct Strip {
+  std::vector<Beside> points;
+  double surface = 0.0;  ///< points on the surface, in its band
+  double width = 0.0;    ///< of that band [m]
+  double noise = 0.0;    ///< of the surface [m]
+  double blur = 0.0;     ///< that noise moves points by along their beams [m]
+};
+
+/// Where a lip may be that the section does not show: up to the surface's own band, or a lip's edge [m].
+double stripEnd(const FootProfile& profile) {
+  return profile.surface == Surface::AnnularPlate ? std::max(profile.band_from, profile.edge) : profile.band_from;
+}
+
+Strip stripAt(const Foot& foot, std::size_t station, const FootFit& fit, const FootProfile& profile) {
+  constexpr double kNear = 0.004;  // of the reach
+  Strip strip;
+  if (!fit.valid()) return strip;
+  strip.width = profile.band_to - profile.band_from;
+  strip.noise = fit.noise;
+  strip.blur = foot.scales.shell_noise;
+  const double from = std::max(kNear * foot.reach, 2.5 * foot.scales.shell_noise), to = stripEnd(profile);
+  for (const FootPoint& p : foot.points[station]) {
+    const double height = offOf(p, fit);
+    strip.surface += p.d >= profile.band_from && p.d <= profile.band_to && std::abs(height) < 2.0 * fit.noise;
+    if (p.d >= from && p.d < to && std::abs(height) < kHigh * foot.reach) strip.points.push_back({p.d, height});
+  }
+  return strip;
+}
+
+Strip together(const std::vector<Strip>& strips, std::size_t station, std::size_t beside) {
+  Strip all = strips[station];
+  const std::size_t count = strips.size();
+  for (std::size_t k = station + count - beside; k <= station + count + beside; ++k) {
+    const Strip& other = strips[k % count];
+    if (k % count == station || !(other.width > 0.0)) continue;
+    all.points.insert(all.points.end(), other.points.begin(), other.points.end());
+    all.surface += other.surface;
+  }
+  return all;
+}
+
+/// The points of a strip between two heights that lie at its densest level.
+std::vector<Beside> densestLevel(std::vector<Beside> points, double from, double to, double thick) {
+  const auto outside = [&](const Beside& p) { return p.height < from || p.height > to; };
+  points.erase(std::remove_if(points.begin(), points.end(), outside), points.end());
+  std::sort(points.begin(), points.end(), [](const Beside& a, const Beside& b) { return a.height < b.height; });
+  std::size_t first = 0, last = 0;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); ++begin) {
+    while (end < points.size() && points[end].height <= points[begin].height + thick) ++end;
+    if (end - begin > last - first) first = begin, last = end;
+  }
+  return {points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+/// The width over which points lie evenly, without what noise scatters them by [m].
+double widthOf(const std::vector<double>& distances, double noise) {
+  const auto count = static_cast<double>(distances.size());
+  double sum = 0.0, squares = 0.0;
+  for (const double d : distances) sum += d, squares += d * d;
+  const double variance = squares / count - square(sum / count) - square(noise);
+  return std::sqrt(12.0 * std::max(0.0, variance));
+}
+
+/// How points of a level rise outwards from a distance on, where no weld's toe is among them [m/m].
+double slopeBeyond(const std::vector<Beside>& level, double from) {
+  double count = 0.0, d = 0.0, height = 0.0, squares = 0.0, products = 0.0;
+  for (const Beside& p : level) {
+    if (p.d < from) continue;
+    count += 1.0, d += p.d, height += p.height;
+    squares += p.d * p.d, products += p.d * p.height;
+  }
+  return (count * products - d * height) / (count * squares - d * d);
+}
+
+/// The lip that a strip shows; no height where it shows none.
+Lift lipIn(const Strip& strip, double reach) {
+  constexpr double kLowest = 0.005, kHighest = 0.06;  // of the reach: half of the thinnest plate, and 30 mm
+  constexpr double kNarrowest = 0.014;                // of the reach: what is narrower may be a cable or a weld's toe
+  constexpr double kSteepest = 0.5;                   // a weld or a fillet is steeper [m/m]
+  constexpr double kUnder = 0.25;                     // of its points: others on the surface below, nearer to the shell
+  constexpr double kLean = 0.03;                      // of lips, usually [m/m]
+  if (!(strip.width > 0.0) || !(strip.surface > 0.0)) return {};
+  const double thick = 4.0 * strip.noise;
+  const double lowest = std::max(kLowest * reach, 0.75 * thick), highest = kHighest * reach;
+  const std::vector<Beside> level = densestLevel(strip.points, lowest, highest, thick);
+  const auto above =
+      std::count_if(strip.points.begin(), strip.points.end(), [&](const Beside& p) { return p.height > highest; });
+  const double chance = static_cast<double>(above) * thick / (kHigh * reach - highest);  // as of what noise moves there
+  const auto count = static_cast<double>(level.size());
+  if (count - chance < 3.0 * std::sqrt(count + chance)) return {};
+  std::vector<double> heights, distances;
+  for (const Beside& p : level) heights.push_back(p.height), distances.push_back(p.d);
+  const double flat = (count - chance) * strip.width / strip.surface;  // as wide as so many points of the surface
+  const double least = std::max(kNarrowest * reach, thick / kSteepest), middle = median(distances);
+  if (flat < least || widthOf(distances, strip.blur) < least) return {};
+  if (slopeBeyond(level, middle) < -kSteepestLip) return {};
+  const auto below = std::count_if(strip.points.begin(), strip.points.end(),
+                                   [&](const Beside& p) { return p.d < middle && std::abs(p.height) < 0.5 * thick; });
+  if (static_cast<double>(below) > kUnder * count) return {};
+  return {median(heights), std::hypot(kLean * middle, strip.noise / std::sqrt(count))};
+}
+
+/// The lift of the station of a run that shows a lip nearest to one.
+Lift nearestLift(const std::vector<Lift>& found, const RingRun& run, std::size_t station) {
+  const std::size_t count = found.size();
+  for (std::size_t away = 0; away <= run.last - run.first; ++away) {
+    if (station + away <= run.last && found[(station + away) % count].height > 0.0)
+      return found[(station + away) % count];
+    if (station >= run.first + away && found[(station - away) % count].height > 0.0)
+      return found[(station - away) % count];
+  }
+  return {};
+}
+
+/// How much farther the ends of a run lie from the stations beside with their lift than without [m]; 0 where none are
+/// near.
+double fartherBeside(const RingRun& run, const std::vector<FootFit>& fits, const std::vector<Lift>& found,
+                     std::size_t near) {
+  const std::size_t count = fits.size();
+  double sum = 0.0;
+  const auto add = [&](std::size_t end, std::size_t step) {
+    for (std::size_t away = 1, i = (end + step) % count; away <= near; ++away, i = (i + step) % count) {
+      if (!fits[i].valid()) continue;
+      if ((i + count - run.first % count) % count <= run.last - run.first) return;  // its own other end
+      const double off = fits[end % count].z - fits[i].z;
+      sum += std::abs(off + nearestLift(found, run, end).height) - std::abs(off);
+      return;
+    }
+  };
+  add(run.first, count - 1), add(run.last, 1);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& fits, const FootSections& sections) {
+  constexpr double kBeside = 1.0 * kDegree, kNear = 5.0 * kDegree;  // of what is one part of the ring
+  const std::size_t count = fits.size(), beside = foot.stationsBeside(kBeside), near = foot.stationsIn(kNear),
+                    far = foot.stationsIn(kFarIsland);
+  std::vector<Strip> strips(count);
+  std::vector<Lift> found(count);
+  forEachIndex(count, 0, [&](std::size_t i) { strips[i] = stripAt(foot, i, fits[i], sections.at(i)); });
+  forEachIndex(count, 0, [&](std::size_t i) {
+    if (fits[i].valid()) found[i] = lipIn(together(strips, i, beside), foot.reach);
+  });
+  std::vector<char> valid(count);
+  for (std::size_t i = 0; i < count; ++i) valid[i] = fits[i].valid() ? 1 : 0;
+  std::vector<Lift> lifts(count);
+  for (const RingRun& run : runsRound(valid, near)) {
+    std::size_t stand = 0, show = 0;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      stand += valid[k % count] != 0;
+      show += found[k % count].height > 0.0;
+    }
+    if (2 * show <= stand) continue;
+    const bool is_ring = run.last - run.first + 1 >= count;
+    const bool stands_out = !is_ring && fartherBeside(run, fits, found, far) > 0.0;
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      const Lift lift = nearestLift(found, run, k);
+      const bool is_sure = !stands_out && found[k % count].height > 0.0;
+      lifts[k % count] = {stands_out ? 0.0 : lift.height,
+                          is_sure ? lift.sigma : std::hypot(lift.sigma, kHolds * lift.height)};
+    }
+  }
+  return lifts;
+}
+
+double usualLip(const std::vector<Lift>& lifts, const std::vector<FootFit>& fits) {
+  std::vector<double> heights;
+  std::size_t stand = 0;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (!fits[i].valid()) continue;
+    ++stand;
+    if (lifts[i].height > 0.0) heights.push_back(lifts[i].height);
+  }
+  return 2 * heights.size() > stand ? median(heights) : 0.0;
+}
+
+std::vector<FootFit> lifted(std::vector<FootFit> fits, const std::vector<Lift>& lifts) {
+  for (std::size_t i = 0; i < fits.size(); ++i) fits[i].z += lifts[i].height;
+  return fits;
+}
+
+}  // namespace tank_datum

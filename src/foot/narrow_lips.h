@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "foot/foot_state.h"
+
+namespace tank_datum {
+
+/// What a station lies above its fit by, and the standard error of that [m].
+struct Lift {
+  double height = 0, sigma = 0;
+};
+
+/// Lips that end so near to the shell's weld, or to what noise blurs of it, that a section shows no surface between:
+/// the fits lie on what such a lip lies on. Beside the shell its points lie as densely as those of the surface beyond,
+/// at one level above it, and hide it. Where most stations show one it goes all round; else it is one where stations
+/// beside lie on its level. What else looks so is no lip, or may be one.
+/// @param fits  not valid where a station does not stand
+/// @return of every station; no height where there is no lip, a standard error alone where there may be one [m]
+std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& fits, const FootSections& sections);
+
+/// The usual height of lips on which most stations that stand lie; 0 where they do not [m].
+double usualLip(const std::vector<Lift>& lifts, const std::vector<FootFit>& fits);
+
+/// The fits with what their stations lie above them by.
+std::vector<FootFit> lifted(std::vector<FootFit> fits, const std::vector<Lift>& lifts);
+
+}  // namespace tank_datum

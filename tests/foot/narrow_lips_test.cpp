@@ -1,0 +1,155 @@
+#include "foot/narrow_lips.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "support/made_feet.h"
+
+namespace tank_datum {
+namespace {
+
+using made_feet::MadeFoot;
+
+/// A ringwall upon z = 0 from 30 mm on, two points a millimetre and station, and what lies beside the shell.
+struct Scene {
+  double from = 0.008, to = 0.026, height = 0.008;              ///< of a lip [m]
+  double noise = 0.0003;                                        ///< of the fits [m]
+  std::function<bool(int)> has_lip = [](int) { return true; };  ///< at a station
+  std::function<bool(int)> stands = [](int) { return true; };
+  std::function<double(int)> level = [](int) { return 0.0; };  ///< of the fit [m]
+  std::function<void(MadeFoot&)> add = [](MadeFoot&) {};
+};
+
+std::vector<Lift> lipsOf(const Scene& scene) {
+  MadeFoot made;
+  made.addAll(500, 0.03, 0.28, [](double) { return 0.0; });
+  std::vector<FootFit> fits(360);
+  for (int s = 0; s < 360; ++s) {
+    const int points = static_cast<int>(std::lround(2e3 * (scene.to - scene.from)));
+    if (scene.has_lip(s)) made.addStation(s, points, scene.from, scene.to, [&](double) { return scene.height; });
+    if (!scene.stands(s)) continue;
+    FootFit& fit = fits[static_cast<std::size_t>(s)];
+    fit.sigma = 0.0002, fit.noise = scene.noise;
+    fit.z = scene.level(s), fit.slope = fit.along = fit.bend = 0.0;
+  }
+  scene.add(made);
+  FootSections sections;
+  sections.whole.band_from = 0.03, sections.whole.band_to = 0.28;
+  sections.whole.surface = Surface::Ringwall;
+  return findNarrowLips(made.foot(), fits, sections);
+}
+
+Scene lip(double from, double to, double height = 0.008) {
+  Scene scene;
+  scene.from = from, scene.to = to, scene.height = height;
+  return scene;
+}
+
+bool isRaised(const Scene& scene) { return lipsOf(scene)[100].height > 0.0; }
+
+TEST(NarrowLips, RaiseTheRingByTheirHeight) {
+  for (const Lift& lift : lipsOf({})) {
+    EXPECT_NEAR(lift.height, 0.008, 1e-6);
+    EXPECT_NEAR(lift.sigma, 0.03 * 0.017, 2e-5) << "what leans by 0.03 m/m, seen 17 mm from the shell";
+  }
+}
+
+TEST(NarrowLips, AreSevenMillimetresWideAtLeast) {
+  EXPECT_TRUE(isRaised(lip(0.008, 0.0165)));
+  EXPECT_FALSE(isRaised(lip(0.008, 0.0145)));
+}
+
+TEST(NarrowLips, LieHalfAPlateToThirtyMillimetresHigher) {
+  EXPECT_FALSE(isRaised(lip(0.008, 0.026, 0.002)));
+  EXPECT_TRUE(isRaised(lip(0.008, 0.026, 0.003)));
+  EXPECT_TRUE(isRaised(lip(0.008, 0.026, 0.029)));
+  EXPECT_FALSE(isRaised(lip(0.008, 0.026, 0.033)));
+}
+
+TEST(NarrowLips, AreLevelAsFarAsNoiseTells) {
+  Scene noisy;
+  noisy.noise = 0.002;  // levels are 8 mm thick: a fillet of 0.5 m/m is 16 mm wide
+  EXPECT_TRUE(isRaised(noisy));
+  noisy.noise = 0.0025;
+  EXPECT_FALSE(isRaised(noisy));
+}
+
+/// Beams meet the face of a weld more densely than a level surface.
+TEST(NarrowLips, AreNoWelds) {
+  Scene weld;
+  weld.has_lip = [](int) { return false; };
+  weld.add = [](MadeFoot& made) { made.addAll(400, 0.002, 0.013, [](double d) { return 0.013 - d; }); };
+  EXPECT_FALSE(isRaised(weld));
+}
+
+TEST(NarrowLips, HideWhatTheyLieOn) {
+  Scene cable = lip(0.016, 0.028);
+  EXPECT_TRUE(isRaised(cable));
+  cable.add = [](MadeFoot& made) { made.addAll(10, 0.004, 0.016, [](double) { return 0.0; }); };
+  EXPECT_FALSE(isRaised(cable));
+}
+
+/// Points at any height, as of plants or of a shell that noise blurs, are at each height by chance.
+TEST(NarrowLips, AreDenserThanChance) {
+  Scene plants;
+  plants.has_lip = [](int) { return false; };
+  plants.noise = 0.001;
+  plants.add = [](MadeFoot& made) {
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> height(0.0, 0.05);
+    made.addAll(400, 0.005, 0.026, [&](double) { return height(random); });
+  };
+  const auto lifts = lipsOf(plants);
+  EXPECT_EQ(std::count_if(lifts.begin(), lifts.end(), [](const Lift& lift) { return lift.height > 0.0; }), 0);
+}
+
+TEST(NarrowLips, OfFewStationsAreNone) {
+  Scene some;
+  some.has_lip = [](int s) { return s % 360 < 170; };
+  EXPECT_FALSE(isRaised(some));
+  some.has_lip = [](int s) { return s % 360 < 190; };
+  const auto lifts = lipsOf(some);
+  EXPECT_NEAR(lifts[300].height, 0.008, 1e-6);
+  EXPECT_NEAR(lifts[300].sigma, std::hypot(0.004, 0.03 * 0.017), 1e-4) << "not seen there";
+}
+
+/// Stations 100 to 160 are a part by themselves, nine degrees from those beside them.
+Scene islandBeside(double level) {
+  Scene island;
+  island.has_lip = [](int s) { return s >= 100 && s <= 160; };
+  island.stands = [](int s) { return (s >= 100 && s <= 160) || s < 91 || s > 169; };
+  island.level = [level](int s) { return s >= 100 && s <= 160 ? 0.0 : level; };
+  return island;
+}
+
+TEST(NarrowLips, OfAPartOfTheRingMeetThoseBeside) {
+  const auto meets = lipsOf(islandBeside(0.008));
+  EXPECT_NEAR(meets[130].height, 0.008, 1e-6);
+  EXPECT_EQ(meets[50].height, 0.0);
+  EXPECT_EQ(meets[50].sigma, 0.0);
+  const auto stands_out = lipsOf(islandBeside(0.0));
+  EXPECT_EQ(stands_out[130].height, 0.0);
+  EXPECT_NEAR(stands_out[130].sigma, std::hypot(0.004, 0.03 * 0.017), 1e-4);
+}
+
+TEST(NarrowLips, OfMostStationsHaveAUsualHeight) {
+  std::vector<FootFit> fits(4);
+  for (int i : {0, 1, 2}) fits[static_cast<std::size_t>(i)].sigma = 0.001;
+  EXPECT_EQ(usualLip({{0.008, 0.0}, {0.009, 0.0}, {}, {}}, fits), 0.0085);
+  EXPECT_EQ(usualLip({{0.008, 0.0}, {}, {}, {}}, fits), 0.0);
+}
+
+TEST(NarrowLips, LiftFits) {
+  std::vector<FootFit> fits(2);
+  fits[0].z = 1.0, fits[1].z = 2.0;
+  const auto on_lips = lifted(fits, {{0.008, 0.0}, {0.0, 0.004}});
+  EXPECT_EQ(on_lips[0].z, 1.008);
+  EXPECT_EQ(on_lips[1].z, 2.0);
+}
+
+}  // namespace
+}  // namespace tank_datum
