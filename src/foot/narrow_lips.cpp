@@ -112,7 +112,7 @@ Lift lipIn(const Strip& strip, double reach) {
       std::count_if(strip.points.begin(), strip.points.end(), [&](const Beside& p) { return p.height > highest; });
   const double chance = static_cast<double>(above) * thick / (kHigh * reach - highest);  // as of what noise moves there
   const auto count = static_cast<double>(level.size());
-  if (count - chance < 3.0 * std::sqrt(count + chance)) return {};
+  if (level.empty() || count - chance < 3.0 * std::sqrt(count + chance)) return {};
   std::vector<double> heights, distances;
   for (const Beside& p : level) heights.push_back(p.height), distances.push_back(p.d);
   const double flat = (count - chance) * strip.width / strip.surface;  // as wide as so many points of the surface

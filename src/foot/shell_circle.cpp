@@ -22,6 +22,8 @@ constexpr double kStray = 6.0;
 // The shell of a tank leans by less than one in a hundred; on a short arc lean and centre can hardly be told apart.
 constexpr double kLean = 0.01;
 
+constexpr double kAlike = 10.0 * kDegree;  // over which a shell's lobes, and the cells' errors, are alike
+
 /// What a shell is out of round by, usually: a fraction of its radius (root mean square). API 650, 7.5.3, allows 13 mm
 /// of 6 m and 32 mm of 40 m at the foot.
 constexpr double kOutOfRound = 3e-4;
@@ -86,6 +88,23 @@ Observations observationsOf(const std::vector<ShellLine>& lines, const std::vect
   return all;
 }
 
+/// What a shell is seen to be off its circle by as neighbours are together, which noise is not: root mean square [m].
+double seenOutOfRound(const std::vector<double>& azimuths, const std::vector<double>& off,
+                      const std::vector<double>& weights) {
+  std::array<double, static_cast<std::size_t>(kTwoPi / kAlike + 0.5)> sums{}, counts{};
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const double turn = azimuths[i] / kTwoPi, place = (turn - std::floor(turn)) * static_cast<double>(sums.size());
+    const std::size_t part = std::min(sums.size() - 1, static_cast<std::size_t>(place));
+    sums[part] += weights[i] * off[i];
+    counts[part] += weights[i];
+  }
+  double squares = 0.0, parts = 0.0;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    if (counts[k] > 0.0) squares += square(sums[k] / counts[k]), parts += 1.0;
+  }
+  return std::sqrt(squares / std::max(1.0, parts));
+}
+
 /// Adds what is known of the unknowns beforehand.
 /// @param sigma  of one observation
 void addPrior(const CirclePrior& prior, double sigma, Normal& normal) {
@@ -99,11 +118,9 @@ void addPrior(const CirclePrior& prior, double sigma, Normal& normal) {
 }  // namespace
 
 CirclePrior priorOf(const Tank& tank) {
-  constexpr double kAlike = 10.0 * kDegree;  // a shell's lobes and the cells' errors are alike over ten degrees
   if (tank.coverage < kPi || !(tank.rms > 0.0)) return {};
   const double sigma = tank.rms / std::sqrt(tank.coverage / kAlike);
-  const double lobes =
-      std::hypot(kOutOfRound * tank.circle.radius, tank.rms) * sharedWithLobes(gainsOver(tank.coverage));
+  const double lobes = kOutOfRound * tank.circle.radius * sharedWithLobes(gainsOver(tank.coverage));
   return {std::hypot(sigma, lobes), std::hypot(sigma, 0.5 * kLean * tank.height)};
 }
 
@@ -135,7 +152,8 @@ ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vecto
   }
   std::vector<Gain> gains;
   for (std::size_t i = 0; i < rows.size(); ++i) gains.push_back({azimuths_of[i], weights[i] * of_radius.dot(rows[i])});
-  const double lobes = std::hypot(kOutOfRound * start.radius, sigma) * sharedWithLobes(gains);
+  const double out_of_round = std::hypot(kOutOfRound * start.radius, seenOutOfRound(azimuths_of, left, weights));
+  const double lobes = out_of_round * sharedWithLobes(gains);
   result.sigma_radius = std::hypot(sigma * std::sqrt(2.0 * of_radius[0]), lobes);
   result.circle = {start.center + solution.segment<2>(1), start.radius + solution[0]};
   return result;
