@@ -137,31 +137,22 @@ Lift nearestLift(const std::vector<Lift>& found, const RingRun& run, std::size_t
   return {};
 }
 
-/// How much farther the ends of a run lie from the stations beside with their lift than without [m]; 0 where none are
-/// near.
-double fartherBeside(const RingRun& run, const std::vector<FootFit>& fits, const std::vector<Lift>& found,
-                     std::size_t near) {
-  const std::size_t count = fits.size();
-  double sum = 0.0;
-  const auto add = [&](std::size_t end, std::size_t step) {
-    for (std::size_t away = 1, i = (end + step) % count; away <= near; ++away, i = (i + step) % count) {
-      if (!fits[i].valid()) continue;
-      if ((i + count - run.first % count) % count <= run.last - run.first) return;  // its own other end
-      const double off = fits[end % count].z - fits[i].z;
-      sum += std::abs(off + nearestLift(found, run, end).height) - std::abs(off);
-      return;
-    }
-  };
-  add(run.first, count - 1), add(run.last, 1);
-  return sum;
+/// The stations of a gap between parts of the ring: as those beside it, straight from one to the other.
+void liftBetween(const RingRun& gap, std::vector<Lift>& lifts) {
+  const std::size_t count = lifts.size();
+  const Lift before = lifts[(gap.first + count - 1) % count], after = lifts[(gap.last + 1) % count];
+  for (std::size_t k = gap.first; k <= gap.last; ++k) {
+    const double share = static_cast<double>(k - gap.first + 1) / static_cast<double>(gap.last - gap.first + 2);
+    lifts[k % count] = {(1.0 - share) * before.height + share * after.height,
+                        std::hypot(std::max(before.sigma, after.sigma), kHolds * (before.height - after.height))};
+  }
 }
 
 }  // namespace
 
 std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& fits, const FootSections& sections) {
-  constexpr double kBeside = 1.0 * kDegree, kNear = 5.0 * kDegree;  // of what is one part of the ring
-  const std::size_t count = fits.size(), beside = foot.stationsBeside(kBeside), near = foot.stationsIn(kNear),
-                    far = foot.stationsIn(kFarIsland);
+  constexpr double kBeside = 1.0 * kDegree, kNear = 5.0 * kDegree;
+  const std::size_t count = fits.size(), beside = foot.stationsBeside(kBeside);
   std::vector<Strip> strips(count);
   std::vector<Lift> found(count);
   forEachIndex(count, 0, [&](std::size_t i) { strips[i] = stripAt(foot, i, fits[i], sections.at(i)); });
@@ -171,22 +162,21 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
   std::vector<char> valid(count);
   for (std::size_t i = 0; i < count; ++i) valid[i] = fits[i].valid() ? 1 : 0;
   std::vector<Lift> lifts(count);
-  for (const RingRun& run : runsRound(valid, near)) {
+  std::vector<char> between(count, 1);
+  for (const RingRun& run : runsRound(valid, foot.stationsIn(kNear))) {
+    for (std::size_t k = run.first; k <= run.last; ++k) between[k % count] = 0;
     std::size_t stand = 0, show = 0;
     for (std::size_t k = run.first; k <= run.last; ++k) {
       stand += valid[k % count] != 0;
       show += found[k % count].height > 0.0;
     }
     if (2 * show <= stand) continue;
-    const bool is_ring = run.last - run.first + 1 >= count;
-    const bool stands_out = !is_ring && fartherBeside(run, fits, found, far) > 0.0;
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      const Lift lift = nearestLift(found, run, k);
-      const bool is_sure = !stands_out && found[k % count].height > 0.0;
-      lifts[k % count] = {stands_out ? 0.0 : lift.height,
-                          is_sure ? lift.sigma : std::hypot(lift.sigma, kHolds * lift.height)};
+      Lift& lift = lifts[k % count] = nearestLift(found, run, k);
+      if (!(found[k % count].height > 0.0)) lift.sigma = std::hypot(lift.sigma, kHolds * lift.height);
     }
   }
+  for (const RingRun& gap : runsRound(between)) liftBetween(gap, lifts);
   return lifts;
 }
 

@@ -13,10 +13,10 @@ struct Lift {
 
 /// Lips that end so near to the shell's weld, or to what noise blurs of it, that a section shows no surface between:
 /// the fits lie on what such a lip lies on. Beside the shell its points lie as densely as those of the surface beyond,
-/// at one level above it, and hide it. Where most stations show one it goes all round; else it is one where stations
-/// beside lie on its level. What else looks so is no lip, or may be one.
+/// at one level above it, and hide it. Where most stations of a part of the ring show one, it is there at all of them:
+/// those that do not show it have half of its height in the standard error.
 /// @param fits  not valid where a station does not stand
-/// @return of every station; no height where there is no lip, a standard error alone where there may be one [m]
+/// @return of every station; no height where there is no lip
 std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& fits, const FootSections& sections);
 
 /// The usual height of lips on which most stations that stand lie; 0 where they do not [m].

@@ -20,7 +20,6 @@ struct Scene {
   double noise = 0.0003;                                        ///< of the fits [m]
   std::function<bool(int)> has_lip = [](int) { return true; };  ///< at a station
   std::function<bool(int)> stands = [](int) { return true; };
-  std::function<double(int)> level = [](int) { return 0.0; };  ///< of the fit [m]
   std::function<void(MadeFoot&)> add = [](MadeFoot&) {};
 };
 
@@ -34,7 +33,7 @@ std::vector<Lift> lipsOf(const Scene& scene) {
     if (!scene.stands(s)) continue;
     FootFit& fit = fits[static_cast<std::size_t>(s)];
     fit.sigma = 0.0002, fit.noise = scene.noise;
-    fit.z = scene.level(s), fit.slope = fit.along = fit.bend = 0.0;
+    fit.z = fit.slope = fit.along = fit.bend = 0.0;
   }
   scene.add(made);
   FootSections sections;
@@ -117,23 +116,29 @@ TEST(NarrowLips, OfFewStationsAreNone) {
   EXPECT_NEAR(lifts[300].sigma, std::hypot(0.004, 0.03 * 0.017), 1e-4) << "not seen there";
 }
 
-/// Stations 100 to 160 are a part by themselves, nine degrees from those beside them.
-Scene islandBeside(double level) {
+/// Stations 100 to 160 show a lip, behind gaps of so many degrees.
+std::vector<Lift> lipsOfPart(int gap) {
   Scene island;
   island.has_lip = [](int s) { return s >= 100 && s <= 160; };
-  island.stands = [](int s) { return (s >= 100 && s <= 160) || s < 91 || s > 169; };
-  island.level = [level](int s) { return s >= 100 && s <= 160 ? 0.0 : level; };
-  return island;
+  island.stands = [gap](int s) { return (s >= 100 && s <= 160) || s < 100 - gap || s > 160 + gap; };
+  return lipsOf(island);
 }
 
-TEST(NarrowLips, OfAPartOfTheRingMeetThoseBeside) {
-  const auto meets = lipsOf(islandBeside(0.008));
-  EXPECT_NEAR(meets[130].height, 0.008, 1e-6);
-  EXPECT_EQ(meets[50].height, 0.0);
-  EXPECT_EQ(meets[50].sigma, 0.0);
-  const auto stands_out = lipsOf(islandBeside(0.0));
-  EXPECT_EQ(stands_out[130].height, 0.0);
-  EXPECT_NEAR(stands_out[130].sigma, std::hypot(0.004, 0.03 * 0.017), 1e-4);
+TEST(NarrowLips, OfAPartOfTheRingRaiseThatPart) {
+  const auto apart = lipsOfPart(9);
+  EXPECT_NEAR(apart[130].height, 0.008, 1e-6);
+  EXPECT_EQ(apart[50].height, 0.0);
+  EXPECT_EQ(apart[50].sigma, 0.0);
+  EXPECT_EQ(lipsOfPart(4)[130].height, 0.0) << "one part with the rest";
+}
+
+TEST(NarrowLips, RaiseWhatIsBridgedBetweenParts) {
+  Scene gap;
+  gap.stands = [](int s) { return s < 91 || s > 99; };
+  EXPECT_NEAR(lipsOf(gap)[95].height, 0.008, 1e-6);
+  const Lift between = lipsOfPart(9)[95];  // the fifth of nine
+  EXPECT_NEAR(between.height, 0.004, 1e-6);
+  EXPECT_NEAR(between.sigma, std::hypot(0.004, 0.03 * 0.017), 1e-4);
 }
 
 TEST(NarrowLips, OfMostStationsHaveAUsualHeight) {
