@@ -37,13 +37,13 @@ double stripEnd(const FootProfile& profile) {
 }
 
 Strip stripAt(const Foot& foot, std::size_t station, const FootFit& fit, const FootProfile& profile) {
-  constexpr double kNear = 0.004;  // of the reach
+  constexpr double kBegins = 0.004;  // of the reach
   Strip strip;
   if (!fit.valid()) return strip;
   strip.width = profile.band_to - profile.band_from;
   strip.noise = fit.noise;
   strip.blur = foot.scales.shell_noise;
-  const double from = std::max(kNear * foot.reach, 2.5 * foot.scales.shell_noise), to = stripEnd(profile);
+  const double from = std::max(kBegins * foot.reach, 2.5 * foot.scales.shell_noise), to = stripEnd(profile);
   for (const FootPoint& p : foot.points[station]) {
     const double height = offOf(p, fit);
     strip.surface += p.d >= profile.band_from && p.d <= profile.band_to && std::abs(height) < 2.0 * fit.noise;
@@ -189,11 +189,6 @@ double usualLip(const std::vector<Lift>& lifts, const std::vector<FootFit>& fits
     if (lifts[i].height > 0.0) heights.push_back(lifts[i].height);
   }
   return 2 * heights.size() > stand ? median(heights) : 0.0;
-}
-
-std::vector<FootFit> lifted(std::vector<FootFit> fits, const std::vector<Lift>& lifts) {
-  for (std::size_t i = 0; i < fits.size(); ++i) fits[i].z += lifts[i].height;
-  return fits;
 }
 
 }  // namespace tank_datum

@@ -22,7 +22,4 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
 /// The usual height of lips on which most stations that stand lie; 0 where they do not [m].
 double usualLip(const std::vector<Lift>& lifts, const std::vector<FootFit>& fits);
 
-/// The fits with what their stations lie above them by.
-std::vector<FootFit> lifted(std::vector<FootFit> fits, const std::vector<Lift>& lifts);
-
 }  // namespace tank_datum

@@ -180,7 +180,6 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   const std::vector<Lift> lifts = findNarrowLips(foot, levels.fits, pass.sections);
   found.refined.narrow_lip = usualLip(lifts, levels.fits);
   if (found.refined.narrow_lip > 0.0) found.refined.profile.surface = Surface::AnnularPlate;
-  levels.fits = lifted(std::move(levels.fits), lifts);
   found.stations = asAsked(onLips(std::move(bridged), lifts), fitted, asked);
   found.refined.sections = asAsked(profilesOf(foot, elevations, levels.fits, shell.lines, band), fitted, asked);
   return found;

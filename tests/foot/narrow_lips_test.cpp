@@ -18,6 +18,8 @@ using made_feet::MadeFoot;
 struct Scene {
   double from = 0.008, to = 0.026, height = 0.008;              ///< of a lip [m]
   double noise = 0.0003;                                        ///< of the fits [m]
+  double shell_noise = 0.001;                                   ///< [m]
+  double density = 2000.0;                                      ///< points a station [1/m]
   std::function<bool(int)> has_lip = [](int) { return true; };  ///< at a station
   std::function<bool(int)> stands = [](int) { return true; };
   std::function<void(MadeFoot&)> add = [](MadeFoot&) {};
@@ -25,10 +27,10 @@ struct Scene {
 
 std::vector<Lift> lipsOf(const Scene& scene) {
   MadeFoot made;
-  made.addAll(500, 0.03, 0.28, [](double) { return 0.0; });
+  made.addAll(static_cast<int>(0.25 * scene.density), 0.03, 0.28, [](double) { return 0.0; });
   std::vector<FootFit> fits(360);
   for (int s = 0; s < 360; ++s) {
-    const int points = static_cast<int>(std::lround(2e3 * (scene.to - scene.from)));
+    const int points = static_cast<int>(std::lround(scene.density * (scene.to - scene.from)));
     if (scene.has_lip(s)) made.addStation(s, points, scene.from, scene.to, [&](double) { return scene.height; });
     if (!scene.stands(s)) continue;
     FootFit& fit = fits[static_cast<std::size_t>(s)];
@@ -39,7 +41,7 @@ std::vector<Lift> lipsOf(const Scene& scene) {
   FootSections sections;
   sections.whole.band_from = 0.03, sections.whole.band_to = 0.28;
   sections.whole.surface = Surface::Ringwall;
-  return findNarrowLips(made.foot(), fits, sections);
+  return findNarrowLips(made.foot({0.3, scene.shell_noise, 0.013}), fits, sections);
 }
 
 Scene lip(double from, double to, double height = 0.008) {
@@ -60,6 +62,17 @@ TEST(NarrowLips, RaiseTheRingByTheirHeight) {
 TEST(NarrowLips, AreSevenMillimetresWideAtLeast) {
   EXPECT_TRUE(isRaised(lip(0.008, 0.0165)));
   EXPECT_FALSE(isRaised(lip(0.008, 0.0145)));
+}
+
+/// From 2 mm on, and 2.5 standard deviations of the shell's points; these scatter a lip's by as much.
+TEST(NarrowLips, BeginWhereTheShellIsNot) {
+  EXPECT_TRUE(isRaised(lip(0.0025, 0.0105)));
+  EXPECT_FALSE(isRaised(lip(0.0015, 0.0100)));
+  Scene quiet = lip(0.0, 0.0088);
+  quiet.shell_noise = 0.0004;
+  EXPECT_FALSE(isRaised(quiet));
+  quiet.to = 0.0098;
+  EXPECT_TRUE(isRaised(quiet));
 }
 
 TEST(NarrowLips, LieHalfAPlateToThirtyMillimetresHigher) {
@@ -85,11 +98,38 @@ TEST(NarrowLips, AreNoWelds) {
   EXPECT_FALSE(isRaised(weld));
 }
 
+TEST(NarrowLips, AreNoFillets) {
+  Scene mastic;
+  mastic.has_lip = [](int) { return false; };
+  mastic.noise = 0.0007;  // levels are 2.8 mm thick, 9 mm of it
+  mastic.add = [](MadeFoot& made) { made.addAll(120, 0.004, 0.034, [](double d) { return 0.3 * (0.034 - d); }); };
+  EXPECT_FALSE(isRaised(mastic));
+}
+
+TEST(NarrowLips, AreTwelvePointsOfThreeStationsAtLeast) {
+  Scene sparse;
+  sparse.density = 4.0 / 0.018;
+  EXPECT_TRUE(isRaised(sparse));
+  sparse.density = 2.0 / 0.018;
+  EXPECT_FALSE(isRaised(sparse));
+}
+
+TEST(NarrowLips, StandOutOfTheSurfacesOwnScatter) {
+  Scene noisy = lip(0.008, 0.026, 0.0028);
+  EXPECT_TRUE(isRaised(noisy));
+  noisy.noise = 0.001;
+  EXPECT_FALSE(isRaised(noisy));
+}
+
 TEST(NarrowLips, HideWhatTheyLieOn) {
   Scene cable = lip(0.016, 0.028);
   EXPECT_TRUE(isRaised(cable));
   cable.add = [](MadeFoot& made) { made.addAll(10, 0.004, 0.016, [](double) { return 0.0; }); };
   EXPECT_FALSE(isRaised(cable));
+  cable.add = [](MadeFoot& made) { made.addAll(4, 0.004, 0.016, [](double) { return 0.0; }); };
+  EXPECT_TRUE(isRaised(cable)) << "a sixth of its points";
+  cable.add = [](MadeFoot& made) { made.addAll(10, 0.004, 0.016, [](double) { return 0.0008; }); };
+  EXPECT_TRUE(isRaised(cable)) << "not on the surface";
 }
 
 /// Points at any height, as of plants or of a shell that noise blurs, are at each height by chance.
@@ -146,14 +186,6 @@ TEST(NarrowLips, OfMostStationsHaveAUsualHeight) {
   for (int i : {0, 1, 2}) fits[static_cast<std::size_t>(i)].sigma = 0.001;
   EXPECT_EQ(usualLip({{0.008, 0.0}, {0.009, 0.0}, {}, {}}, fits), 0.0085);
   EXPECT_EQ(usualLip({{0.008, 0.0}, {}, {}, {}}, fits), 0.0);
-}
-
-TEST(NarrowLips, LiftFits) {
-  std::vector<FootFit> fits(2);
-  fits[0].z = 1.0, fits[1].z = 2.0;
-  const auto on_lips = lifted(fits, {{0.008, 0.0}, {0.0, 0.004}});
-  EXPECT_EQ(on_lips[0].z, 1.008);
-  EXPECT_EQ(on_lips[1].z, 2.0);
 }
 
 }  // namespace

@@ -68,13 +68,19 @@ function sectionPoints(section) {
   return section.d.map((d, i) => ({ d: scale * d, z: scale * section.z[i], shell: section.z[i] > d }));
 }
 
+/** The height of the chosen station's datum in its section, which a narrow lip raises above the foundation's line. */
+function datumIn(section) {
+  const { z } = stations[stationAt(link.chosen)];
+  return toShort(known(z) ? z - section.base : section.foundation || 0);
+}
+
 /** Where a section's axes end: all of it true to scale, or the band that was fitted with its heights enlarged. */
 function sectionScales(width, height, section, points, close) {
   const left = 62, right = width - 14, low = height - 44, high = 26;
   if (close) {
     const to = 1.25 * toShort(sections.band[1]), middle = toShort(section.foundation || 0);
     const near = points.filter((p) => !p.shell && p.d > 0 && p.d < toShort(sections.band[1])).map((p) => Math.abs(p.z - middle));
-    const half = Math.max(toShort(0.003), 1.3 * (d3.quantile(near.sort(d3.ascending), 0.95) || 0), toShort(6 * (section.noise || 0)));
+    const half = Math.max(toShort(0.003), 1.3 * Math.abs(datumIn(section) - middle), 1.3 * (d3.quantile(near.sort(d3.ascending), 0.95) || 0), toShort(6 * (section.noise || 0)));
     return { x: d3.scaleLinear([-0.12 * to, to], [left, right]), y: d3.scaleLinear([middle - half, middle + half], [low, high]) };
   }
   const dMost = d3.max(points, (p) => p.d) || toShort(0.5), zMost = d3.max(points, (p) => p.z) || toShort(0.5), zLeast = d3.min(points, (p) => p.z) || toShort(-0.05);
@@ -105,8 +111,9 @@ function drawSection(svg, width, height, section, close) {
   if (known(section.slope)) segment("foundation-line", 0, foot, x.domain()[1], foot + section.slope * x.domain()[1]);
   const s = stations[stationAt(link.chosen)];
   if (known(section.slope) && known(s.sigma_z)) {
-    plot.append("line").attr("class", "whisker").attr("x1", x(0)).attr("x2", x(0)).attr("y1", y(foot - toShort(twice(s.sigma_z)))).attr("y2", y(foot + toShort(twice(s.sigma_z))));
-    plot.append("circle").attr("class", "chosen").attr("r", 4.5).attr("cx", x(0)).attr("cy", y(foot));
+    const level = datumIn(section), error = toShort(twice(s.sigma_z));
+    plot.append("line").attr("class", "whisker").attr("x1", x(0)).attr("x2", x(0)).attr("y1", y(level - error)).attr("y2", y(level + error));
+    plot.append("circle").attr("class", "chosen").attr("r", 4.5).attr("cx", x(0)).attr("cy", y(level));
   }
   if (!known(section.slope)) svg.append("text").attr("class", "gap-label").attr("x", (left + right) / 2).attr("y", high + 16)
     .attr("text-anchor", "middle").text(say("section.no_foundation_line_was_accepted"));
