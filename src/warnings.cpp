@@ -10,33 +10,25 @@ std::vector<std::string> warningsOf(const Datum& datum) {
   constexpr double kLargestRadius = 100.0;  // of a tank: the largest built are about 60 m [m]
   constexpr double kAbove = 0.2;            // stairs and rails stand over a shell [m]
   std::vector<std::string> warnings;
-  char text[200];
   if (datum.circle.radius > kLargestRadius) {
-    snprintfPlain(text, sizeof text, "radius %.0f m: is the input in %s?", datum.circle.radius,
-                  datum.circle.radius > 10.0 * kLargestRadius ? "mm" : "ft or mm");
-    warnings.emplace_back(text);
+    warnings.push_back(formatted("radius %.0f m: is the input in %s?", datum.circle.radius,
+                                 datum.circle.radius > 10.0 * kLargestRadius ? "mm" : "ft or mm"));
   }
   double seen = 0.0;
   for (const ShellPoint& point : datum.shell.points) seen = std::max(seen, point.height);
   if (datum.asked_height < seen - kAbove) {
-    snprintfPlain(text, sizeof text,
-                  "a shell height of %.2f m was given, and the shell is seen up to %.2f m: is it in m?",
-                  datum.asked_height, seen);
-    warnings.emplace_back(text);
+    warnings.push_back(formatted("a shell height of %.2f m was given, and the shell is seen up to %.2f m: is it in m?",
+                                 datum.asked_height, seen));
   }
   if (datum.refined.rounding > 0.0) {
-    snprintfPlain(text, sizeof text,
-                  "elevations are rounded to %.3g mm; sigma_z holds what that leaves of them unknown",
-                  1e3 * datum.refined.rounding);
-    warnings.emplace_back(text);
+    warnings.push_back(formatted("elevations are rounded to %.3g mm; sigma_z holds what that leaves of them unknown",
+                                 1e3 * datum.refined.rounding));
   }
   if (datum.refined.narrow_lip > 0.0) {
-    snprintfPlain(
-        text, sizeof text,
+    warnings.push_back(formatted(
         "the lip is narrower than can be fitted: what it lies on was, and elevations are raised to the lip's, "
         "by %.2g mm usually",
-        1e3 * datum.refined.narrow_lip);
-    warnings.emplace_back(text);
+        1e3 * datum.refined.narrow_lip));
   }
   return warnings;
 }

@@ -9,8 +9,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kHolds = 0.5;  // of a difference: two standard errors hold it
-
 /// What was refused in a gap, straight on from one station to the next and from those beside: the datum, if it is that.
 class RefusedLine {
  public:

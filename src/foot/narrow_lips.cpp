@@ -14,8 +14,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kHolds = 0.5;  // of a height: two standard errors hold it
-constexpr double kHigh = 0.1;   // of the reach: how high above the surface is looked
+constexpr double kHigh = 0.1;  // of the reach: how high above the surface is looked
 
 /// A point beside the shell: its distance from it, and its height over the surface that was fitted [m].
 struct Beside {
@@ -164,9 +163,9 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
   std::vector<Lift> lifts(count);
   std::vector<char> between(count, 1);
   for (const RingRun& run : runsRound(valid, foot.stationsIn(kNear))) {
-    for (std::size_t k = run.first; k <= run.last; ++k) between[k % count] = 0;
     std::size_t stand = 0, show = 0;
     for (std::size_t k = run.first; k <= run.last; ++k) {
+      between[k % count] = 0;
       stand += valid[k % count] != 0;
       show += found[k % count].height > 0.0;
     }
