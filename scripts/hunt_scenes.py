@@ -165,6 +165,14 @@ def beam(seed: int) -> dict[str, Any]:
     }
 
 
+def narrow_plate(seed: int, kind: str) -> dict[str, float]:
+    """A plate that ends close to the shell, as one scene in six has it, drawn apart from the rest."""
+    draw = random.Random(seed + 6_000_003)
+    if kind == "pad" or draw.random() > 1.0 / 6.0:
+        return {}
+    return {"plate_width": draw.uniform(0.015, 0.045)}
+
+
 def has_files(seed: int) -> bool:
     """Whether each setup is a file of its own; else one file holds all, without labels."""
     return random.Random(seed + 4_000_003).random() < 0.5
@@ -173,6 +181,7 @@ def has_files(seed: int) -> bool:
 def scene_of(seed: int) -> Scene:
     draw = random.Random(seed)
     made = tank(draw)
+    made["foundation"] |= narrow_plate(seed, made["foundation"]["kind"])
     radius = made["radius"]
     distance = draw.uniform(3.0, 8.0) + 0.3 * radius * draw.random()
     count = max(1, draw.randint(3, 5) + int(radius / 8.0))

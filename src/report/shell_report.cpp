@@ -50,13 +50,13 @@ std::string plumbnessLine(const ShellSurvey& survey, const Display& display) {
   if (!worst) return line("%-14s the shell is seen at one height only", "plumbness");
   std::string lean;
   if (survey.lean.valid() && survey.lean.offset() >= kShownLean) {
-    char buffer[80];
-    snprintfPlain(buffer, sizeof buffer, "; the tank leans %s towards %.0f deg",
-                  display.shortText(survey.lean.offset()).c_str(), toDegrees(survey.lean.direction));
-    lean = buffer;
+    lean = formatted("; the tank leans %s +- %s towards %.0f deg", display.shortText(survey.lean.offset()).c_str(),
+                     display.shortText(2.0 * survey.lean.height * survey.lean.sigma).c_str(),
+                     toDegrees(survey.lean.direction));
   }
-  return line("%-14s %s %s over %s of height at %.0f deg%s", "plumbness", display.signedShort(worst->offset).c_str(),
-              display.shortUnit(), display.longText(worst->height, 1).c_str(), toDegrees(worst->azimuth), lean.c_str());
+  return line("%-14s %s +- %s (2 sigma) over %s of height at %.0f deg%s", "plumbness",
+              display.signedShort(worst->offset).c_str(), display.shortText(2.0 * worst->sigma).c_str(),
+              display.longText(worst->height, 1).c_str(), toDegrees(worst->azimuth), lean.c_str());
 }
 
 }  // namespace

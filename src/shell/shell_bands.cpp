@@ -14,10 +14,9 @@ namespace {
 
 constexpr std::size_t kSectors = 720;
 constexpr double kPerMetre = 100.0, kMostPlaces = 1e5;  // looked up by height: centimetres, coarser over kilometres
-constexpr double kOneFoot = 0.3;    // API 650 7.5.3: radii are measured 1 ft above the bottom's weld [m]
-constexpr double kTallest = 60.0;   // no storage tank's shell is as high [m]
-constexpr double kSteepest = 0.01;  // of a leaning shell [m/m]
-constexpr double kUneven = 0.1;     // of a datum about the coarse plane of its foot [m]
+constexpr double kOneFoot = 0.3;   // API 650 7.5.3: radii are measured 1 ft above the bottom's weld [m]
+constexpr double kTallest = 60.0;  // no storage tank's shell is as high [m]
+constexpr double kUneven = 0.1;    // of a datum about the coarse plane of its foot [m]
 
 std::vector<double> heightsOf(const ShellOptions& options) {
   if (!options.heights.empty()) return options.heights;
@@ -38,7 +37,7 @@ ShellBands::ShellBands(const Tank& tank, const ShellOptions& options, std::uint6
       stride_(points / kPointsLookedAt | 1U),
       heights_(heightsOf(options)),
       bands_(heights_.size()) {
-  const double widest = reach_ + kSteepest * heights_.back();
+  const double widest = reach_ + kSteepestShell * heights_.back();
   inner_ = square(std::max(0.0, radius_ - widest));
   outer_ = square(radius_ + widest);
   const double lowest = heights_.front() - half_;
@@ -60,7 +59,7 @@ bool ShellBands::placeOf(const Eigen::Vector3d& p, Place& place) const {
   std::size_t band = first_band_[static_cast<std::size_t>(above)];
   while (band < heights_.size() && heights_[band] < height - half_) ++band;
   if (band == heights_.size() || heights_[band] > height + half_) return false;
-  const double widest = reach_ + kSteepest * std::abs(height);
+  const double widest = reach_ + kSteepestShell * std::abs(height);
   if (squared > (radius_ + widest) * (radius_ + widest)) return false;
   if (widest < radius_ && squared < (radius_ - widest) * (radius_ - widest)) return false;
   place.first = place.end = band;

@@ -12,6 +12,8 @@
 
 namespace tank_datum {
 
+constexpr double kSteepestShell = 0.01;  ///< no shell that stands leans by more [m/m]
+
 /// The points of a scan at the heights of a shell survey, gathered block by block in bounded memory: of every half
 /// degree and height those of the lowest hashes, all of them where they are few. The same points are kept in whatever
 /// order they come.

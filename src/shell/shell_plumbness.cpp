@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
 #include "fit/harmonics.h"
+#include "shell/shell_bands.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -113,6 +114,7 @@ Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& optio
   const double alike = std::max(1.0, kAlike / kTwoPi * options.count);
   const double variance = std::max(fit.covariance(1, 1), fit.covariance(2, 2)) * std::min(alike, stations);
   lean.sigma = fit.sigma * std::sqrt(variance);
+  if (!(2.0 * lean.sigma <= kSteepestShell)) return {};
   const double turn = portable::atan2(lean.gradient.y(), lean.gradient.x()) - options.zero_azimuth;
   const double azimuth = (options.clockwise ? -turn : turn) / kTwoPi;
   lean.direction = kTwoPi * (azimuth - std::floor(azimuth));

@@ -15,7 +15,8 @@ Plumbness plumbnessAt(const ShellGrid& grid, std::size_t station, const Station&
 /// that the largest of many noisy ones is not taken for the shell's.
 std::vector<Plumbness> plumbnessOf(const ShellGrid& grid, const std::vector<Station>& stations);
 
-/// What the slopes have in common, as a lean of the whole; not valid with too few of them.
+/// What the slopes have in common, as a lean of the whole; not valid with too few of them, nor where its interval (95
+/// %) is wider than any shell leans: over a short arc a lean and a taper are alike.
 /// @param clockwise  whether azimuths run so; zero_azimuth is where they begin
 Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& options);
 

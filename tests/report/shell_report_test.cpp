@@ -73,9 +73,11 @@ TEST(ShellCsv, IsARowPerHeightAndStationUnknownEmpty) {
 }
 
 TEST(ShellSummary, SaysTheWorstOrWhyThereIsNone) {
-  EXPECT_EQ(shellSummary(survey(), kFails),
-            "roundness      +12.5 / -20.0 mm at 0.30 m above the datum, worst at 120 deg (tolerance 19 mm: fail)\n"
-            "plumbness      -4.0 mm over 1.0 m of height at 0 deg; the tank leans 5.0 mm towards 53 deg\n");
+  EXPECT_EQ(
+      shellSummary(survey(), kFails),
+      "roundness      +12.5 / -20.0 mm at 0.30 m above the datum, worst at 120 deg (tolerance 19 mm: fail)\n"
+      "plumbness      -4.0 +- 0.6 mm (2 sigma) over 1.0 m of height at 0 deg; the tank leans 5.0 mm +- 0.4 mm towards "
+      "53 deg\n");
   EXPECT_NE(shellSummary(survey(), {{0.0001, Verdict::Undecided}}).find("(tolerance 0.1 mm: undecided)"),
             std::string::npos);
   EXPECT_NE(shellSummary(survey(), {{}}).find("worst at 120 deg (no tolerance for it)"), std::string::npos);

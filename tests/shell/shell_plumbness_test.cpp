@@ -136,6 +136,19 @@ TEST(LeanOf, SigmaCoversTheErrorBehindAGap) {
   EXPECT_GT((lean.gradient - truth).norm(), 1e-6);
 }
 
+TEST(LeanOf, OfAShortArcIsUnknownWhereAnyLeanWouldDo) {
+  const auto sigma_of = [](double scatter) {  // of the slopes, by turns this way and that, over 40 degrees
+    ShellGrid made = grid(kHeights, [&](double a, double h) {
+      return kRadius + h * scatter * (std::lround(degrees(a)) % 2 == 0 ? 1.0 : -1.0);
+    });
+    for (auto& row : made.cells) std::fill(row.begin() + 40, row.end(), ShellCell());
+    return leanOf(all(made), {}).sigma;
+  };
+  const double each = sigma_of(1e-5) / 1e-5;
+  EXPECT_NEAR(sigma_of(0.004 / each), 0.004, 1e-9);
+  EXPECT_TRUE(std::isnan(sigma_of(0.006 / each)));  // 95 % of it wider than the 0.01 by which shells lean
+}
+
 TEST(LeanOf, OfTooFewIsUnknown) {
   EXPECT_FALSE(leanOf({}, {}).valid());
   EXPECT_TRUE(std::isnan(Lean().offset()));
