@@ -14,7 +14,8 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kHigh = 0.1;  // of the reach: how high above the surface is looked
+constexpr double kHigh = 0.1;         // of the reach: how high above the surface is looked
+constexpr double kNarrowest = 0.014;  // of the reach: a lip; what is narrower may be a cable or a weld's toe
 
 /// A point beside the shell: its distance from it, and its height over the surface that was fitted [m].
 struct Beside {
@@ -24,10 +25,11 @@ struct Beside {
 /// What a few stations show beside the shell, and of the surface beyond.
 struct Strip {
   std::vector<Beside> points;
-  double surface = 0.0;  ///< points on the surface, in its band
-  double width = 0.0;    ///< of that band [m]
-  double noise = 0.0;    ///< of the surface [m]
-  double blur = 0.0;     ///< that noise moves points by along their beams [m]
+  double surface = 0.0;   ///< points on the surface, in its band
+  double width = 0.0;     ///< of that band [m]
+  double noise = 0.0;     ///< of the surface [m]
+  double blur = 0.0;      ///< that noise moves points by along their beams [m]
+  bool on_plate = false;  ///< whether the surface that was fitted is a lip elsewhere
 };
 
 /// Where a lip may be that the section does not show: up to the surface's own band, or a lip's edge [m].
@@ -42,6 +44,7 @@ Strip stripAt(const Foot& foot, std::size_t station, const FootFit& fit, const F
   strip.width = profile.band_to - profile.band_from;
   strip.noise = fit.noise;
   strip.blur = foot.scales.shell_noise;
+  strip.on_plate = profile.surface == Surface::AnnularPlate;
   const double from = std::max(kBegins * foot.reach, 2.5 * foot.scales.shell_noise), to = stripEnd(profile);
   for (const FootPoint& p : foot.points[station]) {
     const double height = offOf(p, fit);
@@ -51,14 +54,20 @@ Strip stripAt(const Foot& foot, std::size_t station, const FootFit& fit, const F
   return strip;
 }
 
-Strip together(const std::vector<Strip>& strips, std::size_t station, std::size_t beside) {
+/// What a station shows with those beside it: a degree to either side, and where a scan is sparse as many as the
+/// narrowest lip takes to be seen.
+Strip together(const std::vector<Strip>& strips, std::size_t station, const Foot& foot) {
+  constexpr double kBeside = 1.0 * kDegree, kWidest = 15.0 * kDegree;
+  constexpr double kEnough = 12.0;  // points of the narrowest lip; fewer than nine may be chance
+  const std::size_t count = strips.size(), least = foot.stationsBeside(kBeside), most = foot.stationsBeside(kWidest);
   Strip all = strips[station];
-  const std::size_t count = strips.size();
-  for (std::size_t k = station + count - beside; k <= station + count + beside; ++k) {
-    const Strip& other = strips[k % count];
-    if (k % count == station || !(other.width > 0.0)) continue;
-    all.points.insert(all.points.end(), other.points.begin(), other.points.end());
-    all.surface += other.surface;
+  const double enough = kEnough * all.width / (kNarrowest * foot.reach);
+  for (std::size_t k = 1; k <= most && (k <= least || all.surface < enough); ++k) {
+    for (const std::size_t at : {(station + count - k) % count, (station + k) % count}) {
+      if (!(strips[at].width > 0.0)) continue;
+      all.points.insert(all.points.end(), strips[at].points.begin(), strips[at].points.end());
+      all.surface += strips[at].surface;
+    }
   }
   return all;
 }
@@ -85,21 +94,65 @@ double widthOf(const std::vector<double>& distances, double noise) {
   return std::sqrt(12.0 * std::max(0.0, variance));
 }
 
-/// How points of a level rise outwards from a distance on, where no weld's toe is among them [m/m].
-double slopeBeyond(const std::vector<Beside>& level, double from) {
+/// The points of a level between a weld's toe and the face of an edge, which scans show more densely than what lies
+/// between.
+std::vector<Beside> between(std::vector<Beside> level, const std::vector<double>& distances) {
+  constexpr double kEnds = 0.05;               // of the points, which may be others
+  constexpr double kToe = 0.35, kFace = 0.15;  // of the width
+  const double first = quantile(distances, kEnds), last = quantile(distances, 1.0 - kEnds), width = last - first;
+  const auto isOf = [&](const Beside& p) { return p.d < first + kToe * width || p.d > last - kFace * width; };
+  level.erase(std::remove_if(level.begin(), level.end(), isOf), level.end());
+  return level;
+}
+
+/// How points rise outwards [m/m]; NaN of too few.
+double slopeOf(const std::vector<Beside>& points) {
   double count = 0.0, d = 0.0, height = 0.0, squares = 0.0, products = 0.0;
-  for (const Beside& p : level) {
-    if (p.d < from) continue;
+  for (const Beside& p : points) {
     count += 1.0, d += p.d, height += p.height;
     squares += p.d * p.d, products += p.d * p.height;
   }
   return (count * products - d * height) / (count * squares - d * d);
 }
 
-/// The lip that a strip shows; no height where it shows none.
-Lift lipIn(const Strip& strip, double reach) {
+/// What hides the surface beside the shell.
+struct Cover {
+  Lift lift;
+  bool is_lip = false;  ///< else it may be a cable, or a fillet that slopes
+};
+
+/// Whether what covers the surface comes down to it as a fillet does: below a level points lie over a width, where an
+/// edge's face is upright but for what noise and wide beams make of it.
+bool comesDown(const Strip& strip, const std::vector<Beside>& level) {
+  constexpr double kFewest = 0.2;    // of the level's points
+  constexpr double kSteepest = 0.5;  // [m/m]
+  const double least = 2.0 * strip.noise, most = level.front().height;
+  std::vector<double> distances;
+  for (const Beside& p : strip.points) {
+    if (p.height > least && p.height < most) distances.push_back(p.d);
+  }
+  return static_cast<double>(distances.size()) > kFewest * static_cast<double>(level.size()) &&
+         kSteepest * widthOf(distances, strip.blur) > most - least;
+}
+
+/// Whether points of a level lie on a lip: they do not fall as a fillet does, beyond their middle or before an edge's
+/// face; and upon a plate, or where the face is all that falls, they are seen farther along than a cable of their
+/// height.
+bool isLip(const Strip& strip, const std::vector<Beside>& level, const std::vector<double>& distances, double width,
+           double height) {
+  constexpr double kRound = 2.0;  // times its height: what is round is seen no wider
+  const double middle = median(distances);
+  std::vector<Beside> outer = level;
+  outer.erase(std::remove_if(outer.begin(), outer.end(), [&](const Beside& p) { return p.d < middle; }), outer.end());
+  if (comesDown(strip, level)) return false;
+  const bool level_out = slopeOf(outer) >= -kSteepestLip;
+  if (level_out && !strip.on_plate) return true;
+  return width > kRound * height && (level_out || slopeOf(between(level, distances)) >= -kSteepestLip);
+}
+
+/// What a strip shows; of no height where that is the surface.
+Cover coverIn(const Strip& strip, double reach) {
   constexpr double kLowest = 0.005, kHighest = 0.06;  // of the reach: half of the thinnest plate, and 30 mm
-  constexpr double kNarrowest = 0.014;                // of the reach: what is narrower may be a cable or a weld's toe
   constexpr double kSteepest = 0.5;                   // a weld or a fillet is steeper [m/m]
   constexpr double kUnder = 0.25;                     // of its points: others on the surface below, nearer to the shell
   constexpr double kLean = 0.03;                      // of lips, usually [m/m]
@@ -116,22 +169,23 @@ Lift lipIn(const Strip& strip, double reach) {
   for (const Beside& p : level) heights.push_back(p.height), distances.push_back(p.d);
   const double flat = (count - chance) * strip.width / strip.surface;  // as wide as so many points of the surface
   const double least = std::max(kNarrowest * reach, thick / kSteepest), middle = median(distances);
-  if (flat < least || widthOf(distances, strip.blur) < least) return {};
-  if (slopeBeyond(level, middle) < -kSteepestLip) return {};
+  const double width = widthOf(distances, strip.blur), height = median(heights);
+  if (flat < least || width < least) return {};
   const auto below = std::count_if(strip.points.begin(), strip.points.end(),
                                    [&](const Beside& p) { return p.d < middle && std::abs(p.height) < 0.5 * thick; });
   if (static_cast<double>(below) > kUnder * count) return {};
-  return {median(heights), std::hypot(kLean * middle, strip.noise / std::sqrt(count))};
+  return {{height, std::hypot(kLean * middle, strip.noise / std::sqrt(count))},
+          isLip(strip, level, distances, width, height)};
 }
 
-/// The lift of the station of a run that shows a lip nearest to one.
-Lift nearestLift(const std::vector<Lift>& found, const RingRun& run, std::size_t station) {
+/// The cover of the station of a run that has one nearest to one.
+Lift nearestLift(const std::vector<Cover>& found, const RingRun& run, std::size_t station) {
   const std::size_t count = found.size();
   for (std::size_t away = 0; away <= run.last - run.first; ++away) {
-    if (station + away <= run.last && found[(station + away) % count].height > 0.0)
-      return found[(station + away) % count];
-    if (station >= run.first + away && found[(station - away) % count].height > 0.0)
-      return found[(station - away) % count];
+    if (station + away <= run.last && found[(station + away) % count].lift.height > 0.0)
+      return found[(station + away) % count].lift;
+    if (station >= run.first + away && found[(station - away) % count].lift.height > 0.0)
+      return found[(station - away) % count].lift;
   }
   return {};
 }
@@ -150,29 +204,32 @@ void liftBetween(const RingRun& gap, std::vector<Lift>& lifts) {
 }  // namespace
 
 std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& fits, const FootSections& sections) {
-  constexpr double kBeside = 1.0 * kDegree, kNear = 5.0 * kDegree;
-  const std::size_t count = fits.size(), beside = foot.stationsBeside(kBeside);
+  constexpr double kNear = 5.0 * kDegree;
+  const std::size_t count = fits.size();
   std::vector<Strip> strips(count);
-  std::vector<Lift> found(count);
+  std::vector<Cover> found(count);
   forEachIndex(count, 0, [&](std::size_t i) { strips[i] = stripAt(foot, i, fits[i], sections.at(i)); });
   forEachIndex(count, 0, [&](std::size_t i) {
-    if (fits[i].valid()) found[i] = lipIn(together(strips, i, beside), foot.reach);
+    if (fits[i].valid()) found[i] = coverIn(together(strips, i, foot), foot.reach);
   });
   std::vector<char> valid(count);
   for (std::size_t i = 0; i < count; ++i) valid[i] = fits[i].valid() ? 1 : 0;
   std::vector<Lift> lifts(count);
   std::vector<char> between(count, 1);
   for (const RingRun& run : runsRound(valid, foot.stationsIn(kNear))) {
-    std::size_t stand = 0, show = 0;
+    std::size_t stand = 0, covered = 0, lips = 0;
     for (std::size_t k = run.first; k <= run.last; ++k) {
       between[k % count] = 0;
       stand += valid[k % count] != 0;
-      show += found[k % count].height > 0.0;
+      covered += found[k % count].lift.height > 0.0;
+      lips += found[k % count].is_lip;
     }
-    if (2 * show <= stand) continue;
+    if (2 * covered <= stand) continue;
+    const bool raised = 2 * lips > stand;
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      Lift& lift = lifts[k % count] = nearestLift(found, run, k);
-      if (!(found[k % count].height > 0.0)) lift.sigma = std::hypot(lift.sigma, kHolds * lift.height);
+      const Lift lift = nearestLift(found, run, k);
+      const bool sure = raised && found[k % count].is_lip;
+      lifts[k % count] = {raised ? lift.height : 0.0, std::hypot(lift.sigma, sure ? 0.0 : kHolds * lift.height)};
     }
   }
   for (const RingRun& gap : runsRound(between)) liftBetween(gap, lifts);

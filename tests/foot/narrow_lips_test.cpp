@@ -106,12 +106,50 @@ TEST(NarrowLips, AreNoFillets) {
   EXPECT_FALSE(isRaised(mastic));
 }
 
-TEST(NarrowLips, AreTwelvePointsOfThreeStationsAtLeast) {
+/// A lip with one point at every so many stations, anywhere on it.
+Scene sparseLip(int every, double to, double density) {
   Scene sparse;
-  sparse.density = 4.0 / 0.018;
-  EXPECT_TRUE(isRaised(sparse));
-  sparse.density = 2.0 / 0.018;
-  EXPECT_FALSE(isRaised(sparse));
+  sparse.has_lip = [](int) { return false; };
+  sparse.density = density;
+  sparse.add = [every, to](MadeFoot& made) {
+    for (int s = 0; s < 360; s += every) {
+      const double d = 0.008 + (to - 0.008) * std::fmod(0.618034 * s, 1.0);
+      made.addStation(s, 1, d, d, [](double) { return 0.008; });
+    }
+  };
+  return sparse;
+}
+
+TEST(NarrowLips, OfSparseScansAreSeenWithinFifteenDegrees) {
+  EXPECT_TRUE(isRaised(sparseLip(3, 0.026, 20.0))) << "ten points";
+  EXPECT_FALSE(isRaised(sparseLip(5, 0.026, 20.0))) << "six";
+}
+
+TEST(NarrowLips, AreTwelvePointsOfTheNarrowestAtLeast) {
+  EXPECT_TRUE(isRaised(sparseLip(1, 0.019, 132.0))) << "13 points beside 430 of the surface";
+}
+
+/// Scans show the face of an edge more densely than what it ends.
+TEST(NarrowLips, AreLevelBeforeTheirEdge) {
+  Scene edge = sparseLip(1, 0.024, 20.0);
+  EXPECT_TRUE(isRaised(edge));
+  const auto lip = edge.add;
+  edge.add = [lip](MadeFoot& made) {
+    lip(made);
+    for (int s = 0; s < 360; s += 2)
+      made.addStation(s, 3, 0.025, 0.027, [](double d) { return 0.008 - 2.0 * (d - 0.025); });
+  };
+  EXPECT_TRUE(isRaised(edge));
+}
+
+/// A weld's toe is steep, the lip beyond it level.
+TEST(NarrowLips, AreLevelBeyondAWeldsToe) {
+  Scene weld;
+  weld.has_lip = [](int) { return false; };
+  weld.add = [](MadeFoot& made) {
+    made.addAll(36, 0.004, 0.026, [](double d) { return 0.0072 + std::max(0.0, 0.2 * (0.0115 - d)); });
+  };
+  EXPECT_TRUE(isRaised(weld));
 }
 
 TEST(NarrowLips, StandOutOfTheSurfacesOwnScatter) {
