@@ -108,6 +108,16 @@ void shareErrors(Datum& datum, const Ring& ring) {
   }
 }
 
+/// What setups that stand beside their places make of radii: the shell is surveyed as the scan has it, and no overlap
+/// shows that all of them stand too far out.
+Datum withPlanErrors(Datum datum) {
+  const double error = datum.agreement.planError();
+  for (Roundness& r : datum.shell.roundness) r.sigma = std::hypot(r.sigma, error);
+  const auto setups = static_cast<double>(std::max<std::size_t>(1, datum.agreement.seeing()));
+  datum.refined.sigma_radius = std::hypot(datum.refined.sigma_radius, error / std::sqrt(setups));
+  return datum;
+}
+
 /// The datum of what was measured at the foot, its stations described and tested.
 Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEvidence& evidence,
                    const DatumOptions& options) {
@@ -184,7 +194,7 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   tell(callbacks, "shell");
   datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
   tell(callbacks, "checks");
-  return withChecks(std::move(datum), options);
+  return withChecks(withPlanErrors(std::move(datum)), options);
 }
 
 /// Of the tanks found the one that options.pick counts, or why there is none.

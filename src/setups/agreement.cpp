@@ -123,6 +123,13 @@ void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
 
 }  // namespace
 
+double SetupAgreement::planError() const { return adjusted() ? spread.plan : merged_sigma; }
+
+std::size_t SetupAgreement::seeing() const {
+  return static_cast<std::size_t>(
+      std::count_if(setups.begin(), setups.end(), [](const Setup& setup) { return setup.stations > 0; }));
+}
+
 Eigen::Vector3d SetupMotion::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& origin) const {
   const Eigen::Vector3d arm = point - origin;
   return point +

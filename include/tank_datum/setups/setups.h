@@ -103,6 +103,8 @@ struct SetupAgreement {
                               ///< [m]; 0 of one scan
 
   bool adjusted() const { return covariance.size() > 0; }
+  double planError() const;    ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
+  std::size_t seeing() const;  ///< how many setups see a station
 };
 
 }  // namespace tank_datum
