@@ -1,6 +1,5 @@
 #include "tank_datum/datum.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/clauses.h"
@@ -106,16 +105,7 @@ void shareErrors(Datum& datum, const Ring& ring) {
     datum.agreement.setups[i].stations = shared.seen[i].size();
     datum.agreement.setups[i].seen = std::move(shared.seen[i]);
   }
-}
-
-/// What setups that stand beside their places make of radii: the shell is surveyed as the scan has it, and no overlap
-/// shows that all of them stand too far out.
-Datum withPlanErrors(Datum datum) {
-  const double error = datum.agreement.planError();
-  for (Roundness& r : datum.shell.roundness) r.sigma = std::hypot(r.sigma, error);
-  const auto setups = static_cast<double>(std::max<std::size_t>(1, datum.agreement.seeing()));
-  datum.refined.sigma_radius = std::hypot(datum.refined.sigma_radius, error / std::sqrt(setups));
-  return datum;
+  datum.refined.sigma_radius = std::hypot(datum.refined.sigma_radius, datum.agreement.radiusError());
 }
 
 /// The datum of what was measured at the foot, its stations described and tested.
@@ -157,8 +147,7 @@ Datum withChecks(Datum datum, const DatumOptions& options) {
   datum.analysis.roundness =
       compareRoundness(datum.shell, options.analysis.limits, options.analysis.facts, 2.0 * datum.circle.radius);
   datum.asked_height = options.analysis.facts.height;
-  const std::string ringwall = ringwallText(datum.tank);
-  if (!ringwall.empty()) datum.analysis.notes.push_back(ringwall);
+  if (const std::string text = ringwallText(datum.tank); !text.empty()) datum.analysis.notes.push_back(text);
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;
 }
@@ -192,9 +181,10 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   datum = describeFoot(std::move(datum), std::move(foot), ring, evidence, options);
   if (!datum.hasStations()) return datum;
   tell(callbacks, "shell");
-  datum.shell = surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations);
+  datum.shell = withPlanError(surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations),
+                              datum.agreement.planError());
   tell(callbacks, "checks");
-  return withChecks(withPlanErrors(std::move(datum)), options);
+  return withChecks(std::move(datum), options);
 }
 
 /// Of the tanks found the one that options.pick counts, or why there is none.

@@ -125,9 +125,10 @@ void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
 
 double SetupAgreement::planError() const { return adjusted() ? spread.plan : merged_sigma; }
 
-std::size_t SetupAgreement::seeing() const {
-  return static_cast<std::size_t>(
-      std::count_if(setups.begin(), setups.end(), [](const Setup& setup) { return setup.stations > 0; }));
+double SetupAgreement::radiusError() const {
+  const auto seeing =
+      std::count_if(setups.begin(), setups.end(), [](const Setup& setup) { return setup.stations > 0; });
+  return planError() / std::sqrt(static_cast<double>(std::max<std::ptrdiff_t>(1, seeing)));
 }
 
 Eigen::Vector3d SetupMotion::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& origin) const {

@@ -76,4 +76,9 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
   return survey;
 }
 
+ShellSurvey withPlanError(ShellSurvey survey, double error) {
+  for (Roundness& r : survey.roundness) r.sigma = std::hypot(r.sigma, error);
+  return survey;
+}
+
 }  // namespace tank_datum

@@ -14,4 +14,8 @@ namespace tank_datum {
 ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& stations, const Circle& circle,
                         const ShellOptions& options, const StationOptions& station_options);
 
+/// The same of a scan whose setups stand that far beside their places [m]: the shell is surveyed as the scan has it,
+/// and lobes are what they make of it.
+ShellSurvey withPlanError(ShellSurvey survey, double error);
+
 }  // namespace tank_datum

@@ -190,5 +190,19 @@ TEST_F(SetupAgreementTest, ARingOfOneSetupIsLeftAsItIs) {
   EXPECT_EQ(agreement.setups[0].verdict, SetupVerdict::Single);
 }
 
+TEST(SetupAgreement, PlacesMakeARadiusOfWhatNoOverlapShows) {
+  SetupAgreement agreement;
+  agreement.setups.resize(5);
+  for (std::size_t s = 0; s < 4; ++s) agreement.setups[s].stations = 90;
+  agreement.spread.plan = 0.003;
+  EXPECT_EQ(agreement.planError(), 0.0) << "not adjusted, one setup";
+  agreement.covariance = Eigen::MatrixXd::Identity(5, 5);
+  EXPECT_DOUBLE_EQ(agreement.planError(), 0.003);
+  EXPECT_DOUBLE_EQ(agreement.radiusError(), 0.0015) << "of the four that see the foot";
+  SetupAgreement merged;
+  merged.merged_sigma = 0.0028;
+  EXPECT_DOUBLE_EQ(merged.radiusError(), 0.0028);
+}
+
 }  // namespace
 }  // namespace tank_datum

@@ -103,8 +103,9 @@ struct SetupAgreement {
                               ///< [m]; 0 of one scan
 
   bool adjusted() const { return covariance.size() > 0; }
-  double planError() const;    ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
-  std::size_t seeing() const;  ///< how many setups see a station
+  double planError() const;  ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
+  double radiusError()
+      const;  ///< what their places make of a tank's radius: no overlap shows that all stand too far out
 };
 
 }  // namespace tank_datum
