@@ -10,67 +10,10 @@
 #include "core/units.h"
 #include "foot/foot_roughness.h"
 #include "foot/ring_slope.h"
+#include "foot/shell_strip.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kHigh = 0.1;         // of the reach: how high above the surface is looked
-constexpr double kNarrowest = 0.014;  // of the reach: a lip; what is narrower may be a cable or a weld's toe
-
-/// A point beside the shell: its distance from it, and its height over the surface that was fitted [m].
-struct Beside {
-  double d, height;
-};
-
-/// What a few stations show beside the shell, and of the surface beyond.
-struct Strip {
-  std::vector<Beside> points;
-  double surface = 0.0;   ///< points on the surface, in its band
-  double width = 0.0;     ///< of that band [m]
-  double noise = 0.0;     ///< of the surface [m]
-  double blur = 0.0;      ///< that noise moves points by along their beams [m]
-  bool on_plate = false;  ///< whether the surface that was fitted is a lip elsewhere
-};
-
-/// Where a lip may be that the section does not show: up to the surface's own band, or a lip's edge [m].
-double stripEnd(const FootProfile& profile) {
-  return profile.surface == Surface::AnnularPlate ? std::max(profile.band_from, profile.edge) : profile.band_from;
-}
-
-Strip stripAt(const Foot& foot, std::size_t station, const FootFit& fit, const FootProfile& profile) {
-  constexpr double kBegins = 0.004;  // of the reach
-  Strip strip;
-  if (!fit.valid()) return strip;
-  strip.width = profile.band_to - profile.band_from;
-  strip.noise = fit.noise;
-  strip.blur = foot.scales.shell_noise;
-  strip.on_plate = profile.surface == Surface::AnnularPlate;
-  const double from = std::max(kBegins * foot.reach, 2.5 * foot.scales.shell_noise), to = stripEnd(profile);
-  for (const FootPoint& p : foot.points[station]) {
-    const double height = offOf(p, fit);
-    strip.surface += p.d >= profile.band_from && p.d <= profile.band_to && std::abs(height) < 2.0 * fit.noise;
-    if (p.d >= from && p.d < to && std::abs(height) < kHigh * foot.reach) strip.points.push_back({p.d, height});
-  }
-  return strip;
-}
-
-/// What a station shows with those beside it: a degree to either side, and where a scan is sparse as many as the
-/// narrowest lip takes to be seen.
-Strip together(const std::vector<Strip>& strips, std::size_t station, const Foot& foot) {
-  constexpr double kBeside = 1.0 * kDegree, kWidest = 15.0 * kDegree;
-  constexpr double kEnough = 12.0;  // points of the narrowest lip; fewer than nine may be chance
-  const std::size_t count = strips.size(), least = foot.stationsBeside(kBeside), most = foot.stationsBeside(kWidest);
-  Strip all = strips[station];
-  const double enough = kEnough * all.width / (kNarrowest * foot.reach);
-  for (std::size_t k = 1; k <= most && (k <= least || all.surface < enough); ++k) {
-    for (const std::size_t at : {(station + count - k) % count, (station + k) % count}) {
-      if (!(strips[at].width > 0.0)) continue;
-      all.points.insert(all.points.end(), strips[at].points.begin(), strips[at].points.end());
-      all.surface += strips[at].surface;
-    }
-  }
-  return all;
-}
 
 /// The points of a strip between two heights that lie at its densest level.
 std::vector<Beside> densestLevel(std::vector<Beside> points, double from, double to, double thick) {
@@ -123,7 +66,7 @@ struct Cover {
 
 /// Whether what covers the surface comes down to it as a fillet does: below a level points lie over a width, where an
 /// edge's face is upright but for what noise and wide beams make of it.
-bool comesDown(const Strip& strip, const std::vector<Beside>& level) {
+bool comesDown(const ShellStrip& strip, const std::vector<Beside>& level) {
   constexpr double kFewest = 0.2;    // of the level's points
   constexpr double kSteepest = 0.5;  // [m/m]
   const double least = 2.0 * strip.noise, most = level.front().height;
@@ -138,8 +81,8 @@ bool comesDown(const Strip& strip, const std::vector<Beside>& level) {
 /// Whether points of a level lie on a lip: they do not fall as a fillet does, beyond their middle or before an edge's
 /// face; and upon a plate, or where the face is all that falls, they are seen farther along than a cable of their
 /// height.
-bool isLip(const Strip& strip, const std::vector<Beside>& level, const std::vector<double>& distances, double width,
-           double height) {
+bool isLip(const ShellStrip& strip, const std::vector<Beside>& level, const std::vector<double>& distances,
+           double width, double height) {
   constexpr double kRound = 2.0;  // times its height: what is round is seen no wider
   const double middle = median(distances);
   std::vector<Beside> outer = level;
@@ -150,27 +93,32 @@ bool isLip(const Strip& strip, const std::vector<Beside>& level, const std::vect
   return width > kRound * height && (level_out || slopeOf(between(level, distances)) >= -kSteepestLip);
 }
 
+/// What may be where a strip shows nothing at all.
+Cover unseenIn(const ShellStrip& strip, double reach) {
+  return {{std::min(unseenHeight(strip, reach), kHighestLip * reach), 0.0}, false};
+}
+
 /// What a strip shows; of no height where that is the surface.
-Cover coverIn(const Strip& strip, double reach) {
-  constexpr double kLowest = 0.005, kHighest = 0.06;  // of the reach: half of the thinnest plate, and 30 mm
-  constexpr double kSteepest = 0.5;                   // a weld or a fillet is steeper [m/m]
-  constexpr double kUnder = 0.25;                     // of its points: others on the surface below, nearer to the shell
-  constexpr double kLean = 0.03;                      // of lips, usually [m/m]
-  if (!(strip.width > 0.0) || !(strip.surface > 0.0)) return {};
+Cover coverIn(const ShellStrip& strip, double reach) {
+  constexpr double kSteepest = 0.5;  // a weld or a fillet is steeper [m/m]
+  constexpr double kUnder = 0.25;    // of its points: others on the surface below, nearer to the shell
+  constexpr double kLean = 0.03;     // of lips, usually [m/m]
+  if (!strip.valid()) return {};
   const double thick = 4.0 * strip.noise;
-  const double lowest = std::max(kLowest * reach, 0.75 * thick), highest = kHighest * reach;
+  const double lowest = std::max(kLowestLip * reach, 0.75 * thick), highest = kHighestLip * reach;
   const std::vector<Beside> level = densestLevel(strip.points, lowest, highest, thick);
   const auto above =
       std::count_if(strip.points.begin(), strip.points.end(), [&](const Beside& p) { return p.height > highest; });
-  const double chance = static_cast<double>(above) * thick / (kHigh * reach - highest);  // as of what noise moves there
+  const double chance =
+      static_cast<double>(above) * thick / (kStripHigh * reach - highest);  // as of what noise moves there
   const auto count = static_cast<double>(level.size());
-  if (level.empty() || count - chance < 3.0 * std::sqrt(count + chance)) return {};
+  if (level.empty() || count - chance < 3.0 * std::sqrt(count + chance)) return unseenIn(strip, reach);
   std::vector<double> heights, distances;
   for (const Beside& p : level) heights.push_back(p.height), distances.push_back(p.d);
   const double flat = (count - chance) * strip.width / strip.surface;  // as wide as so many points of the surface
-  const double least = std::max(kNarrowest * reach, thick / kSteepest), middle = median(distances);
+  const double least = std::max(kNarrowestStrip * reach, thick / kSteepest), middle = median(distances);
   const double width = widthOf(distances, strip.blur), height = median(heights);
-  if (flat < least || width < least) return {};
+  if (flat < least || width < least) return unseenIn(strip, reach);
   const auto below = std::count_if(strip.points.begin(), strip.points.end(),
                                    [&](const Beside& p) { return p.d < middle && std::abs(p.height) < 0.5 * thick; });
   if (static_cast<double>(below) > kUnder * count) return {};
@@ -206,7 +154,7 @@ void liftBetween(const RingRun& gap, std::vector<Lift>& lifts) {
 std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& fits, const FootSections& sections) {
   constexpr double kNear = 5.0 * kDegree;
   const std::size_t count = fits.size();
-  std::vector<Strip> strips(count);
+  std::vector<ShellStrip> strips(count);
   std::vector<Cover> found(count);
   forEachIndex(count, 0, [&](std::size_t i) { strips[i] = stripAt(foot, i, fits[i], sections.at(i)); });
   forEachIndex(count, 0, [&](std::size_t i) {
