@@ -23,7 +23,8 @@ double emptyUpTo(const std::vector<double>& values, double from, double end, dou
   double empty = 0.0;
   for (std::size_t k = 0; k <= values.size(); ++k) {
     const double up_to = k < values.size() ? values[k] : end, wanted = density * (up_to - from);
-    if (wanted >= kEnough && static_cast<double>(k) < kFew * wanted) empty = up_to - from;
+    if (wanted >= kEnough && static_cast<double>(k) < kFew * wanted)
+      empty = std::max(empty, (wanted - static_cast<double>(k)) / density);
   }
   return empty;
 }

@@ -4,53 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 
-#include "support/made_feet.h"
+#include "support/made_narrow_lips.h"
 
 namespace tank_datum {
 namespace {
 
-using made_feet::MadeFoot;
-
-/// A ringwall upon z = 0 from 30 mm on, two points a millimetre and station, and what lies beside the shell.
-struct Scene {
-  double from = 0.008, to = 0.026, height = 0.008;              ///< of a lip [m]
-  double noise = 0.0003;                                        ///< of the fits [m]
-  double shell_noise = 0.001;                                   ///< [m]
-  double density = 2000.0;                                      ///< points a station [1/m]
-  std::function<bool(int)> has_lip = [](int) { return true; };  ///< at a station
-  std::function<bool(int)> stands = [](int) { return true; };
-  std::function<void(MadeFoot&)> add = [](MadeFoot&) {};
-};
-
-std::vector<Lift> lipsOf(const Scene& scene) {
-  MadeFoot made;
-  made.addAll(static_cast<int>(0.25 * scene.density), 0.03, 0.28, [](double) { return 0.0; });
-  std::vector<FootFit> fits(360);
-  for (int s = 0; s < 360; ++s) {
-    const int points = static_cast<int>(std::lround(scene.density * (scene.to - scene.from)));
-    if (scene.has_lip(s)) made.addStation(s, points, scene.from, scene.to, [&](double) { return scene.height; });
-    if (!scene.stands(s)) continue;
-    FootFit& fit = fits[static_cast<std::size_t>(s)];
-    fit.sigma = 0.0002, fit.noise = scene.noise;
-    fit.z = fit.slope = fit.along = fit.bend = 0.0;
-  }
-  scene.add(made);
-  FootSections sections;
-  sections.whole.band_from = 0.03, sections.whole.band_to = 0.28;
-  sections.whole.surface = Surface::Ringwall;
-  return findNarrowLips(made.foot({0.3, scene.shell_noise, 0.013}), fits, sections);
-}
-
-Scene lip(double from, double to, double height = 0.008) {
-  Scene scene;
-  scene.from = from, scene.to = to, scene.height = height;
-  return scene;
-}
-
-bool isRaised(const Scene& scene) { return lipsOf(scene)[100].height > 0.0; }
+using namespace made_narrow_lips;
 
 TEST(NarrowLips, RaiseTheRingByTheirHeight) {
   for (const Lift& lift : lipsOf({})) {
@@ -96,60 +57,6 @@ TEST(NarrowLips, AreNoWelds) {
   weld.has_lip = [](int) { return false; };
   weld.add = [](MadeFoot& made) { made.addAll(400, 0.002, 0.013, [](double d) { return 0.013 - d; }); };
   EXPECT_FALSE(isRaised(weld));
-}
-
-TEST(NarrowLips, AreNoFillets) {
-  Scene mastic;
-  mastic.has_lip = [](int) { return false; };
-  mastic.noise = 0.0007;  // levels are 2.8 mm thick, 9 mm of it
-  mastic.add = [](MadeFoot& made) { made.addAll(120, 0.004, 0.034, [](double d) { return 0.3 * (0.034 - d); }); };
-  EXPECT_FALSE(isRaised(mastic));
-}
-
-/// A lip with one point at every so many stations, anywhere on it.
-Scene sparseLip(int every, double to, double density) {
-  Scene sparse;
-  sparse.has_lip = [](int) { return false; };
-  sparse.density = density;
-  sparse.add = [every, to](MadeFoot& made) {
-    for (int s = 0; s < 360; s += every) {
-      const double d = 0.008 + (to - 0.008) * std::fmod(0.618034 * s, 1.0);
-      made.addStation(s, 1, d, d, [](double) { return 0.008; });
-    }
-  };
-  return sparse;
-}
-
-TEST(NarrowLips, OfSparseScansAreSeenWithinFifteenDegrees) {
-  EXPECT_TRUE(isRaised(sparseLip(3, 0.026, 20.0))) << "ten points";
-  EXPECT_FALSE(isRaised(sparseLip(5, 0.026, 20.0))) << "six";
-}
-
-TEST(NarrowLips, AreTwelvePointsOfTheNarrowestAtLeast) {
-  EXPECT_TRUE(isRaised(sparseLip(1, 0.019, 132.0))) << "13 points beside 430 of the surface";
-}
-
-/// Scans show the face of an edge more densely than what it ends.
-TEST(NarrowLips, AreLevelBeforeTheirEdge) {
-  Scene edge = sparseLip(1, 0.024, 20.0);
-  EXPECT_TRUE(isRaised(edge));
-  const auto lip = edge.add;
-  edge.add = [lip](MadeFoot& made) {
-    lip(made);
-    for (int s = 0; s < 360; s += 2)
-      made.addStation(s, 3, 0.025, 0.027, [](double d) { return 0.008 - 2.0 * (d - 0.025); });
-  };
-  EXPECT_TRUE(isRaised(edge));
-}
-
-/// A weld's toe is steep, the lip beyond it level.
-TEST(NarrowLips, AreLevelBeyondAWeldsToe) {
-  Scene weld;
-  weld.has_lip = [](int) { return false; };
-  weld.add = [](MadeFoot& made) {
-    made.addAll(36, 0.004, 0.026, [](double d) { return 0.0072 + std::max(0.0, 0.2 * (0.0115 - d)); });
-  };
-  EXPECT_TRUE(isRaised(weld));
 }
 
 TEST(NarrowLips, StandOutOfTheSurfacesOwnScatter) {
