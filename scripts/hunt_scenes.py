@@ -166,7 +166,7 @@ def beam(seed: int) -> dict[str, Any]:
 
 
 def narrow_plate(seed: int, kind: str) -> dict[str, float]:
-    """A plate that ends close to the shell, as one scene in six has it, drawn apart from the rest."""
+    """A plate that ends close to the shell, as one scene in six has it, drawn apart."""
     draw = random.Random(seed + 6_000_003)
     if kind == "pad" or draw.random() > 1.0 / 6.0:
         return {}

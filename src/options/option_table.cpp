@@ -87,11 +87,11 @@ void addSetups(Table& t, RunOptions& run) {
   t.add("setup_error", "setups.error", &o.error,
         "how well setups are registered in height and plan, 1 sigma; 0: estimated from their overlaps")
       .in(Unit::Metres)
-      .within(atLeast(0));
+      .within(within(0, 1000));
   t.add("setup_tilt_arcsec", "setups.tilt_arcsec", &o.tilt,
         "how well they are levelled, 1 sigma about each axis; 0: estimated from their overlaps")
       .in(Unit::ArcSeconds)
-      .within(atLeast(0));
+      .within(within(0, 324'000));
   t.add("setup_origins", "setups.origins", Places{&run.setup_origins, &o.origins},
         "CSV file name,x,y,z: where setups stood, by file stem or label");
   t.add("bad_setups", "setups.bad", choiceOf(o.bad, {BadSetups::Free, BadSetups::Drop, BadSetups::Keep}),

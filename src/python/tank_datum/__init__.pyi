@@ -106,10 +106,10 @@ def extract_datum(
     # of more points in the ring an even share is kept for the fits (>= 1000)
     fit_points: int = 4000000,
     # how well setups are registered in height and plan, 1 sigma [m]; 0: estimated
-    # from their overlaps (>= 0 m)
+    # from their overlaps (0 to 1000 m)
     setup_error: float = 0.0,
     # how well they are levelled, 1 sigma about each axis; 0: estimated from their
-    # overlaps (>= 0 arcsec)
+    # overlaps (0 to 324000 arcsec)
     setup_tilt_arcsec: float = 0.0,
     # CSV file name,x,y,z: where setups stood, by file stem or label
     setup_origins: _Path | dict[str, tuple[float, float, float]] | None = None,
