@@ -67,15 +67,15 @@ struct Cover {
 /// Whether what covers the surface comes down to it as a fillet does: below a level points lie over a width, where an
 /// edge's face is upright but for what noise and wide beams make of it.
 bool comesDown(const ShellStrip& strip, const std::vector<Beside>& level) {
-  constexpr double kFewest = 0.2;    // of the level's points
-  constexpr double kSteepest = 0.5;  // [m/m]
+  constexpr double kFewest = 0.2;   // of the level's points
+  constexpr double kUpright = 0.5;  // what falls more steeply is a face [m/m]
   const double least = 2.0 * strip.noise, most = level.front().height;
   std::vector<double> distances;
   for (const Beside& p : strip.points) {
     if (p.height > least && p.height < most) distances.push_back(p.d);
   }
   return static_cast<double>(distances.size()) > kFewest * static_cast<double>(level.size()) &&
-         kSteepest * widthOf(distances, strip.blur) > most - least;
+         kUpright * widthOf(distances, strip.blur) > most - least;
 }
 
 /// Whether points of a level lie on a lip: they do not fall as a fillet does, beyond their middle or before an edge's
@@ -84,10 +84,10 @@ bool comesDown(const ShellStrip& strip, const std::vector<Beside>& level) {
 bool isLip(const ShellStrip& strip, const std::vector<Beside>& level, const std::vector<double>& distances,
            double width, double height) {
   constexpr double kRound = 2.0;  // times its height: what is round is seen no wider
+  if (comesDown(strip, level)) return false;
   const double middle = median(distances);
   std::vector<Beside> outer = level;
   outer.erase(std::remove_if(outer.begin(), outer.end(), [&](const Beside& p) { return p.d < middle; }), outer.end());
-  if (comesDown(strip, level)) return false;
   const bool level_out = slopeOf(outer) >= -kSteepestLip;
   if (level_out && !strip.on_plate) return true;
   return width > kRound * height && (level_out || slopeOf(between(level, distances)) >= -kSteepestLip);
@@ -127,13 +127,15 @@ Cover coverIn(const ShellStrip& strip, double reach) {
 }
 
 /// The cover of the station of a run that has one nearest to one.
-Lift nearestLift(const std::vector<Cover>& found, const RingRun& run, std::size_t station) {
-  const std::size_t count = found.size();
+/// @param lips  whether only lips count
+Lift nearestLift(const std::vector<Cover>& found, const RingRun& run, std::size_t station, bool lips) {
+  const auto counts = [&](std::size_t k) {
+    const Cover& cover = found[k % found.size()];
+    return lips ? cover.is_lip : cover.lift.height > 0.0;
+  };
   for (std::size_t away = 0; away <= run.last - run.first; ++away) {
-    if (station + away <= run.last && found[(station + away) % count].lift.height > 0.0)
-      return found[(station + away) % count].lift;
-    if (station >= run.first + away && found[(station - away) % count].lift.height > 0.0)
-      return found[(station - away) % count].lift;
+    if (station + away <= run.last && counts(station + away)) return found[(station + away) % found.size()].lift;
+    if (station >= run.first + away && counts(station - away)) return found[(station - away) % found.size()].lift;
   }
   return {};
 }
@@ -175,7 +177,7 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
     if (2 * covered <= stand) continue;
     const bool raised = 2 * lips > stand;
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      const Lift lift = nearestLift(found, run, k);
+      const Lift lift = nearestLift(found, run, k, raised);
       const bool sure = raised && found[k % count].is_lip;
       lifts[k % count] = {raised ? lift.height : 0.0, std::hypot(lift.sigma, sure ? 0.0 : kHolds * lift.height)};
     }

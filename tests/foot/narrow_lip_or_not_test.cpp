@@ -88,6 +88,14 @@ TEST(NarrowLips, MayBeWhereNothingIsSeen) {
   EXPECT_EQ(lipsOf(unlit(0.0))[100].sigma, 0.0) << "the shell meets the surface";
 }
 
+TEST(NarrowLips, AreAsHighWhereOneOfThemIsDark) {
+  Scene some = unlit(0.02);
+  some.has_lip = [](int s) { return s < 95 || s > 105; };
+  const Lift dark = lipsOf(some)[100];
+  EXPECT_NEAR(dark.height, 0.008, 1e-6);
+  EXPECT_NEAR(dark.sigma, 0.004, 0.0005);
+}
+
 /// A cable lies upon a lip or a ringwall; of a lip upon a lip more is seen.
 TEST(NarrowLips, OnAPlateAreWiderThanHigh) {
   EXPECT_GT(lipsOf(lip(0.008, 0.030, 0.0090), true)[100].height, 0.0);
