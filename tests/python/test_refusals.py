@@ -33,7 +33,7 @@ def test_a_refused_value_is_named_as_it_was_typed(run: Runner, tmp_path: Path) -
     for option, value, expected in (
         ("--k", 2, ">= 3"),
         ("--angle-deg", 95, "> 0 and < 90 deg"),
-        ("--setup-tilt-arcsec", -3, ">= 0 arcsec"),
+        ("--setup-tilt-arcsec", -3, "0 to 324000 arcsec"),
         ("--centre-tolerance", -0.1, ">= 0 m"),
     ):
         result = run(scan, "-o", tmp_path / "out", f"{option}={value}")

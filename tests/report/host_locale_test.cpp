@@ -85,7 +85,7 @@ TEST(HostLocale, NoTextFollowsIt) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
   EXPECT_NE(found[0].find("radius 31.250 m"), std::string::npos) << found[0];
-  EXPECT_EQ(found[4], "setup_error -0.5 >= 0 m");
+  EXPECT_EQ(found[4], "setup_error -0.5 0 to 1000 m");
   std::snprintf(text, sizeof text, "%.2f", 31.25);
   EXPECT_STREQ(text, "31,25");  // and it stays the host's
 }
