@@ -37,25 +37,24 @@ double widthOf(const std::vector<double>& distances, double noise) {
   return std::sqrt(12.0 * std::max(0.0, variance));
 }
 
-/// The points of a level between a weld's toe and the face of an edge, which scans show more densely than what lies
-/// between.
-std::vector<Beside> between(std::vector<Beside> level, const std::vector<double>& distances) {
-  constexpr double kEnds = 0.05;               // of the points, which may be others
-  constexpr double kToe = 0.35, kFace = 0.15;  // of the width
-  const double first = quantile(distances, kEnds), last = quantile(distances, 1.0 - kEnds), width = last - first;
-  const auto isOf = [&](const Beside& p) { return p.d < first + kToe * width || p.d > last - kFace * width; };
-  level.erase(std::remove_if(level.begin(), level.end(), isOf), level.end());
-  return level;
-}
-
-/// How points rise outwards [m/m]; NaN of too few.
-double slopeOf(const std::vector<Beside>& points) {
+/// How points from one distance to another rise outwards [m/m]; NaN of too few.
+double slopeWithin(const std::vector<Beside>& points, double from, double to) {
   double count = 0.0, d = 0.0, height = 0.0, squares = 0.0, products = 0.0;
   for (const Beside& p : points) {
+    if (p.d < from || p.d > to) continue;
     count += 1.0, d += p.d, height += p.height;
     squares += p.d * p.d, products += p.d * p.height;
   }
   return (count * products - d * height) / (count * squares - d * d);
+}
+
+/// How points of a level rise between a weld's toe and the face of an edge, which scans show more densely than what
+/// lies between [m/m].
+double slopeBetween(const std::vector<Beside>& level, const std::vector<double>& distances) {
+  constexpr double kEnds = 0.05;               // of the points, which may be others
+  constexpr double kToe = 0.35, kFace = 0.15;  // of the width
+  const double first = quantile(distances, kEnds), last = quantile(distances, 1.0 - kEnds), width = last - first;
+  return slopeWithin(level, first + kToe * width, last - kFace * width);
 }
 
 /// What hides the surface beside the shell.
@@ -85,12 +84,9 @@ bool isLip(const ShellStrip& strip, const std::vector<Beside>& level, const std:
            double width, double height) {
   constexpr double kRound = 2.0;  // times its height: what is round is seen no wider
   if (comesDown(strip, level)) return false;
-  const double middle = median(distances);
-  std::vector<Beside> outer = level;
-  outer.erase(std::remove_if(outer.begin(), outer.end(), [&](const Beside& p) { return p.d < middle; }), outer.end());
-  const bool level_out = slopeOf(outer) >= -kSteepestLip;
+  const bool level_out = slopeWithin(level, median(distances), strip.to) >= -kSteepestLip;
   if (level_out && !strip.on_plate) return true;
-  return width > kRound * height && (level_out || slopeOf(between(level, distances)) >= -kSteepestLip);
+  return width > kRound * height && (level_out || slopeBetween(level, distances) >= -kSteepestLip);
 }
 
 /// What may be where a strip shows nothing at all.

@@ -103,9 +103,8 @@ struct SetupAgreement {
                               ///< [m]; 0 of one scan
 
   bool adjusted() const { return covariance.size() > 0; }
-  double planError() const;  ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
-  double radiusError()
-      const;  ///< what their places make of a tank's radius: no overlap shows that all stand too far out
+  double planError() const;    ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
+  double radiusError() const;  ///< that their places leave in a tank's radius, which no overlap shows [m]
 };
 
 }  // namespace tank_datum
