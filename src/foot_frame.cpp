@@ -105,6 +105,7 @@ void FootFrame::backFrom(FootResult& foot) const {
   foot.refined.sigma_radius *= unit_;
   foot.refined.rounding *= unit_;
   foot.refined.narrow_lip *= unit_;
+  foot.refined.maybe_pipe *= unit_;
   foot.refined.shell_from *= unit_;
   scale(foot.refined.profile, unit_);
   for (std::size_t i = 0; i < foot.stations.size(); ++i) {

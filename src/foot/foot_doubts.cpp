@@ -5,6 +5,7 @@
 
 #include "core/ring_runs.h"
 #include "core/units.h"
+#include "foot/section_end.h"
 
 namespace tank_datum {
 namespace {
@@ -111,6 +112,12 @@ std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vect
 
 std::vector<FootFit> withLevelDoubted(std::vector<FootFit> fits, double other) {
   for (FootFit& fit : fits) fit.sigma = std::hypot(fit.sigma, kHolds * other);
+  return fits;
+}
+
+std::vector<FootFit> withPipeDoubted(std::vector<FootFit> fits, const FootSections& sections, double reach) {
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    fits[i].sigma = std::hypot(fits[i].sigma, kHolds * heightOfPipe(sections.at(i), reach));
   return fits;
 }
 

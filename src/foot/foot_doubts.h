@@ -22,4 +22,7 @@ std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vect
 /// @param other  how far off it lies, either way, else 0 [m]
 std::vector<FootFit> withLevelDoubted(std::vector<FootFit> fits, double other);
 
+/// Fits whose standard errors hold that what passes for a lip may lie beside the shell upon the foot.
+std::vector<FootFit> withPipeDoubted(std::vector<FootFit> fits, const FootSections& sections, double reach);
+
 }  // namespace tank_datum

@@ -16,6 +16,7 @@
 #include "foot/narrow_lips.h"
 #include "foot/polar_ring.h"
 #include "foot/raised_foot.h"
+#include "foot/section_end.h"
 #include "foot/shell_below.h"
 #include "foot/shell_circle.h"
 #include "foot/shell_fits.h"
@@ -163,6 +164,8 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover, foot);
   levels.fits = withLevelDoubted(std::move(levels.fits), pass.sections.other_level);
+  levels.fits = withPipeDoubted(std::move(levels.fits), pass.sections, foot.reach);
+  found.refined.maybe_pipe = heightOfPipe(pass.sections.whole, foot.reach);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
   found.refined.above_shell = shareAboveShell(foot, levels.fits);

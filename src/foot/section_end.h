@@ -35,4 +35,8 @@ struct SlopeBeyond {
 /// other lower them: it is read clear of both.
 SlopeBeyond slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach);
 
+/// How high what passes for a lip stands above what lies beyond it, where it may be a cable or a pipe that lies beside
+/// the shell: that is seen about as far out as it is high. Else 0 [m].
+double heightOfPipe(const FootProfile& profile, double reach);
+
 }  // namespace tank_datum

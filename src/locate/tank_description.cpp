@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "fit/circle.h"
 #include "fit/harmonics.h"
+#include "locate/filled_wall.h"
 #include "locate/step_back.h"
 #include "locate/wall_sector.h"
 
@@ -16,7 +17,6 @@ namespace tank_datum {
 namespace {
 
 constexpr double kFoundationArc = 30.0 * kDegree;  // in one piece: a foot that is hidden elsewhere is one
-constexpr double kShortOfRingwall = 0.075;         // half of the way to the face of the narrowest ringwall [m]
 
 /// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
 /// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
@@ -46,8 +46,8 @@ struct WallView {
 };
 
 std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& circle, double rms) {
-  const auto sectors = sectorsOf(points, voxel, circle, std::max(1.5 * voxel, 3.0 * rms));
-  const double thickness = std::max(kShortOfRingwall, 3.0 * rms);
+  const auto sectors = sectorsOf(points, voxel, circle, bandOf(voxel, rms));
+  const double thickness = thicknessOf(rms);
   std::vector<WallView> views(sectors.size());
   for (std::size_t i = 0; i < sectors.size(); ++i) {
     WallView& view = views[i];
@@ -151,12 +151,19 @@ void look(Tank& tank, const std::vector<WallView>& views, double least) {
       count >= least * seen || longestFoundation(views, tank.side) >= kFoundationArc * least / kLeastFoundation;
 }
 
-/// See Tank::low_wall.
-double lowWall(const Tank& tank, const std::vector<WallView>& views) {
-  if (tank.side == Side::Inside || !(tank.height <= kHighestRingwall)) return kUnknown;
+/// Of a wall no higher than a ringwall's face, see Tank::low_wall.
+double shareBehindTop(const std::vector<WallView>& views) {
   std::size_t stand = 0, behind = 0;
   for (const WallView& view : views) stand += view.stands, behind += view.stands && view.behind_top;
   return static_cast<double>(behind) / static_cast<double>(stand);
+}
+
+/// See Tank::low_wall.
+double lowWall(const Tank& tank, const std::vector<WallView>& views, const Points& points, double voxel) {
+  if (tank.side == Side::Inside || !(tank.height <= kHighestRingwall)) return kUnknown;
+  const double filled = shareFilled(points, voxel, tank);
+  if (tank.standsOnRingwall()) return filled > 0.0 ? filled : kUnknown;
+  return std::max(filled, shareBehindTop(views));
 }
 
 /// The feet of the walls; a shell that ends above a shadow says nothing of the foot.
@@ -214,11 +221,10 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
       tank.ringwall_width = tank.ringwall_height = 0.0;
     }
   }
-  if (!tank.standsOnRingwall()) tank.low_wall = lowWall(tank, views);
+  tank.low_wall = lowWall(tank, views, points, sample.voxel);
   tank.foot = footOf(tank, views);
   if (tank.foot.valid())
-    tank.circle =
-        refineCircle(points, sample.voxel, tank.circle, tank.foot, std::max(1.5 * sample.voxel, 3.0 * tank.rms));
+    tank.circle = refineCircle(points, sample.voxel, tank.circle, tank.foot, bandOf(sample.voxel, tank.rms));
   return tank;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "tank_datum/fit/curves.h"
@@ -24,9 +25,17 @@ struct Sector {
 /// @param band    half-width of what counts as standing at the shell [m]
 std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& circle, double band);
 
-constexpr double kRingwallWidth = 0.6;  ///< the widest ringwall beyond the shell [m]
-constexpr double kFewestVoxels = 3.0;   ///< that a wall is high
-constexpr double kHoleInVoxels = 3.0;   ///< between hits that are still one wall
+constexpr double kRingwallWidth = 0.6;      ///< the widest ringwall beyond the shell [m]
+constexpr double kShortOfRingwall = 0.075;  ///< half of the way to the face of the narrowest ringwall [m]
+constexpr double kFewestVoxels = 3.0;       ///< that a wall is high
+constexpr double kHoleInVoxels = 3.0;       ///< between hits that are still one wall
+
+/// How far from the circle points of a wall are at most [m].
+/// @param rms  of the wall about its circle [m]
+inline double bandOf(double voxel, double rms) { return std::max(1.5 * voxel, 3.0 * rms); }
+
+/// How far from its upright line they are at most [m].
+inline double thicknessOf(double rms) { return std::max(kShortOfRingwall, 3.0 * rms); }
 
 void sortByHeight(std::vector<Hit>& hits);
 

@@ -155,7 +155,7 @@ std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell)
                          tank.behind, 100.0 * tank.behind_share));
   if (std::isfinite(tank.low_wall)) {
     tests.push_back(judged(kLowWall, tank.low_wall,
-                           "its wall is %.1f m high only, and something lies behind its top, as behind a ringwall's",
+                           "its wall is %.1f m high only, and something lies behind its top, as behind a ringwall's or a planter's",
                            tank.height));
   }
   if (!shell.known()) {

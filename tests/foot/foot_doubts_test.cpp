@@ -127,5 +127,16 @@ TEST(WithLevelDoubted, TwoStandardErrorsHoldTheOtherLevelOfAllStations) {
   for (const FootFit& fit : fits) EXPECT_NEAR(fit.sigma, 0.005, 1e-12);
 }
 
+TEST(WithPipeDoubted, TwoStandardErrorsHoldIt) {
+  FootSections sections;
+  sections.whole.bin = 0.003, sections.whole.edge = 0.03, sections.whole.surface = Surface::AnnularPlate;
+  for (int i = 0; i < 100; ++i) sections.whole.height.push_back(i < 10 ? 0.0 : -0.03);
+  std::vector<FootFit> fits(2);
+  fits[0].sigma = 0.0001;
+  const auto doubted = withPipeDoubted(fits, sections, 0.5);
+  EXPECT_NEAR(doubted[0].sigma, 0.015, 1e-6);
+  EXPECT_FALSE(doubted[1].valid());
+}
+
 }  // namespace
 }  // namespace tank_datum

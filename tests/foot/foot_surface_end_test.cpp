@@ -182,5 +182,37 @@ TEST(Surface, NamesAreThoseOfTheFiles) {
   EXPECT_STREQ(nameOf(Surface::Ringwall), "ringwall");
 }
 
+/// A lip that ends at 36 mm, so high above what lies between 1.5 and 2.5 times as far out; another level before and
+/// beyond.
+FootProfile lipAbove(double height, double before, double beyond) {
+  FootProfile lip;
+  lip.bin = 0.003, lip.edge = 0.036, lip.surface = Surface::AnnularPlate;
+  for (int i = 0; i < 100; ++i) {
+    const double d = 0.003 * (i + 0.5);
+    lip.height.push_back(d < 0.036 ? 0.0 : d < 0.054 ? before : d < 0.090 ? -height : beyond);
+  }
+  return lip;
+}
+
+constexpr double kFootReach = 0.5;  // [m]
+
+TEST(HeightOfPipe, IsOfWhatStandsOutLessThanOnceAndAHalfItsHeight) {
+  EXPECT_NEAR(heightOfPipe(lipAbove(0.025, -0.025, -0.025), kFootReach), 0.025, 1e-12);
+  EXPECT_EQ(heightOfPipe(lipAbove(0.023, -0.023, -0.023), kFootReach), 0.0) << "a thick plate";
+  FootProfile foundation = lipAbove(0.025, -0.025, -0.025);
+  foundation.surface = Surface::Foundation;
+  EXPECT_EQ(heightOfPipe(foundation, kFootReach), 0.0);
+}
+
+TEST(HeightOfPipe, IsOverWhatLiesClearOfItsFaceAndNearby) {
+  EXPECT_NEAR(heightOfPipe(lipAbove(0.030, -0.010, -0.2), kFootReach), 0.030, 1e-12);
+  EXPECT_EQ(heightOfPipe(lipAbove(kUnknown, -0.030, -0.030), kFootReach), 0.0) << "hidden there";
+}
+
+TEST(HeightOfPipe, IsSixCentimetresAtMost) {
+  EXPECT_NEAR(heightOfPipe(lipAbove(0.058, -0.058, -0.058), kFootReach), 0.058, 1e-12);
+  EXPECT_EQ(heightOfPipe(lipAbove(0.062, -0.062, -0.062), kFootReach), 0.0) << "the edge of a ringwall";
+}
+
 }  // namespace
 }  // namespace tank_datum
