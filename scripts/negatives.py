@@ -141,6 +141,21 @@ def yard(draw: random.Random) -> tuple[list[Object], list[tuple[float, float]]]:
     return objects, [(0.0, 0.0), (draw.uniform(-3.0, 3.0), draw.uniform(-3.0, 3.0))]
 
 
+def planter(draw: random.Random) -> tuple[Object, list[tuple[float, float]]]:
+    """A round wall, lower than a tank is, that soil fills: to the simulator its roof."""
+    radius, height = draw.uniform(3.0, 20.0), draw.uniform(0.3, 0.4) * draw.uniform(1.0, 2.7)
+    wall = {
+        "radius": radius,
+        "height": height,
+        "roof": draw.choice(["cone", "dome"]),
+        "roof_rise": draw.uniform(0.05, 0.6),
+        "foundation": {"kind": "pad", "pad_width": draw.uniform(1.0, 4.0)},
+    }
+    count, away = draw.randint(2, 5), radius + draw.uniform(3.0, 8.0)
+    turns = [math.tau * (i + draw.uniform(-0.2, 0.2)) / count for i in range(count)]
+    return wall, [(away * math.cos(turn), away * math.sin(turn)) for turn in turns]
+
+
 PLACES: dict[str, Callable[[random.Random], tuple[list[Object], list[tuple[float, float]]]]] = {
     "street": street,
     "crescent": crescent,
@@ -148,12 +163,19 @@ PLACES: dict[str, Callable[[random.Random], tuple[list[Object], list[tuple[float
     "corridor": corridor,
     "yard": yard,
 }
+KINDS = [*PLACES, "planter"]
+FAR_TANK: Object = {"x": 5000.0, "radius": 5.0, "height": 5.0}
 
 
 def scene_of(kind: str, seed: int) -> Scene:
-    """A scene whose only tank stands kilometres beyond the scanner's range."""
+    """A scene whose only tank stands kilometres beyond the scanner's range, or is a planter."""
     draw = random.Random(seed)
-    objects, places = PLACES[kind](draw)
+    objects: list[Object] = []
+    tank = FAR_TANK
+    if kind == "planter":
+        tank, places = planter(draw)
+    else:
+        objects, places = PLACES[kind](draw)
     step = draw.choice([0.25, 0.3, 0.4])
     scanner = {
         "stations": [{"x": x, "y": y} for x, y in places],
@@ -164,7 +186,7 @@ def scene_of(kind: str, seed: int) -> Scene:
     }
     return {
         "seed": seed,
-        "tanks": [{"x": 5000.0, "radius": 5.0, "height": 5.0}],
+        "tanks": [tank],
         "ground": {"roughness": draw.choice([0.0, 0.005, 0.02]), "drop": 0.2},
         "objects": objects,
         "scanner": scanner,
@@ -199,14 +221,13 @@ def main() -> int:
     parser.add_argument("--only", type=int, help="this seed alone")
     parser.add_argument("--keep", type=Path, help="folder for scenes and results")
     given = parser.parse_args()
-    kinds = list(PLACES)
     seeds = [given.only] if given.only is not None else range(given.seed, given.seed + given.count)
-    accepted, crashed, words = 0, 0, dict.fromkeys(PLACES, 0)
+    accepted, crashed, words = 0, 0, dict.fromkeys(KINDS, 0)
     with tempfile.TemporaryDirectory() as made:
         folder = given.keep or Path(made)
         folder.mkdir(parents=True, exist_ok=True)
         for seed in seeds:
-            kind = kinds[seed % len(kinds)]
+            kind = KINDS[seed % len(KINDS)]
             status, said = run(kind, seed, folder)
             accepted += status == 0
             crashed += status not in (0, 1)
