@@ -5,6 +5,7 @@
 
 #include "core/ring_runs.h"
 #include "core/units.h"
+#include "foot/ring_slope.h"
 #include "foot/section_end.h"
 
 namespace tank_datum {
@@ -112,6 +113,16 @@ std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vect
 
 std::vector<FootFit> withLevelDoubted(std::vector<FootFit> fits, double other) {
   for (FootFit& fit : fits) fit.sigma = std::hypot(fit.sigma, kHolds * other);
+  return fits;
+}
+
+std::vector<FootFit> withFallDoubted(std::vector<FootFit> fits, const FootSections& sections, double reach) {
+  constexpr double kNarrow = 0.5;  // of the reach
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (sections.at(i).edge > kNarrow * reach) continue;
+    const double steeper = std::max(0.0, -fits[i].slope - kLipSlope);
+    fits[i].sigma = std::hypot(fits[i].sigma, steeper * fits[i].middle);
+  }
   return fits;
 }
 

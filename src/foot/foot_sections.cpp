@@ -93,6 +93,7 @@ FootSections heldTo(const FootSections& before, FootSections now, double reach) 
 }
 
 FootElevations alignedElevations(const Foot& foot, FootElevations elevations) {
+  constexpr double kSurfaces = 0.1;  // of the reach: crown, plate and ringwall are no farther apart; a face is higher
   const FootProfile section = stackProfile(foot.points, elevations.known, foot.scales);
   if (!isResolved(foot) || !section.valid() || isOfLevel(section, foot.reach)) return elevations;
   forEachIndex(elevations.known.size(), 0, [&](std::size_t i) {
@@ -102,7 +103,7 @@ FootElevations alignedElevations(const Foot& foot, FootElevations elevations) {
       const double bin = p.d / section.bin;
       if (p.d < foot.scales.nearest() || bin >= static_cast<double>(section.height.size())) continue;  // the shell's
       const double height = section.height[static_cast<std::size_t>(bin)];
-      if (std::isfinite(height)) off.push_back(p.z - elevations.known[i] - height);
+      if (std::abs(height) < kSurfaces * foot.reach) off.push_back(p.z - elevations.known[i] - height);
     }
     if (!off.empty()) elevations.known[i] += median(off);
   });

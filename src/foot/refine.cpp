@@ -164,6 +164,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover, foot);
   levels.fits = withLevelDoubted(std::move(levels.fits), pass.sections.other_level);
+  levels.fits = withFallDoubted(std::move(levels.fits), pass.sections, foot.reach);
   levels.fits = withPipeDoubted(std::move(levels.fits), pass.sections, foot.reach);
   found.refined.maybe_pipe = heightOfPipe(pass.sections.whole, foot.reach);
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);

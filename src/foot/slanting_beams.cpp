@@ -161,8 +161,9 @@ struct LiftBeyond {
   double atMost() const { return lift + uneven; }
 };
 
-/// Zero where the edge is sharp, or no drop is seen.
+/// Zero where the edge is sharp, or no drop is seen; any lift where too little is seen beyond it.
 LiftBeyond liftBeyond(const FootProfile& profile) {
+  constexpr std::size_t kFewest = 4;                     // bins
   constexpr double kLeastDrop = 0.003, kBeside = 0.009;  // [m]
   const auto level = [&](std::size_t bin) { return profile.height[bin] - profile.slope_beyond * middle(profile, bin); };
   std::vector<double> far, beside;
@@ -170,9 +171,10 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
     const double beyond = middle(profile, i) - profile.edge;
     if (beyond > kClearOf && beyond < kClearTo && std::isfinite(level(i))) far.push_back(level(i));
   }
+  if (far.size() < kFewest) return {0.0, HUGE_VAL};
   const double below = median(far), plate = profile.offset + (profile.slope - profile.slope_beyond) * profile.edge;
   // points in a gap before a crown rise more steeply than any surface that a plate lies on
-  if (far.empty() || !(plate - below > kLeastDrop) || profile.slope_beyond > kLipSlope)
+  if (!(plate - below > kLeastDrop) || profile.slope_beyond > kLipSlope)
     return {0.0, 0.0, std::abs(plate - below) <= kLeastDrop};
   const auto isBelow = [&](std::size_t i) { return level(i) < 0.5 * (plate + below); };
   auto face = static_cast<std::size_t>(profile.edge / profile.bin);
@@ -182,7 +184,7 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
     const double d = middle(profile, i);
     if (isBelow(i) && d >= from && d < from + 2.0 * profile.bin) beside.push_back(level(i) - below);
   }
-  if (beside.empty()) return {};
+  if (beside.empty()) return {0.0, HUGE_VAL};
   return {std::max(0.0, median(beside)), robustSigma(far, below)};
 }
 

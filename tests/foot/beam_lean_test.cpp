@@ -96,6 +96,20 @@ TEST(BlendLean, WhatUnevenGroundMayHideCountsAsFarAsBeamsCanFeignIt) {
   EXPECT_GT(surely, 0.0);
 }
 
+TEST(BlendLean, IsAllThatBeamsCanFeignWhereTooLittleIsSeenBeyond) {
+  const auto seen_beyond = [](std::size_t bins) {
+    FootProfile few = edgeWith(0.003, 0.0, 0.010);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < few.height.size(); ++i) {
+      const double beyond = middle(few, i) - few.edge;
+      if (beyond > 0.030 && beyond < 0.090 && ++seen > bins) few.height[i] = kUnknown;
+    }
+    return few;
+  };
+  EXPECT_EQ(blendLean(seen_beyond(3), 0.1), 0.1);
+  EXPECT_LT(blendLean(seen_beyond(4), 0.1), 0.1);
+}
+
 TEST(BlendLean, OfWhatRisesBeyondAsBeamsInAGapBeforeACrownDoTellsNothing) {
   EXPECT_GT(blendLean(edgeWith(0.003, 0.04), 0.1), 0.01);
   EXPECT_EQ(blendLean(edgeWith(0.003, 0.06), 0.1), 0.0);

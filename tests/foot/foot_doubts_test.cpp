@@ -127,6 +127,21 @@ TEST(WithLevelDoubted, TwoStandardErrorsHoldTheOtherLevelOfAllStations) {
   for (const FootFit& fit : fits) EXPECT_NEAR(fit.sigma, 0.005, 1e-12);
 }
 
+TEST(WithFallDoubted, OneStandardErrorHoldsWhatANarrowSurfaceFallsByMoreThanLips) {
+  const auto sigma = [](double slope, double edge) {
+    FootSections sections;
+    sections.whole.edge = edge;
+    FootFit fit;
+    fit.sigma = 0.0001, fit.slope = slope, fit.middle = 0.04;
+    return withFallDoubted({fit}, sections, 0.5)[0].sigma;
+  };
+  EXPECT_NEAR(sigma(-0.10, 0.10), 0.05 * 0.04, 1e-5);
+  EXPECT_NEAR(sigma(-0.05, 0.10), 0.0001, 1e-9);
+  EXPECT_NEAR(sigma(0.10, 0.10), 0.0001, 1e-9);
+  EXPECT_GT(sigma(-0.10, 0.24), 0.0019);
+  EXPECT_NEAR(sigma(-0.10, 0.26), 0.0001, 1e-9) << "a pad";
+}
+
 TEST(WithPipeDoubted, TwoStandardErrorsHoldIt) {
   FootSections sections;
   sections.whole.bin = 0.003, sections.whole.edge = 0.03, sections.whole.surface = Surface::AnnularPlate;

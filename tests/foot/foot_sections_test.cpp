@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -158,6 +159,24 @@ double scatterAfter(double off, const Sections::Section& section, int shell = 0)
   return std::sqrt(squares - mean * mean);
 }
 
+/// How far stations lie off their middle after they were moved, upon a lip before a ringwall whose face, which does not
+/// follow the shell and holds most of the points, is so deep.
+double scatterBesideFace(double deep) {
+  MadeFoot made;
+  FootElevations elevations;
+  for (int s = 0; s < 360; ++s) {
+    made.addStation(s, 60, 0.015, 0.18, [](double d) { return d < 0.05 ? 0.008 : 0.0; });
+    const double face = 0.2 + 0.015 * std::sin(1.7 * s);
+    made.addStation(s, 150, face, face + 0.002, [&](double d) { return -deep * (d - face) / 0.002; });
+    elevations.known.push_back(0.006 * std::sin(2.4 * s));
+  }
+  elevations.filled = elevations.known;
+  const std::vector<double> moved = alignedElevations(made.foot(), elevations).known;
+  double sum = 0.0, squares = 0.0;
+  for (const double z : moved) sum += z / 360.0, squares += z * z / 360.0;
+  return std::sqrt(std::max(0.0, squares - sum * sum));
+}
+
 /// Sections whose surface lies so far off the elevations they were stacked with.
 FootSections sectionsOff(double offset) {
   FootSections sections;
@@ -220,6 +239,12 @@ TEST(StackKnown, BeforeAnyAreFittedThereIsNoOtherSection) {
   MadeFoot made;
   made.addStation(0, 3, 0.005, 0.3, [](double) { return 0.0; });
   EXPECT_FALSE(stackKnown(made.foot(), std::vector<double>(360, 0.0), {}).whole.valid());
+}
+
+TEST(AlignedElevations, GoByWhatLiesWithinATenthOfTheReachOfTheSurface) {
+  EXPECT_LT(scatterBesideFace(0.2), 0.0001);
+  EXPECT_LT(scatterBesideFace(0.1), 0.0001);
+  EXPECT_GT(scatterBesideFace(0.05), 0.001) << "as high as a crown";
 }
 
 }  // namespace
