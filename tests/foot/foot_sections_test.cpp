@@ -171,9 +171,8 @@ double scatterBesideFace(double deep) {
     elevations.known.push_back(0.006 * std::sin(2.4 * s));
   }
   elevations.filled = elevations.known;
-  const std::vector<double> moved = alignedElevations(made.foot(), elevations).known;
   double sum = 0.0, squares = 0.0;
-  for (const double z : moved) sum += z / 360.0, squares += z * z / 360.0;
+  for (const double z : alignedElevations(made.foot(), elevations).known) sum += z / 360.0, squares += z * z / 360.0;
   return std::sqrt(std::max(0.0, squares - sum * sum));
 }
 
