@@ -115,8 +115,11 @@ Datum describeStations(Datum datum, const DatumOptions& options) {
   }
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {
+    const double falls = datum.refined.falls;
+    const std::string why =
+        falls > 0.0 ? formatted("; what meets it falls by %.2g m/m, as soil or an apron does", falls) : "";
     return withoutCrease(std::move(datum),
-                         candidate + "the shell meets one and the same surface at fewer than 8 stations");
+                         candidate + "the shell meets one and the same surface at fewer than 8 stations" + why);
   }
   blankMissing(datum);
   return finishDatum(std::move(datum), options);

@@ -167,6 +167,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   levels.fits = withFallDoubted(std::move(levels.fits), pass.sections, foot.reach);
   levels.fits = withPipeDoubted(std::move(levels.fits), pass.sections, foot.reach);
   found.refined.maybe_pipe = heightOfPipe(pass.sections.whole, foot.reach);
+  found.refined.falls = pass.priors.falls() ? -pass.priors.seen : 0.0;
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
   found.refined.above_shell = shareAboveShell(foot, levels.fits);

@@ -1,4 +1,4 @@
-"""Real scans of a tree, a building, a stockpile, a pump hall: refused, no datum is invented."""
+"""A tree, a building, a stockpile, a pump hall, a planter: refused, no datum is invented."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ import plyfile
 import pye57
 import pytest
 
-from results import Array, Run, read_datum, write_xyz
+from results import Array, Run, read_datum, read_stations, write_xyz
 
 Runner = Callable[..., Run]
+Synth = Callable[..., Path]
 
 # ---- the tree ----
 
@@ -93,3 +94,39 @@ def test_camera_frame(run: Runner, data: Path, tmp_path: Path, name: str, radius
     result = run(scan, "-o", tmp_path / "out", "--min-radius", radius)
     assert result.returncode == 1
     assert read_datum(tmp_path / "out")["status"] in ("no_tank", "no_crease")
+
+
+# ---- simulated ----
+
+
+def test_a_planter_is_doubtful(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    """A low round wall that soil fills: to the simulator a tank 0.7 m high with its roof."""
+    scan = synth(radius=6, height=0.7, roof="dome", step_deg=0.12)
+    result = run(scan, "-o", tmp_path / "out", "--setup-error", 0)
+    assert result.returncode == 1
+    assert "its wall is 0.7 m high only, and something lies behind its top" in result.stderr
+    assert read_datum(tmp_path / "out")["status"] == "doubtful"
+
+
+def test_what_passes_for_a_lip_may_be_a_pipe(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    scan = synth(
+        foundation="annular_plate", plate_width=0.035, plate_thickness=0.028, step_deg=0.08
+    )
+    result = run(scan, "-o", tmp_path / "out", "--setup-error", 0)
+    assert result.returncode == 1
+    assert "what passes for a lip is 28 mm high and stands out hardly farther" in result.stderr
+    assert np.nanmedian(read_stations(tmp_path / "out")["sigma_z"]) > 0.013
+
+
+def test_an_apron_that_falls_is_no_foundation(run: Runner, synth: Synth, tmp_path: Path) -> None:
+    scan = synth(
+        "--set",
+        "tanks/0/foundation/plate_slope=-0.25",
+        foundation="annular_plate",
+        plate_width=0.12,
+        plate_thickness=0.03,
+        step_deg=0.08,
+    )
+    result = run(scan, "-o", tmp_path / "out", "--setup-error", 0)
+    assert result.returncode == 1
+    assert "what meets it falls by 0.25 m/m, as soil or an apron does" in result.stderr
