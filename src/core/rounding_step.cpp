@@ -11,22 +11,34 @@
 namespace tank_datum {
 namespace {
 
-/// Values that several are alike to, in order.
-struct SharedLevels {
-  std::vector<double> levels;
-  std::size_t values = 0;  ///< at all of them
-
-  /// @param alike   what values differ by that are one [m]
-  /// @param fewest  of a level
-  SharedLevels(const std::vector<double>& sorted, double alike, std::size_t fewest) {
-    for (std::size_t first = 0, end = 0; first < sorted.size(); first = end) {
-      for (end = first + 1; end < sorted.size() && sorted[end] - sorted[end - 1] <= alike; ++end) continue;
-      if (end - first < fewest) continue;
-      levels.push_back(sorted[first]);
-      values += end - first;
-    }
-  }
+/// A value, and how many are alike to it.
+struct Level {
+  double value = 0.0;
+  std::size_t count = 0;
 };
+
+/// @param alike  what values differ by that are one
+std::vector<Level> levelsOf(const std::vector<double>& sorted, double alike) {
+  std::vector<Level> levels;
+  for (std::size_t first = 0, end = 0; first < sorted.size(); first = end) {
+    for (end = first + 1; end < sorted.size() && sorted[end] - sorted[end - 1] <= alike; ++end) continue;
+    levels.push_back({sorted[first], end - first});
+  }
+  return levels;
+}
+
+/// How many values the fewest-valued of those levels has that hold so many together, the most-valued first.
+std::size_t fewestOfFullest(const std::vector<Level>& levels, double values) {
+  std::vector<std::size_t> counts;
+  for (const Level& level : levels) counts.push_back(level.count);
+  std::sort(counts.rbegin(), counts.rend());
+  double held = 0.0;
+  for (const std::size_t count : counts) {
+    held += static_cast<double>(count);
+    if (held >= values) return count;
+  }
+  return 0;
+}
 
 /// The gap of which most gaps between levels are small multiples; 0: there is none.
 /// @param fewest  levels that tell
@@ -55,11 +67,19 @@ double roundingStep(std::vector<double> values, double finest) {
   constexpr double kAlike = 0.01;                         // of the finest step: sums of the same digits
   constexpr double kShare = 0.2;                          // of the values: others may not be rounded
   constexpr std::size_t kFewest = 4, kFewestSingle = 21;  // levels
+  constexpr std::size_t kMany = 8;                        // values of a level
   std::sort(values.begin(), values.end());
-  for (const std::size_t fewest : {8U, 3U, 2U, 1U}) {  // a few values may be alike by chance, many are not
-    const SharedLevels shared(values, kAlike * finest, fewest);
-    if (static_cast<double>(shared.values) < kShare * static_cast<double>(values.size())) continue;
-    const double step = stepBetween(shared.levels, fewest > 1 ? kFewest : kFewestSingle);
+  const std::vector<Level> levels = levelsOf(values, kAlike * finest);
+  const double enough = kShare * static_cast<double>(values.size());
+  // a few values may be alike by chance, many are not: fullest first, as means of rounded values lie in between
+  for (const std::size_t fewest : {std::max(kMany, fewestOfFullest(levels, enough)), kMany, 3UL, 2UL, 1UL}) {
+    std::vector<double> shared;
+    std::size_t held = 0;
+    for (const Level& level : levels) {
+      if (level.count >= fewest) shared.push_back(level.value), held += level.count;
+    }
+    if (static_cast<double>(held) < enough) continue;
+    const double step = stepBetween(shared, fewest > 1 ? kFewest : kFewestSingle);
     if (step >= finest) return step;
   }
   return 0.0;

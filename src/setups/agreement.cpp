@@ -13,6 +13,7 @@
 #include "setups/setup_ring.h"
 #include "setups/setup_verdicts.h"
 #include "setups/setup_views.h"
+#include "setups/shell_arcs.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -103,6 +104,14 @@ bool partByOrder(Ring& ring, const Tank& tank, SetupAgreement& agreement, int th
   return true;
 }
 
+/// Makes one setup of all.
+void takeTogether(Ring& ring, std::vector<Setup>& setups) {
+  ring.setups.resize(1);
+  ring.point_setups.clear();
+  setups = countSetups(ring);
+  setups.front().name = "all";
+}
+
 void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
   for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
     Setup& setup = agreement.setups[s];
@@ -184,6 +193,10 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     ring.point_setups.clear();
     agreement.by_order = partByOrder(ring, tank, agreement, threads);
     if (!agreement.by_order) return agreement;
+  } else if (areNoSetups(shellArcs(ring, tank), tank)) {
+    agreement.no_setups = true;
+    takeTogether(ring, agreement.setups);  // each may hold pieces of several: their order says nothing
+    return agreement;
   }
   std::vector<Eigen::Vector3d> origins;
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);

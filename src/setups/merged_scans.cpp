@@ -8,39 +8,16 @@
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "setups/double_surface.h"
-#include "setups/setup_ring.h"
 #include "setups/setup_system.h"
+#include "setups/shell_arcs.h"
 
 namespace tank_datum {
-namespace {
-
-/// Whether what is seen of the shell reaches farther round it than one setup sees: from outside never half of it.
-bool isSeenBySeveral(const Ring& ring, const Tank& tank) {
-  constexpr double kFrom = 0.3, kNear = 0.2;  // of the reach: above the foot, and off the circle
-  constexpr double kFewestPoints = 5.0;       // of an arc
-  constexpr double kStrays = 0.05;            // of the usual number of points, at most
-  if (tank.side != Side::Outside) return false;
-  std::vector<double> counts(SetupRing::kArcs, 0.0);
-  for (const Eigen::Vector3d& p : ring.points) {
-    const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
-    if (std::abs(arm.norm() - tank.circle.radius) > kNear * ring.reach) continue;
-    if (p.z() > tank.foot(portable::atan2(arm.y(), arm.x())) + kFrom * ring.reach) {
-      counts[SetupRing::arcOf(p, tank.circle.center)] += 1.0;
-    }
-  }
-  std::vector<double> seen;
-  std::copy_if(counts.begin(), counts.end(), std::back_inserter(seen), [](double n) { return n >= kFewestPoints; });
-  const double least = std::max(kFewestPoints, kStrays * median(std::move(seen)));
-  return SetupRing::spanOf([&](std::size_t arc) { return counts[arc] >= least; }) > SetupRing::kMostOfOneSetup;
-}
-
-}  // namespace
 
 double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given) {
   constexpr double kUsual = 0.0022;   // a setup's height known to 2 mm and its tilt to 10 arc-seconds, 20 m away [m]
   constexpr double kDifferences = 5;  // that six scans round a tank tell
   if (discrepancy > 0.0) return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, given > 0.0 ? given : kUsual);
-  if (!isSeenBySeveral(ring, tank)) return 0.0;
+  if (!isSeenBySeveral(shellArcs(ring, tank).front(), tank)) return 0.0;
   return given > 0.0 ? given : assumedSigma(kUsual);
 }
 

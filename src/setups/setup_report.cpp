@@ -88,6 +88,7 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
     if (setup.verdict == SetupVerdict::Duplicate)
       addClause(text, "setup " + setup.name + " holds the points of another one: used once");
   }
+  if (agreement.no_setups) addClause(text, "files or labels are no setups, as tiles are none, and were taken together");
   if (agreement.adjusted()) addClause(text, refusedOrigins(agreement));
   const std::size_t alone = seenByBadAlone(agreement, stations);
   if (alone > 0) addClause(text, std::to_string(alone) + " stations are seen by it alone");

@@ -57,6 +57,16 @@ TEST(RoundingStep, ValuesThatWereNotRoundedHaveNone) {
   EXPECT_EQ(stepOf({}), 0.0);
 }
 
+/// A filter that takes the mean of what a voxel holds leaves values on the steps, and as many anywhere between.
+TEST(RoundingStep, IsThatOfTheLevelsThatMostValuesShare) {
+  std::vector<double> values;
+  for (int i = 0; i < 6'000; ++i) values.push_back(0.01 * (i % 60));
+  for (int of = 2; of <= 40; ++of) {
+    for (int i = 0; i < 240; ++i) values.push_back(0.01 * (i % 60) + 0.01 * (i % of) / of);
+  }
+  EXPECT_NEAR(stepOf(values), 0.01, 1e-9);
+}
+
 TEST(RoundingStep, AFifthOfTheValuesMayBeRounded) {
   const auto with_others = [](int rounded) {
     std::vector<double> values = valuesOver(0.5, 0.001, rounded), others = valuesOver(0.5, 0.0, 20'000 - rounded);

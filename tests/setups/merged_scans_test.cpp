@@ -93,8 +93,8 @@ TEST(MergedSigma, TheShellIsLookedForWhereItStands) {
   EXPECT_EQ(sigmaOfShell(360.0, 0.14), 0.0);
   EXPECT_GT(sigmaOfShell(360.0, 0.16), 0.0);
   for (const double side : {-1.0, 1.0}) {
-    EXPECT_GT(sigmaOfShell(360.0, 0.2, side * 0.09), 0.0);
-    EXPECT_EQ(sigmaOfShell(360.0, 0.2, side * 0.11), 0.0);
+    EXPECT_GT(sigmaOfShell(360.0, 0.2, side * 0.19), 0.0);
+    EXPECT_EQ(sigmaOfShell(360.0, 0.2, side * 0.21), 0.0);
   }
 }
 
