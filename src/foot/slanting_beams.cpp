@@ -161,18 +161,21 @@ struct LiftBeyond {
   double atMost() const { return lift + uneven; }
 };
 
-/// Zero where the edge is sharp, or no drop is seen; any lift where too little is seen beyond it.
+/// Zero where the edge is sharp, or no drop is seen; any lift of one beyond which too little is seen.
 LiftBeyond liftBeyond(const FootProfile& profile) {
   constexpr std::size_t kFewest = 4;                     // bins
   constexpr double kLeastDrop = 0.003, kBeside = 0.009;  // [m]
   const auto level = [&](std::size_t bin) { return profile.height[bin] - profile.slope_beyond * middle(profile, bin); };
+  const double plate = profile.offset + (profile.slope - profile.slope_beyond) * profile.edge;
   std::vector<double> far, beside;
+  bool drops = false;
   for (std::size_t i = 0; i < profile.height.size(); ++i) {
     const double beyond = middle(profile, i) - profile.edge;
     if (beyond > kClearOf && beyond < kClearTo && std::isfinite(level(i))) far.push_back(level(i));
+    drops = drops || (beyond > 0.0 && beyond < kClearOf && level(i) < plate - kLeastDrop);
   }
-  if (far.size() < kFewest) return {0.0, HUGE_VAL};
-  const double below = median(far), plate = profile.offset + (profile.slope - profile.slope_beyond) * profile.edge;
+  if (far.size() < kFewest) return {0.0, drops ? HUGE_VAL : 0.0};
+  const double below = median(far);
   // points in a gap before a crown rise more steeply than any surface that a plate lies on
   if (!(plate - below > kLeastDrop) || profile.slope_beyond > kLipSlope)
     return {0.0, 0.0, std::abs(plate - below) <= kLeastDrop};
@@ -184,7 +187,7 @@ LiftBeyond liftBeyond(const FootProfile& profile) {
     const double d = middle(profile, i);
     if (isBelow(i) && d >= from && d < from + 2.0 * profile.bin) beside.push_back(level(i) - below);
   }
-  if (beside.empty()) return {0.0, HUGE_VAL};
+  if (beside.empty()) return {};
   return {std::max(0.0, median(beside)), robustSigma(far, below)};
 }
 
