@@ -154,9 +154,10 @@ std::vector<TankTest> testsOfShell(const Tank& tank, const ShellEvidence& shell)
   tests.push_back(judged(kBehind, tank.behind_share, "walls lie %.3g m behind it over %.0f %% of what is seen of it",
                          tank.behind, 100.0 * tank.behind_share));
   if (std::isfinite(tank.low_wall)) {
-    tests.push_back(judged(kLowWall, tank.low_wall,
-                           "its wall is %.1f m high only, and something lies behind its top, as behind a ringwall's or a planter's",
-                           tank.height));
+    tests.push_back(
+        judged(kLowWall, tank.low_wall,
+               "its wall is %.1f m high only, and something lies behind its top, as behind a ringwall's or a planter's",
+               tank.height));
   }
   if (!shell.known()) {
     const double sectors = shell.sectors < kFewestSectors ? static_cast<double>(shell.sectors) : 0.0;  // of no circle
