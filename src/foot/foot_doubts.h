@@ -22,8 +22,8 @@ std::vector<FootFit> withCoverDoubted(std::vector<FootFit> fits, const std::vect
 /// @param other  how far off it lies, either way, else 0 [m]
 std::vector<FootFit> withLevelDoubted(std::vector<FootFit> fits, double other);
 
-/// Fits whose standard errors hold by how much more a narrow surface falls up to its middle than lips do: wide beams make
-/// such a slope of a lip and its edge together.
+/// Fits whose standard errors hold by how much more a narrow surface falls up to its middle than lips do: wide beams
+/// make such a slope of a lip and its edge together.
 std::vector<FootFit> withFallDoubted(std::vector<FootFit> fits, const FootSections& sections, double reach);
 
 /// Fits whose standard errors hold that what passes for a lip may lie beside the shell upon the foot.

@@ -43,8 +43,8 @@ struct Tank {
   double ringwall_height = 0.0;  ///< of that face, from the ground to the foot of the shell [m]
 
   /// Of a wall no higher than a ringwall's face: the share of what is seen of it behind whose top something lies, as
-  /// the top of a ringwall and the shell upon it do, or the soil that fills a planter; not known of a higher one, nor of
-  /// one seen from inside.
+  /// the top of a ringwall and the shell upon it do, or the soil that fills a planter; not known of a higher one, nor
+  /// of one seen from inside.
   double low_wall = std::numeric_limits<double>::quiet_NaN();
 
   double behind_share = 0.0;  ///< of what is seen of the shell, where walls of others stand behind it
