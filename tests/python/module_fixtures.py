@@ -41,3 +41,13 @@ def points() -> Array:
 def same(a: Array, b: Array) -> None:
     """Equal bit for bit, NaN where NaN."""
     np.testing.assert_array_equal(np.asarray(a), np.asarray(b))
+
+
+def two_setups(points: Array) -> tuple[Array, Array]:
+    """What two scanners see of a tank about the origin: 170 degrees each, 80 of them both."""
+    turn = np.degrees(np.arctan2(points[:, 1], points[:, 0])) % 360.0
+    second = (np.arange(len(points)) % 2).astype(bool)
+    both = (turn >= 90.0) & (turn < 170.0)
+    first_sees = (turn < 90.0) | (both & ~second)
+    second_sees = ((turn >= 170.0) & (turn < 260.0)) | (both & second)
+    return points[first_sees], points[second_sees]

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from conftest import ROOT
-from module_fixtures import same
+from module_fixtures import same, two_setups
 from results import Array, Run, read_datum, read_points, read_stations, write_pcd
 
 tank_datum = pytest.importorskip("tank_datum", reason="the module is not installed")
@@ -68,13 +68,14 @@ def test_several_arrays_are_one_scan(datum: Any, points: Array) -> None:
     same(split.stations["z"], datum.stations["z"])
 
 
-def test_several_paths_are_one_scan(points: Array, datum: Any, tmp_path: Path) -> None:
+def test_several_paths_are_one_scan(points: Array, tmp_path: Path) -> None:
     """Each a setup: as one scan when they are said to be registered without error."""
-    for name, part in (("a.pcd", points[:9000]), ("b.pcd", points[9000:])):
+    parts = two_setups(points)
+    for name, part in zip(("a.pcd", "b.pcd"), parts, strict=True):
         write_pcd(tmp_path / name, {n: part[:, i] for i, n in enumerate("xyz")})
     exact = {"setup_error": 1e-9, "setup_tilt_arcsec": 1e-6, "bad_setups": "keep"}
     both = tank_datum.extract_datum([tmp_path / "a.pcd", tmp_path / "b.pcd"], **exact)
-    whole = tank_datum.extract_datum(points, **exact)
+    whole = tank_datum.extract_datum(np.concatenate(parts), **exact)
     np.testing.assert_allclose(both.stations["z"], whole.stations["z"], rtol=0, atol=1e-8)
     assert [setup["name"] for setup in both.to_dict()["setups"]] == ["a", "b"]
 

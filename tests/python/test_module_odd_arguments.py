@@ -151,17 +151,19 @@ def test_small_blocks_of_one_buffer_are_the_points(datum: td.Datum) -> None:
 
 
 def test_setups_of_small_blocks_stay_with_their_points() -> None:
+    around = POINTS[np.argsort(np.arctan2(POINTS[:, 1], POINTS[:, 0]))]
+    parts = np.array_split(around, 300)
+    setup_of = [(i * 7 // 300 + i % 2) % 7 for i in range(300)]  # each sees 100 degrees
+
     def blocks(whole: bool) -> Iterator[Any]:
-        for i, rows in enumerate(np.array_split(POINTS, 300)):
-            yield rows, np.full(len(rows), i % 7) if whole else i % 7
+        for rows, setup in zip(parts, setup_of, strict=True):
+            yield rows, np.full(len(rows), setup) if whole else setup
 
     with_numbers = td.extract_datum(lambda: blocks(False))
     assert with_numbers == td.extract_datum(lambda: blocks(True))
-    assert len(with_numbers.setups) > 1
-    setups = np.concatenate(
-        [np.full(len(r), i % 7) for i, r in enumerate(np.array_split(POINTS, 300))]
-    )
-    assert with_numbers == td.extract_datum(lambda: [(POINTS, setups)])
+    assert len(with_numbers.setups) == 7
+    setups = np.repeat(setup_of, [len(rows) for rows in parts])
+    assert with_numbers == td.extract_datum(lambda: [(around, setups)])
 
 
 @pytest.mark.parametrize("scale", [1e8, 1e12, 1e39])

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from module_fixtures import two_setups
 from report_pages import SAMPLE
 
 tank_datum = pytest.importorskip("tank_datum", reason="the module is not installed")
@@ -140,8 +141,7 @@ def test_arrays_of_a_result_are_its_files() -> None:
 
 
 def test_blocks_with_setups_may_be_a_list_or_an_iterator(points: Any) -> None:
-    half = len(points) // 2
-    blocks = [(points[:half], 1), (points[half:], 2)]
+    blocks = [(seen, setup) for setup, seen in enumerate(two_setups(points), 1)]
     made = [tank_datum.extract_datum(given) for given in (blocks, iter(blocks), lambda: blocks)]
     assert len(made[0].setups) == 2
     assert made[0].setups[0].dz == made[1].setups[0].dz == made[2].setups[0].dz

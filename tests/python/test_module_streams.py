@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from module_fixtures import two_setups
 from results import Array
 
 tank_datum = pytest.importorskip("tank_datum", reason="the module is not installed")
@@ -69,11 +70,12 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)
 
 
 def with_setups(points: Array, each: bool) -> Blocks:
-    """Every second point is of a setup that stands 2 cm too high."""
+    """Two setups, of which the second stands 2 cm too high."""
 
     def blocks() -> Iterator[tuple[Array, Any]]:
-        for number, half in enumerate((points[::2], points[1::2] + [0, 0, 0.02])):
-            yield half, np.full(len(half), number) if each else number
+        for number, seen in enumerate(two_setups(points)):
+            moved = seen + [0, 0, 0.02 * number]
+            yield moved, np.full(len(moved), number) if each else number
 
     return blocks
 
