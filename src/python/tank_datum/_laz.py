@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import logging
 import os
+import threading
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from itertools import accumulate
 
 import laspy
@@ -46,6 +48,26 @@ NEEDED = (
 )
 
 HELD = 1 << 29  # bytes at most of what every() decompressed, for the next pass
+_stderr = threading.Lock()
+
+
+@contextmanager
+def _without_panics() -> Iterator[None]:
+    """lazrs panics at some damaged data, and prints a trace besides raising what is told then."""
+    with _stderr:
+        try:
+            kept = os.dup(2)
+        except OSError:  # closed: nothing is printed
+            yield
+            return
+        try:
+            nowhere = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nowhere, 2)
+            os.close(nowhere)
+            yield
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
 
 
 class LazFile:
@@ -148,9 +170,10 @@ class LazFile:
             compressed += read_at(self._source, begin, end - begin, self._path)
             table.append((chunks.of(i, self.size), end - begin))
         records = _core.las_records(sum(rows for rows, _ in table), chunks.row_bytes)
-        lazrs.decompress_points_with_chunk_table(
-            compressed, chunks.record, records.reshape(-1), table, NEEDED.to_lazrs()
-        )
+        with _without_panics():
+            lazrs.decompress_points_with_chunk_table(
+                compressed, chunks.record, records.reshape(-1), table, NEEDED.to_lazrs()
+            )
         return records
 
     def _hold(self, chunks: Chunks, numbers: Sequence[int], records: Records) -> None:
