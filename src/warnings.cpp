@@ -33,8 +33,7 @@ std::vector<std::string> warningsOf(const Datum& datum) {
   if (datum.refined.maybe_pipe > 0.0) {
     warnings.push_back(
         formatted("what passes for a lip is %.2g mm high and stands out hardly farther: it may be a pipe or a cable "
-                  "upon the foot; "
-                  "sigma_z holds half of that",
+                  "upon the foot; sigma_z holds half of that",
                   1e3 * datum.refined.maybe_pipe));
   }
   return warnings;

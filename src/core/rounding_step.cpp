@@ -72,7 +72,10 @@ double roundingStep(std::vector<double> values, double finest) {
   const std::vector<Level> levels = levelsOf(values, kAlike * finest);
   const double enough = kShare * static_cast<double>(values.size());
   // a few values may be alike by chance, many are not: fullest first, as means of rounded values lie in between
-  for (const std::size_t fewest : {std::max(kMany, fewestOfFullest(levels, enough)), kMany, 3UL, 2UL, 1UL}) {
+  std::vector<std::size_t> wanted{kMany, 3, 2, 1};
+  if (const std::size_t fullest = fewestOfFullest(levels, enough); fullest > kMany)
+    wanted.insert(wanted.begin(), fullest);
+  for (const std::size_t fewest : wanted) {
     std::vector<double> shared;
     std::size_t held = 0;
     for (const Level& level : levels) {

@@ -193,14 +193,15 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     ring.point_setups.clear();
     agreement.by_order = partByOrder(ring, tank, agreement, threads);
     if (!agreement.by_order) return agreement;
-  } else if (areNoSetups(shellArcs(ring, tank), tank)) {
+  }
+  const SetupRing polar(ring, tank, threads);
+  if (!agreement.by_order && areNoSetups(shellArcsOfSetups(polar, tank, ring.reach, agreement.setups.size()), tank)) {
     agreement.no_setups = true;
     takeTogether(ring, agreement.setups);  // each may hold pieces of several: their order says nothing
     return agreement;
   }
   std::vector<Eigen::Vector3d> origins;
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
-  const SetupRing polar(ring, tank, threads);
   const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
   if (!agreement.by_order) markDuplicates(agreement.setups, repeated);

@@ -1,12 +1,8 @@
 #include "setups/merged_scans.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 #include "core/portable_math.h"
-#include "core/statistics.h"
 #include "setups/double_surface.h"
 #include "setups/setup_system.h"
 #include "setups/shell_arcs.h"
@@ -17,7 +13,7 @@ double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, doubl
   constexpr double kUsual = 0.0022;   // a setup's height known to 2 mm and its tilt to 10 arc-seconds, 20 m away [m]
   constexpr double kDifferences = 5;  // that six scans round a tank tell
   if (discrepancy > 0.0) return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, given > 0.0 ? given : kUsual);
-  if (!isSeenBySeveral(shellArcs(ring, tank).front(), tank)) return 0.0;
+  if (!isSeenBySeveral(shellArcs(ring, tank), tank)) return 0.0;
   return given > 0.0 ? given : assumedSigma(kUsual);
 }
 

@@ -2,65 +2,86 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
-#include "setups/setup_ring.h"
+#include "core/units.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kFewestPoints = 5.0;  // of an arc
+/// Whether a point so far off the circle, which is not refined, may be one of the shell.
+bool isNearShell(double off, double reach) {
+  constexpr double kNear = 0.4;  // of the reach
+  return std::abs(off) <= kNear * reach;
+}
 
-/// How many points of an arc are no strays.
-double fewestOf(const std::vector<std::size_t>& arcs) {
-  constexpr double kStrays = 0.05;  // of the usual number, at most
-  std::vector<double> seen;
+bool isAboveFoot(double above, double reach) {
+  constexpr double kFrom = 0.3;  // of the reach
+  return above > kFrom * reach;
+}
+
+/// In which arcs more than strays are.
+std::vector<bool> seenIn(const ShellArcs& arcs) {
+  constexpr double kFewestPoints = 5.0;  // of an arc
+  constexpr double kStrays = 0.05;       // of the usual number, at most
+  std::vector<double> counts;
   for (const std::size_t points : arcs) {
-    if (static_cast<double>(points) >= kFewestPoints) seen.push_back(static_cast<double>(points));
+    if (static_cast<double>(points) >= kFewestPoints) counts.push_back(static_cast<double>(points));
   }
-  return seen.empty() ? kFewestPoints : std::max(kFewestPoints, kStrays * median(std::move(seen)));
+  const double fewest = counts.empty() ? kFewestPoints : std::max(kFewestPoints, kStrays * median(std::move(counts)));
+  std::vector<bool> seen;
+  for (const std::size_t points : arcs) seen.push_back(static_cast<double>(points) >= fewest);
+  return seen;
+}
+
+bool isOfSeveral(const std::vector<bool>& seen, const Tank& tank) {
+  return tank.side == Side::Outside &&
+         SetupRing::spanOf([&](std::size_t arc) { return seen[arc]; }) > SetupRing::kMostOfOneSetup;
 }
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> shellArcs(const Ring& ring, const Tank& tank) {
-  constexpr double kFrom = 0.3, kNear = 0.4;  // of the reach: above the foot, and off the circle, which is not refined
-  std::vector<std::vector<std::size_t>> arcs(ring.setupCount(), std::vector<std::size_t>(SetupRing::kArcs, 0));
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    const Eigen::Vector3d& p = ring.points[i];
+ShellArcs shellArcs(const Ring& ring, const Tank& tank) {
+  ShellArcs arcs(SetupRing::kArcs, 0);
+  for (const Eigen::Vector3d& p : ring.points) {
     const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
-    if (std::abs(arm.norm() - tank.circle.radius) > kNear * ring.reach) continue;
-    if (p.z() > tank.foot(portable::atan2(arm.y(), arm.x())) + kFrom * ring.reach)
-      ++arcs[ring.setupOf(i)][SetupRing::arcOf(p, tank.circle.center)];
+    if (!isNearShell(arm.norm() - tank.circle.radius, ring.reach)) continue;
+    if (isAboveFoot(p.z() - tank.foot(portable::atan2(arm.y(), arm.x())), ring.reach))
+      ++arcs[SetupRing::arcOf(p, tank.circle.center)];
   }
   return arcs;
 }
 
-bool isSeenBySeveral(const std::vector<std::size_t>& arcs, const Tank& tank) {
-  if (tank.side != Side::Outside) return false;
-  const double fewest = fewestOf(arcs);
-  return SetupRing::spanOf([&](std::size_t arc) { return static_cast<double>(arcs[arc]) >= fewest; }) >
-         SetupRing::kMostOfOneSetup;
+std::vector<ShellArcs> shellArcsOfSetups(const SetupRing& ring, const Tank& tank, double reach, std::size_t setups) {
+  constexpr std::size_t kCellsOfArc = SetupRing::kCells / SetupRing::kArcs;
+  std::vector<ShellArcs> arcs(setups, ShellArcs(SetupRing::kArcs, 0));
+  for (std::size_t cell = 0; cell < SetupRing::kCells; ++cell) {
+    const double foot = tank.foot((static_cast<double>(cell) + 0.5) * kTwoPi / SetupRing::kCells);
+    for (const SetupRing::Entry* e = ring.begin(cell); e != ring.end(cell); ++e) {
+      const bool is_shell = isNearShell(e->radius - tank.circle.radius, reach) && isAboveFoot(e->z - foot, reach);
+      arcs[e->setup][cell / kCellsOfArc] += is_shell;
+    }
+  }
+  return arcs;
 }
 
-bool areNoSetups(const std::vector<std::vector<std::size_t>>& arcs, const Tank& tank) {
+bool isSeenBySeveral(const ShellArcs& arcs, const Tank& tank) { return isOfSeveral(seenIn(arcs), tank); }
+
+bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank) {
   constexpr std::size_t kBorders = 2;  // arcs that tiles share, for each of them
-  std::size_t parts = 0;
-  std::vector<std::size_t> seen(SetupRing::kArcs, 0);
-  for (const std::vector<std::size_t>& of_part : arcs) {
-    if (isSeenBySeveral(of_part, tank)) return true;
-    const double fewest = fewestOf(of_part);
-    bool shows = false;
-    for (std::size_t arc = 0; arc < of_part.size(); ++arc) {
-      const bool sees = static_cast<double>(of_part[arc]) >= fewest;
-      seen[arc] += sees, shows = shows || sees;
-    }
-    parts += shows;
+  std::size_t shown = 0;
+  std::vector<std::size_t> seen_by(SetupRing::kArcs, 0);
+  for (const ShellArcs& arcs : setups) {
+    const std::vector<bool> seen = seenIn(arcs);
+    if (isOfSeveral(seen, tank)) return true;
+    shown += std::count(seen.begin(), seen.end(), true) > 0;
+    for (std::size_t arc = 0; arc < seen.size(); ++arc) seen_by[arc] += seen[arc];
   }
   std::size_t shared = 0;
-  for (const std::size_t by : seen) shared += std::max<std::size_t>(1, by) - 1;
-  return shared > 0 && shared <= kBorders * parts;
+  for (const std::size_t by : seen_by) shared += std::max<std::size_t>(1, by) - 1;
+  return shared > 0 && shared <= kBorders * shown;
 }
 
 }  // namespace tank_datum

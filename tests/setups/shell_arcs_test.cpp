@@ -3,31 +3,30 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <vector>
 
 #include "setups/setup_ring.h"
 
 namespace tank_datum {
 namespace {
 
-using Arcs = std::vector<std::size_t>;
-
 /// A hundred points in each arc from one on to another, in so many of them.
-Arcs seen(std::size_t from, std::size_t count) {
-  Arcs arcs(SetupRing::kArcs, 0);
+ShellArcs seen(std::size_t from, std::size_t count) {
+  ShellArcs arcs(SetupRing::kArcs, 0);
   for (std::size_t i = 0; i < count; ++i) arcs[(from + i) % arcs.size()] = 100;
   return arcs;
 }
 
-bool areNone(const std::vector<Arcs>& parts, Side side = Side::Outside) {
+bool areNone(const std::vector<ShellArcs>& parts, Side side = Side::Outside) {
   Tank tank;
   tank.side = side;
   return areNoSetups(parts, tank);
 }
 
 /// So many parts, one beside the other all round, each reaching so many arcs into the next.
-std::vector<Arcs> tiles(std::size_t count, std::size_t shared) {
-  std::vector<Arcs> parts;
+std::vector<ShellArcs> tiles(std::size_t count, std::size_t shared) {
+  std::vector<ShellArcs> parts;
   const std::size_t width = SetupRing::kArcs / count;
   for (std::size_t i = 0; i < count; ++i) parts.push_back(seen(i * width, width + shared));
   return parts;
@@ -48,15 +47,35 @@ TEST(AreNoSetups, PartsThatMeetAtTheirBordersOnly) {
 }
 
 TEST(AreNoSetups, PartsWithoutAPointOfTheShellAreNotCounted) {
-  std::vector<Arcs> parts = tiles(6, 3);
+  std::vector<ShellArcs> parts = tiles(6, 3);
   for (int i = 0; i < 6; ++i) parts.push_back(seen(0, 0));
   EXPECT_FALSE(areNone(parts));
 }
 
 TEST(AreNoSetups, StraysBesideAPartAreNotOfIt) {
-  std::vector<Arcs> parts = tiles(6, 1);
-  for (Arcs& arcs : parts) std::replace(arcs.begin(), arcs.end(), std::size_t{0}, std::size_t{4});
+  std::vector<ShellArcs> parts = tiles(6, 1);
+  for (ShellArcs& arcs : parts) std::replace(arcs.begin(), arcs.end(), std::size_t{0}, std::size_t{4});
   EXPECT_TRUE(areNone(parts));
+}
+
+TEST(ShellArcs, OfSetupsAreThoseOfAllPointsSetupBySetup) {
+  Tank tank;
+  tank.circle = {{1.0, -2.0}, 10.0};
+  tank.foot.coefficients = Eigen::Vector3d(0.0, 0.01, 0.0);
+  Ring ring;
+  ring.reach = 0.5;
+  ring.setups.resize(2);
+  for (int i = 0; i < 3000; ++i) {
+    const double a = 0.0011 * i, off = 0.05 * (i % 9) - 0.2, z = 0.1 * (i % 5);
+    ring.points.emplace_back(1.0 + (10.0 + off) * std::cos(a), -2.0 + (10.0 + off) * std::sin(a), z);
+    ring.point_setups.push_back(i < 2000 ? 0 : 1);
+  }
+  const std::vector<ShellArcs> of_setups = shellArcsOfSetups(SetupRing(ring, tank, 1), tank, ring.reach, 2);
+  ShellArcs all = shellArcs(ring, tank);
+  EXPECT_GT(std::count_if(all.begin(), all.end(), [](std::size_t n) { return n > 0; }), 70);
+  EXPECT_EQ(of_setups[1][0], 0U);
+  EXPECT_GT(of_setups[1][SetupRing::kArcs / 2], 0U);
+  for (std::size_t arc = 0; arc < all.size(); ++arc) EXPECT_EQ(of_setups[0][arc] + of_setups[1][arc], all[arc]) << arc;
 }
 
 }  // namespace

@@ -135,7 +135,8 @@ class LazFile:
         """All points, through a reader to which the chunks do not matter."""
         reader = self._begin()
         for rows in sizes(self.size):
-            points = reader.read_points(rows)
+            with _without_panics():
+                points = reader.read_points(rows)
             if len(points) != rows:
                 done = reader.points_read - rows + len(points)
                 raise Unreadable(
