@@ -8,8 +8,6 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import os
-import subprocess
 import sys
 import tempfile
 from dataclasses import asdict
@@ -18,11 +16,10 @@ from typing import Any
 
 from accuracy_figures import Figures, compare, figures_of
 from accuracy_rows import COLUMNS, REQUIRED, Row
+from built import ROOT, call
 from setup_rates import print_table as print_setups
 from setup_surveys import KINDS
 
-ROOT = Path(__file__).resolve().parents[1]
-BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin"))
 SCENES = ROOT / "tests" / "scenes"
 
 
@@ -37,13 +34,6 @@ def without_nan(value: Any) -> Any:
     if isinstance(value, list):
         return [without_nan(v) for v in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def call(name: str, *args: object, accepted: tuple[int, ...] = (0,)) -> None:
-    command = [str(BIN / name), *map(str, args)]
-    result = subprocess.run(command, capture_output=True, text=True)
-    if result.returncode not in accepted:
-        raise SystemExit(f"accuracy: {' '.join(command)}: {result.stderr.strip()}")
 
 
 def simulated(scene: str, seed: int, folder: Path) -> Path:
@@ -68,8 +58,8 @@ def found_tanks(out: Path) -> list[tuple[Path, dict[str, Any]]]:
 
 def distance(datum: dict[str, Any], truth: dict[str, Any]) -> float:
     """Between the centre found and the true one [m]; without limit when none was found."""
-    centre = datum["tank"]["center"]
-    return math.inf if None in centre else math.dist(centre, truth["center"])
+    tank = datum["tank"]
+    return math.inf if tank is None else math.dist(tank["center"], truth["center"])
 
 
 def measure(scene: str, seed: int, folder: Path, *, keep: bool) -> tuple[int, list[Figures], str]:

@@ -99,8 +99,7 @@ def compare(folder: Path, datum: dict[str, Any], scene: dict[str, Any], tank: in
     unseen = ~true["visible"]
     centre, radius = fit_circle(true["x"], true["y"])
     unknown = float("nan")
-    found = [unknown if c is None else c for c in datum["tank"]["center"]]
-    found_radius = datum["tank"]["radius"]
+    tank_found = datum["tank"] or {"center": [unknown, unknown], "radius": unknown}
     return Comparison(
         azimuth=azimuth,
         error=(column("z") - true["z"]) * MM,
@@ -110,8 +109,8 @@ def compare(folder: Path, datum: dict[str, Any], scene: dict[str, Any], tank: in
         interpolated=np.array([row["flag"] == "interpolated" for row in rows]),
         in_view=true["visible"] & ~true["covered"] & (columns_on_shell(scene, tank) >= 1),
         hidden=true["covered"] | (unseen & np.roll(unseen, 1) & np.roll(unseen, -1)),
-        centre=float(np.hypot(*(np.array(found) - centre))) * MM,
-        radius=(unknown if found_radius is None else found_radius - radius) * MM,
+        centre=float(np.hypot(*(np.array(tank_found["center"]) - centre))) * MM,
+        radius=(tank_found["radius"] - radius) * MM,
     )
 
 

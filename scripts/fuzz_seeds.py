@@ -6,9 +6,7 @@ Usage: python scripts/fuzz_seeds.py FOLDER     (TANK_DATUM_BIN names the folder 
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -25,8 +23,8 @@ from format_writers import (
 )
 from results import write_pcd
 
-ROOT = Path(__file__).resolve().parents[1]
-BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build/bin"))
+from built import ROOT, call
+
 KINDS = (
     "pcd las ply pts ptx xyz table origins limits json scene"
     " config about levelling baseline options campaign cases"
@@ -69,13 +67,6 @@ notes = "\\u00b5"
 """
 
 
-def run(program: str, *words: object) -> str:
-    done = subprocess.run(
-        [str(BIN / program), *map(str, words)], capture_output=True, text=True, check=True
-    )
-    return done.stdout
-
-
 def make_scans(folder: Path) -> None:
     random = np.random.default_rng(21)
     parts = [SHIFT + random.uniform(-5, 5, (40, 3)).round(4) for _ in range(3)]
@@ -93,7 +84,7 @@ def make_scans(folder: Path) -> None:
     write_pcd(folder / "pcd/doubles.pcd", columns)
     for name, words in {"binary": [], "ascii": ["--ascii"], "setups": ["--label-setups"]}.items():
         tank = ["--radius", 2, "--height", 1, "--step-deg", 15, "--quiet"]
-        run("tank_datum_synth", "-o", folder / f"pcd/{name}.pcd", *tank, *words)
+        call("tank_datum_synth", "-o", folder / f"pcd/{name}.pcd", *tank, *words)
         (folder / f"pcd/{name}.truth.json").unlink()
 
 
@@ -110,11 +101,11 @@ def make_compressed(folder: Path) -> None:
 def make_texts(folder: Path) -> None:
     for kind, text in TABLES.items():
         (folder / kind / "a.csv").write_text(text)
-    (folder / "limits/a.csv").write_text(run("tank_datum", "--print-limits"))
+    (folder / "limits/a.csv").write_text(call("tank_datum", "--print-limits"))
     for scene in sorted((ROOT / "tests/scenes").glob("*.json")):
         shutil.copy(scene, folder / "scene" / scene.name)
     results = folder / "json/out"
-    run("tank_datum", ROOT / "tests/data/sample.pcd", "-o", results, "--stations", 16, "--quiet")
+    call("tank_datum", ROOT / "tests/data/sample.pcd", "-o", results, "--stations", 16, "--quiet")
     whole = json.loads((results / "datum.json").read_text())
     shutil.rmtree(results)
     (folder / "json/a.json").write_text(json.dumps(whole))
@@ -123,7 +114,7 @@ def make_texts(folder: Path) -> None:
 def option_lines() -> dict[str, list[str]]:
     """Words of command lines: each option with each value."""
     lines: dict[str, list[str]] = {}
-    for option in json.loads(run("tank_datum", "--print-options")):
+    for option in json.loads(call("tank_datum", "--print-options")):
         flag = "--" + option["name"].replace("_", "-")
         values = NUMBERS if option["kind"] in KINDS_OF_NUMBERS else option.get("words", [])
         if option["kind"] == "circle":
@@ -140,7 +131,7 @@ def option_lines() -> dict[str, list[str]]:
 def make_words(folder: Path) -> None:
     for name, text in CONFIGS.items():
         (folder / "config" / name).write_text(text)
-    config = run("tank_datum", ROOT / "tests/data/sample.pcd", "--print-config")
+    config = call("tank_datum", ROOT / "tests/data/sample.pcd", "--print-config")
     (folder / "config/all").write_text(config)
     (folder / "about/a.toml").write_text(ABOUT)
     for table in (ROOT / "tests/data/levelling").glob("*.csv"):

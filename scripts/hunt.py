@@ -6,7 +6,6 @@ import argparse
 import csv
 import json
 import math
-import os
 import subprocess
 import sys
 import tempfile
@@ -14,9 +13,9 @@ import time
 from pathlib import Path
 from typing import Any
 
+from built import BIN, call
 from hunt_scenes import has_files, scene_of, units_of
-
-METRES = {"m": 1.0, "mm": 0.001, "ft": 0.3048, "us-ft": 1200.0 / 3937.0}
+from length_units import METRES
 
 
 def in_units(scan: Path, units: str) -> None:
@@ -47,28 +46,19 @@ def errors_of(folder: Path, truth: dict[str, Any]) -> list[tuple[float, float]]:
 
 def result_of(seed: int, folder: Path) -> dict[str, Any]:
     """One line of the list: what the scene is, and how far off its stations are."""
-    binaries = Path(os.environ["TANK_DATUM_BIN"])
     scene = scene_of(seed)
     units = units_of(seed)
     description, scan, out = folder / "scene.json", folder / "scan.pcd", folder / "datum"
     description.write_text(json.dumps(scene))
-    made = [
-        str(binaries / "tank_datum_synth"),
-        "--scene",
-        str(description),
-        "-o",
-        str(scan),
-        "--quiet",
-        "--double",
-        *(["--per-setup"] if has_files(seed) else []),
-    ]
-    subprocess.run(made if units == "m" else [*made, "--ascii"], check=True)
+    options = ["--double", *(["--per-setup"] if has_files(seed) else [])]
+    options += [] if units == "m" else ["--ascii"]
+    call("tank_datum_synth", "--scene", description, "-o", scan, "--quiet", *options)
     scans = sorted(folder.glob("scan*.pcd"))
     if units != "m":
         for one in scans:
             in_units(one, units)
     begun = time.monotonic()
-    asked = [str(binaries / "tank_datum"), *map(str, scans), "-o", str(out), "--units", units]
+    asked = [str(BIN / "tank_datum"), *map(str, scans), "-o", str(out), "--units", units]
     done = subprocess.run(
         [*asked, "--no-report", "--no-checksum", "--quiet"],
         capture_output=True,

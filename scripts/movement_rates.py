@@ -12,25 +12,16 @@ from __future__ import annotations
 import argparse
 import csv
 import json
-import os
 import statistics
-import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin"))
+from built import ROOT, call
+
 SCENE = ROOT / "tests" / "scenes" / "movement30.json"
 AZIMUTH = 200  # of the dip [deg]
-
-
-def call(name: str, *args: object) -> None:
-    command = [str(BIN / name), *map(str, args)]
-    result = subprocess.run(command, capture_output=True, text=True)
-    if result.returncode != 0:
-        raise SystemExit(f"movement_rates: {' '.join(command)}: {result.stderr.strip()}")
 
 
 def survey(scene: Path, out: Path, seed: int, *options: object) -> Path:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import os
 import random
 import subprocess
 import sys
@@ -13,6 +12,8 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+from built import BIN, call
 
 Object = dict[str, Any]
 Scene = dict[str, Any]
@@ -196,11 +197,9 @@ def scene_of(kind: str, seed: int) -> Scene:
 
 def run(kind: str, seed: int, folder: Path) -> tuple[int, str]:
     """The exit status of tank_datum on that place, and what it said."""
-    binaries = Path(os.environ["TANK_DATUM_BIN"])
     scene, scan = folder / f"{kind}_{seed}.json", folder / f"{kind}_{seed}.pcd"
     scene.write_text(json.dumps(scene_of(kind, seed)))
-    made = [str(binaries / "tank_datum_synth"), "--scene", str(scene), "-o", str(scan), "--quiet"]
-    subprocess.run(made, check=True)
+    call("tank_datum_synth", "--scene", scene, "-o", scan, "--quiet")
     options = [
         "--no-report",
         "--no-checksum",
@@ -208,7 +207,7 @@ def run(kind: str, seed: int, folder: Path) -> tuple[int, str]:
         "-o",
         str(folder / f"{kind}_{seed}.datum"),
     ]
-    asked = [str(binaries / "tank_datum"), str(scan), *options]
+    asked = [str(BIN / "tank_datum"), str(scan), *options]
     done = subprocess.run(asked, capture_output=True, text=True, check=False)
     scan.unlink()
     return done.returncode, done.stderr.strip()

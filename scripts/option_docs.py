@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import re
-import subprocess
 import sys
 import textwrap
-from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[1]
+from built import ROOT, call
+
 PAGE = ROOT / "src/doc/options.md"
 STUB = ROOT / "src/python/tank_datum/__init__.pyi"
 KEYWORDS = ROOT / "src/python/tank_datum/_options.py"
@@ -57,9 +55,7 @@ OF_EVERY_COMMAND = "| `--version`, `-h`, `--help` | print it and stop | | |"
 
 def read_options() -> list[Option]:
     """The options as the command built from this source lists them."""
-    folder = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin"))
-    run = [folder / "tank_datum", "--print-options"]
-    options: list[Option] = json.loads(subprocess.run(run, capture_output=True, check=True).stdout)
+    options: list[Option] = json.loads(call("tank_datum", "--print-options"))
     return options
 
 

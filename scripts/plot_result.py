@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from length_units import METRES
+
 Array = NDArray[np.float64]
-METRES = {"m": 1.0, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
 SCHEMA = 1  # of datum.json: what this version knows
 TEXT_COLUMNS = {"flag", "reason"}  # of stations.csv
 FULL = ("full_x", "full_y", "full_z")  # fields of a result's PCD beside x, y, z near an origin

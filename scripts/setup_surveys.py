@@ -10,8 +10,6 @@ from __future__ import annotations
 import csv
 import json
 import math
-import os
-import subprocess
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,8 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-ROOT = Path(__file__).resolve().parents[1]
-BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin"))
+from built import ROOT, call
+
 SCENE = ROOT / "tests" / "scenes" / "setups60.json"
 MM = 1e3
 
@@ -44,13 +42,6 @@ class Survey:
     sigma_setup: float
     message: str
     bad: list[str]
-
-
-def call(name: str, *args: object) -> None:
-    command = [str(BIN / name), *map(str, args)]
-    result = subprocess.run(command, capture_output=True, text=True)
-    if result.returncode not in (0, 1):
-        raise SystemExit(f"setup_rates: {' '.join(command)}: {result.stderr.strip()}")
 
 
 def scanned(folder: Path, seed: int, *options: object) -> Files:
@@ -96,8 +87,10 @@ def compared(out: Path, truth_file: Path) -> Survey:
     )
 
 
-def tilt_error(found: dict[str, Any], true: Array) -> float:
-    """Error of the slope along that of the truth's best plane, in sigmas."""
+def tilt_error(found: dict[str, Any] | None, true: Array) -> float:
+    """Error of the slope along that of the truth's best plane, in sigmas; NaN without a tilt."""
+    if found is None:
+        return math.nan
     direction = math.radians(found["direction_deg"])
     slope = found["slope"] * np.array([math.cos(direction), math.sin(direction)])
     return float((slope @ true / np.hypot(*true) - np.hypot(*true)) / found["sigma_slope"])
@@ -160,5 +153,6 @@ def run_survey(kind: str, seed: int, keep: Path | None = None) -> Survey:
         folder = Path(temporary)
         files = KINDS[kind](folder, seed)
         out = keep if keep else folder / "out"
-        call("tank_datum", *files, "-o", out, "--no-report", "--no-checksum", "--quiet")
+        options = ("-o", out, "--no-report", "--no-checksum", "--quiet")
+        call("tank_datum", *files, *options, accepted=(0, 1))
         return compared(out, folder / f"survey_{seed}.truth.json")

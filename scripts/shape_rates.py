@@ -9,16 +9,12 @@ verdicts on one figure, and surveys in which any rule fails that the truth does 
 from __future__ import annotations
 
 import argparse
-import os
 import re
-import subprocess
 import sys
 import time
 from dataclasses import dataclass
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-BIN = Path(os.environ.get("TANK_DATUM_BIN", ROOT / "build" / "bin"))
+from built import call
 
 
 @dataclass(frozen=True)
@@ -62,11 +58,7 @@ ROWS = (
 
 def figures(options: str, seeds: int) -> tuple[str, float, float]:
     """The line of a row, and the shares of fails and passes [%]."""
-    command = [str(BIN / "tank_datum_rates"), "shape", "--runs", str(seeds), *options.split()]
-    result = subprocess.run(command, capture_output=True, text=True)
-    if result.returncode != 0:
-        raise SystemExit(f"shape_rates: {' '.join(command)}: {result.stderr.strip()}")
-    line = result.stdout.strip()
+    line = call("tank_datum_rates", "shape", "--runs", seeds, *options.split()).strip()
     found = re.search(r"pass +([\d.]+) fail +([\d.]+)", line)
     assert found is not None, line
     return line, float(found[2]), float(found[1])

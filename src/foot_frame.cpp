@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "locate/foot_unit.h"
 
 namespace tank_datum {
@@ -22,7 +23,7 @@ void scale(FootProfile& profile, double factor) {
     for (double& length : *lengths) length *= factor;
   }
   for (double* length : {&profile.bin, &profile.band_from, &profile.band_to, &profile.edge, &profile.blur,
-                         &profile.offset, &profile.misfit, &profile.noise}) {
+                         &profile.unseen, &profile.offset, &profile.misfit, &profile.noise}) {
     *length *= factor;
   }
 }
@@ -83,15 +84,18 @@ Tank FootFrame::into(Tank tank) const {
   return tank;
 }
 
-void FootFrame::turnBack(Station& s, const Eigen::Vector2d& center) const {
+void FootFrame::turnBack(Station& s, const Circle& circle) const {
   const double above = s.z_paper - s.z;
+  const Eigen::Vector2d outwards(portable::cos(s.direction), portable::sin(s.direction));
+  const Eigen::Vector2d on_circle = (circle.center + circle.radius * outwards) / unit_;
+  s.z_refused = out({on_circle.x(), on_circle.y(), s.z_refused}).z();
   const Eigen::Vector3d point = out({s.x, s.y, s.z});
   scaleLengths(s, unit_);
   s.x = point.x();
   s.y = point.y();
   s.z = point.z();
   s.z_paper = s.z + above * unit_;
-  if (turned_) s.radius = (point.head<2>() - center).norm();
+  if (turned_) s.radius = (point.head<2>() - circle.center).norm();
 }
 
 void FootFrame::backFrom(FootResult& foot) const {
@@ -110,7 +114,7 @@ void FootFrame::backFrom(FootResult& foot) const {
   scale(foot.refined.profile, unit_);
   for (std::size_t i = 0; i < foot.stations.size(); ++i) {
     const double before = foot.stations[i].z * unit_;
-    turnBack(foot.stations[i], foot.circle.center);
+    turnBack(foot.stations[i], foot.circle);
     if (i >= foot.refined.sections.size()) continue;
     scale(foot.refined.sections[i], unit_);
     const double risen = foot.stations[i].z - before;

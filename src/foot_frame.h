@@ -48,7 +48,7 @@ class FootFrame {
  private:
   Eigen::Vector3d in(const Eigen::Vector3d& p) const { return (turn_ * (p - foot_) + foot_) / unit_; }
   Eigen::Vector3d out(const Eigen::Vector3d& p) const { return turn_.transpose() * (p * unit_ - foot_) + foot_; }
-  void turnBack(Station& station, const Eigen::Vector2d& center) const;
+  void turnBack(Station& station, const Circle& circle) const;
 
   double unit_ = 1.0;
   bool turned_ = false;

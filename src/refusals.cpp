@@ -63,9 +63,10 @@ std::string whyNoCurve(const Normals& normals, const std::vector<std::int32_t>& 
 }
 
 std::string doubtfulUnits(double radius) {
-  constexpr double kLargest = 150.0;  // the largest tanks have 60 m, gas holders of old 35 m, reservoirs of water 100 m
+  constexpr double kLargest = 100.0;         // the largest tanks have 60 m, reservoirs of water 100 m
+  constexpr double kLargestInFeet = 1000.0;  // that no tank in feet taken for metres has
   if (!(radius > kLargest)) return {};
-  return formatted("R = %.0f m: is the scan in mm?", radius);
+  return formatted("R = %.0f m: is the scan in %s?", radius, radius > kLargestInFeet ? "mm" : "ft or mm");
 }
 
 std::string leanText(const Datum& datum, const StationOptions& options) {

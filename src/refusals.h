@@ -20,7 +20,7 @@ std::string otherAxis(const Scan& scan, const DatumOptions& options);
 /// Why there is no curve through the edge points.
 std::string whyNoCurve(const Normals& normals, const std::vector<std::int32_t>& candidates, const EdgePoints& edge);
 
-/// A question where a radius is no tank's: "R = 10670 m: is the scan in mm?"; else nothing.
+/// A question where a radius is no tank's: "R = 10670 m: is the scan in mm?", or in ft; else nothing.
 std::string doubtfulUnits(double radius);
 
 /// "shell and foundation lean together by 0.52 deg towards 120 deg (...)", or "the shell leans by ..."; nothing where

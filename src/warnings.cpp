@@ -2,18 +2,16 @@
 #include <cmath>
 
 #include "core/plain_text.h"
+#include "refusals.h"
 #include "tank_datum/datum.h"
 
 namespace tank_datum {
 
 std::vector<std::string> warningsOf(const Datum& datum) {
-  constexpr double kLargestRadius = 100.0;  // of a tank: the largest built are about 60 m [m]
-  constexpr double kAbove = 0.2;            // stairs and rails stand over a shell [m]
+  constexpr double kAbove = 0.2;  // stairs and rails stand over a shell [m]
   std::vector<std::string> warnings;
-  if (datum.circle.radius > kLargestRadius) {
-    warnings.push_back(formatted("radius %.0f m: is the input in %s?", datum.circle.radius,
-                                 datum.circle.radius > 10.0 * kLargestRadius ? "mm" : "ft or mm"));
-  }
+  std::string units = doubtfulUnits(datum.circle.radius);
+  if (!units.empty()) warnings.push_back(std::move(units));
   double seen = 0.0;
   for (const ShellPoint& point : datum.shell.points) seen = std::max(seen, point.height);
   if (datum.asked_height < seen - kAbove) {

@@ -18,8 +18,8 @@ TEST(WarningsOf, ARadiusOfMoreThanAHundredMetresIsOfAScanInOtherUnits) {
     return warnings.empty() ? std::string() : warnings.front();
   };
   EXPECT_EQ(warned(95.0), "");
-  EXPECT_EQ(warned(105.0), "radius 105 m: is the input in ft or mm?");
-  EXPECT_EQ(warned(5000.0), "radius 5000 m: is the input in mm?");
+  EXPECT_EQ(warned(105.0), "R = 105 m: is the scan in ft or mm?");
+  EXPECT_EQ(warned(5000.0), "R = 5000 m: is the scan in mm?");
 }
 
 TEST(WarningsOf, AShellSeenTwentyCentimetresAboveTheHeightGivenIsTold) {
@@ -45,9 +45,10 @@ TEST(EndDatum, CoordinatesInStepsOfAMillimetreAreTold) {
   EXPECT_EQ(message(0.0015), "its coordinates have steps of 1.5 mm here: store 8-byte ones, or a finer scale");
 }
 
-TEST(DoubtfulUnits, NoTankHasThreeHundredMetresOfDiameter) {
-  EXPECT_EQ(doubtfulUnits(140.0), "");
-  EXPECT_EQ(doubtfulUnits(160.0), "R = 160 m: is the scan in mm?");
+TEST(DoubtfulUnits, NoTankHasTwoHundredMetresOfDiameterInFeetNoneTwoThousand) {
+  EXPECT_EQ(doubtfulUnits(95.0), "");
+  EXPECT_EQ(doubtfulUnits(950.0), "R = 950 m: is the scan in ft or mm?");
+  EXPECT_EQ(doubtfulUnits(1050.0), "R = 1050 m: is the scan in mm?");
 }
 
 TEST(LeanText, AShellThatLeansByATenthOfADegreeIsToldOneThatLeansByLessIsNot) {
@@ -88,6 +89,31 @@ TEST(FootFrame, ATankThatIsTurnedUprightHasTheCircleOfItsFoot) {
   };
   EXPECT_EQ(moved(0.03), 0.01);
   EXPECT_EQ(moved(0.004), 0.1);
+}
+
+TEST(FootFrame, WhatWasMeasuredAboutALeaningShellIsTurnedBackAndScaled) {
+  Tank tank;
+  tank.circle = {{3.0, -1.0}, 200.0};  // 20 m long metres
+  tank.foot.coefficients = Eigen::Vector3d(5.0, 0.0, 0.0);
+  const FootFrame frame(tank, {{0.02, 0.0}, 1e-5});
+  Ring ring;
+  ring.points = {{203.0, -1.0, 5.0}, {203.0, -1.0, 5.4}};
+  const Points inside = frame.into(ring).points;
+  FootResult foot;
+  foot.circle = frame.into(tank).circle;
+  foot.stations.resize(2);
+  for (Station& s : foot.stations) {
+    s.direction = 0.0;
+    s.z_refused = inside[1].z();
+  }
+  foot.stations[0].x = inside[0].x();  // measured; of the other nothing is known
+  foot.stations[0].y = inside[0].y();
+  foot.stations[0].z = inside[0].z();
+  foot.refined.profile.unseen = 0.01;
+  frame.backFrom(foot);
+  EXPECT_NEAR(foot.stations[0].z, 5.0, 1e-9);
+  for (const Station& s : foot.stations) EXPECT_NEAR(s.z_refused, 5.4, 0.001);
+  EXPECT_DOUBLE_EQ(foot.refined.profile.unseen, 0.2);
 }
 
 TEST(FootUnit, IsAMetreFromADrumToTheLargestTank) {

@@ -194,12 +194,16 @@ std::vector<SetupKey> Scan::setups() const {
   return all;
 }
 
+std::string Scan::setupLabel(SetupKey setup) const {
+  const Source& source = *sources_[setup.source];
+  return source.labelField().empty() ? "" : source.labelName(setup.label);
+}
+
 std::string Scan::setupName(SetupKey setup) const {
-  const std::string field = sources_[setup.source]->labelField();
-  const std::string label = sources_[setup.source]->labelName(setup.label);
+  const std::string label = setupLabel(setup);
   const bool has_file = setup.source < paths_.size();
   const std::string file = has_file ? std::filesystem::path(paths_[setup.source]).stem().string() : "scan";
-  if (field.empty() || label.empty()) return file;
+  if (label.empty()) return file;
   return sources_.size() > 1 ? file + ":" + label : label;
 }
 

@@ -15,6 +15,7 @@
 #include "core/units.h"
 #include "io/io_error.h"
 #include "report/logo.h"
+#include "stations/ring_series.h"
 #include "stations/stations.h"
 
 namespace tank_datum {
@@ -130,19 +131,19 @@ void readIdentity(RunOptions& run) {
 
 std::vector<SurveyPoint> surveyPointsOf(const Identity& identity, const std::vector<Station>& stations,
                                         const StationOptions& options) {
+  const RingSeries z(stations, &Station::z, &Station::sigma_z), u(stations, &Station::u, &Station::sigma_z);
   std::vector<SurveyPoint> points;
   const double first = std::isfinite(identity.north) ? identity.north : 0.5 * kPi;
   for (int i = 0; i < identity.survey_points && !stations.empty(); ++i) {
     SurveyPoint point;
     point.number = i + 1;
     point.azimuth = azimuthOf(first - kTwoPi * i / identity.survey_points, options);
-    const double place = point.azimuth / kTwoPi * static_cast<double>(stations.size());
-    const auto before = static_cast<std::size_t>(place) % stations.size();
-    const double share = place - std::floor(place);
-    const Station &a = stations[before], &b = stations[(before + (share > 1e-9 ? 1 : 0)) % stations.size()];
-    point.z = (1.0 - share) * a.z + share * b.z;
-    point.sigma_z = std::isfinite(point.z) ? std::fmax(a.sigma_z, b.sigma_z) : kUnknown;
-    point.u = (1.0 - share) * a.u + share * b.u;
+    if (const auto place = z.placeOf(point.azimuth)) {
+      const RingValue &before = z.values()[place->before], &after = z.values()[place->after];
+      point.z = (1.0 - place->share) * before.value + place->share * after.value;
+      point.sigma_z = std::fmax(before.sigma, after.sigma);
+    }
+    if (const auto value = u.at(point.azimuth)) point.u = value->value;
     points.push_back(point);
   }
   return points;

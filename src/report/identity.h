@@ -29,7 +29,7 @@ struct SurveyPoint {
   double u = kUnknown;        ///< out-of-plane settlement [m]
 };
 
-/// The points asked for; unknown where a station beside one is missing.
+/// The points asked for; unknown where a station beside one is missing or far away, as RingSeries has it.
 std::vector<SurveyPoint> surveyPointsOf(const Identity& identity, const std::vector<Station>& stations,
                                         const StationOptions& options);
 

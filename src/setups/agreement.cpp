@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "core/plain_text.h"
 #include "locate/foot_unit.h"
+#include "setups/labelled_tiles.h"
 #include "setups/parts_by_order.h"
 #include "setups/rounded_points.h"
 #include "setups/setup_adjustment.h"
@@ -18,6 +19,8 @@
 
 namespace tank_datum {
 namespace {
+
+constexpr const char* kAll = "all";  ///< name of setups taken together
 
 /// The setups of a ring with the number of their points, whose middle is the origin.
 std::vector<Setup> countSetups(const Ring& ring) {
@@ -33,12 +36,18 @@ std::vector<Setup> countSetups(const Ring& ring) {
 
 /// The setups of a ring, their names, and where they stood as the options say, or the files.
 /// @throws Error{Option} when a place given by the options is too far from the setup's points to be true
-std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, double radius, const SetupOptions& options) {
+std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, double radius, const SetupOptions& options,
+                            bool tiles_joined) {
   constexpr double kFarthest = 100.0;  // radii: a beam of 0.3 milliradians is 3 % of the radius wide there
   std::vector<Setup> setups = countSetups(ring);
-  for (std::size_t s = 0; s < setups.size() && s < ring.setups.size(); ++s) {
+  if (setups.size() < ring.setups.size()) {
+    setups.front().name = kAll;
+    return setups;
+  }
+  for (std::size_t s = 0; s < ring.setups.size(); ++s) {
     Setup& setup = setups[s];
-    setup.name = scan.setupName(ring.setups[s]);
+    if (tiles_joined) setup.name = scan.setupLabel(ring.setups[s]);
+    if (setup.name.empty()) setup.name = scan.setupName(ring.setups[s]);
     const auto given = options.origins.find(setup.name);
     const bool is_given = given != options.origins.end();
     auto place = scan.setupOrigin(ring.setups[s]);
@@ -109,7 +118,7 @@ void takeTogether(Ring& ring, std::vector<Setup>& setups) {
   ring.setups.resize(1);
   ring.point_setups.clear();
   setups = countSetups(ring);
-  setups.front().name = "all";
+  setups.front().name = kAll;
 }
 
 void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
@@ -185,11 +194,13 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   spreadRounded(ring, footUnit(tank.circle.radius, tank.resolution));
   agreement.repeated_points = repeated.removed;
   agreement.given = {options.error, options.tilt, options.error};
-  agreement.setups = setupsOf(ring, scan, tank.circle.radius, options);
+  agreement.tiles_joined = joinLabelledTiles(ring, scan, tank, threads);
+  agreement.setups = setupsOf(ring, scan, tank.circle.radius, options, agreement.tiles_joined);
+  agreement.too_many = agreement.setups.size() < ring.setups.size();
   requireKnown(scan, agreement.setups, options);
   const auto has_points = [](const Setup& setup) { return setup.points > 0; };
   if (std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points) < 2) {
-    markDuplicates(agreement.setups, repeated);
+    if (!agreement.tiles_joined) markDuplicates(agreement.setups, repeated);
     ring.point_setups.clear();
     agreement.by_order = partByOrder(ring, tank, agreement, threads);
     if (!agreement.by_order) return agreement;
@@ -204,7 +215,7 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
   const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
-  if (!agreement.by_order) markDuplicates(agreement.setups, repeated);
+  if (!agreement.by_order && !agreement.tiles_joined) markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);
   return agreement;

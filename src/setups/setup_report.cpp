@@ -7,6 +7,7 @@
 #include "core/plain_text.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "locate/crop.h"
 
 namespace tank_datum {
 namespace {
@@ -17,7 +18,7 @@ std::string millimetres(double metres) {
   return text;
 }
 
-/// How many stations are seen by setups with one of the verdicts alone.
+/// How many stations are seen by bad setups alone.
 std::size_t seenByBadAlone(const SetupAgreement& agreement, const std::vector<Station>& stations) {
   std::vector<char> good(stations.size(), 0), bad(stations.size(), 0);
   for (const Setup& setup : agreement.setups) {
@@ -88,22 +89,27 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
     if (setup.verdict == SetupVerdict::Duplicate)
       addClause(text, "setup " + setup.name + " holds the points of another one: used once");
   }
+  if (agreement.too_many)
+    addClause(text, "more than " + std::to_string(kMostSetups) + " files or labels are not told apart");
+  if (agreement.tiles_joined)
+    addClause(text, "files are tiles of one cloud: points of equal labels are taken to be of one setup");
   if (agreement.no_setups) addClause(text, "files or labels are no setups, as tiles are none, and were taken together");
   if (agreement.adjusted()) addClause(text, refusedOrigins(agreement));
   const std::size_t alone = seenByBadAlone(agreement, stations);
-  if (alone > 0) addClause(text, std::to_string(alone) + " stations are seen by it alone");
+  if (alone > 0) addClause(text, std::to_string(alone) + " stations are seen by bad setups alone");
   const bool named = std::any_of(agreement.setups.begin(), agreement.setups.end(),
                                  [](const Setup& s) { return s.verdict == SetupVerdict::Duplicate; });
   if (agreement.repeated_points > 0 && !named)
     addClause(text,
               std::to_string(agreement.repeated_points) + " points near the foot are there more than once: used once");
+  const std::string advice = agreement.too_many ? "" : ": give them as separate files";
   if (agreement.unlabelled_discrepancy > kPlain * ownError(stations)) {
     addClause(text, "scans of several setups disagree by about " + millimetres(agreement.unlabelled_discrepancy) +
-                        " here: give them as separate files");
+                        " here" + advice);
   } else if (agreement.merged_sigma > 0.0 && agreement.unlabelled_discrepancy == 0.0) {
     addClause(text, "scans of several setups are not told apart, their heights " +
                         std::string(agreement.given.height > 0.0 ? "given" : "taken") + " to be known to " +
-                        millimetres(agreement.merged_sigma) + ": give them as separate files");
+                        millimetres(agreement.merged_sigma) + advice);
   }
   return text;
 }

@@ -150,13 +150,15 @@ SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector
                                                            : setupFactors(agreement, shares, stations, slope);
   shared.stations.resize(stations.size());
   shared.seen.resize(agreement.setups.size());
+  const bool one_has_points = shares.foundation.cols() == 1;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (!std::isfinite(stations[i].z)) continue;
     const auto column = static_cast<Eigen::Index>(i);
     shared.stations[i].sigma_setup = shared.covariance.factors.col(column).norm();
     std::size_t seen = 0;
     for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
-      if (shares.foundation(column, static_cast<Eigen::Index>(s)) < kSeen) continue;
+      if (agreement.setups[s].points == 0) continue;
+      if (shares.foundation(column, one_has_points ? 0 : static_cast<Eigen::Index>(s)) < kSeen) continue;
       ++seen;
       if (stations[i].flag == StationFlag::Measured) shared.seen[s].push_back(i);
     }

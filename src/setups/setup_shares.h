@@ -22,7 +22,7 @@ struct FoundationBand {
 
 /// What each setup has in each station: shares that sum to 1 over the setups, or to 0 where a station is not known.
 struct SetupShares {
-  Eigen::MatrixXd foundation, shell;  ///< [stations x setups]
+  Eigen::MatrixXd foundation, shell;  ///< [stations x setups], or [stations x 1] where one setup only has points
 };
 
 /// Counts the points of each setup in every station's window; an interpolated station has what the measured ones beside

@@ -36,11 +36,6 @@ std::vector<bool> seenIn(const ShellArcs& arcs) {
   return seen;
 }
 
-bool isOfSeveral(const std::vector<bool>& seen, const Tank& tank) {
-  return tank.side == Side::Outside &&
-         SetupRing::spanOf([&](std::size_t arc) { return seen[arc]; }) > SetupRing::kMostOfOneSetup;
-}
-
 }  // namespace
 
 ShellArcs shellArcs(const Ring& ring, const Tank& tank) {
@@ -67,21 +62,30 @@ std::vector<ShellArcs> shellArcsOfSetups(const SetupRing& ring, const Tank& tank
   return arcs;
 }
 
-bool isSeenBySeveral(const ShellArcs& arcs, const Tank& tank) { return isOfSeveral(seenIn(arcs), tank); }
+bool isSeenBySeveral(const ShellArcs& arcs, const Tank& tank) {
+  const std::vector<bool> seen = seenIn(arcs);
+  return tank.side == Side::Outside &&
+         SetupRing::spanOf([&](std::size_t arc) { return seen[arc]; }) > SetupRing::kMostOfOneSetup;
+}
 
-bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank) {
+bool areTiles(const std::vector<ShellArcs>& parts) {
   constexpr std::size_t kBorders = 2;  // arcs that tiles share, for each of them
   std::size_t shown = 0;
   std::vector<std::size_t> seen_by(SetupRing::kArcs, 0);
-  for (const ShellArcs& arcs : setups) {
+  for (const ShellArcs& arcs : parts) {
     const std::vector<bool> seen = seenIn(arcs);
-    if (isOfSeveral(seen, tank)) return true;
     shown += std::count(seen.begin(), seen.end(), true) > 0;
     for (std::size_t arc = 0; arc < seen.size(); ++arc) seen_by[arc] += seen[arc];
   }
   std::size_t shared = 0;
   for (const std::size_t by : seen_by) shared += std::max<std::size_t>(1, by) - 1;
   return shared > 0 && shared <= kBorders * shown;
+}
+
+bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank) {
+  return std::any_of(setups.begin(), setups.end(),
+                     [&](const ShellArcs& arcs) { return isSeenBySeveral(arcs, tank); }) ||
+         areTiles(setups);
 }
 
 }  // namespace tank_datum

@@ -21,8 +21,12 @@ std::vector<ShellArcs> shellArcsOfSetups(const SetupRing& ring, const Tank& tank
 /// Whether a shell's points reach farther round it than one setup sees: from outside never half of it.
 bool isSeenBySeveral(const ShellArcs& arcs, const Tank& tank);
 
-/// Whether files or labels cannot be setups: one of them shows more of the shell than a setup sees, or they meet at
-/// their borders only, as tiles of one cloud do.
+/// Whether parts meet at their borders only, as tiles of one cloud do; what none or one of them shows tells nothing.
+/// @param parts  each one's
+bool areTiles(const std::vector<ShellArcs>& parts);
+
+/// Whether files or labels cannot be setups: one of them shows more of the shell than a setup sees, or they are
+/// tiles.
 /// @param setups  of each
 bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank);
 

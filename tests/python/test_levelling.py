@@ -208,3 +208,13 @@ def test_what_only_a_scan_needs_is_said(run: Runner, tmp_path: Path) -> None:
     ]
     result = run(*table, "-o", tmp_path / "c", "--tank", "0,0,21")
     assert result.returncode == 2 and "--tank, 0,0,21, expected none with" in result.stderr
+
+
+def test_survey_points_stand_between_unequal_stations(run: Runner, tmp_path: Path) -> None:
+    """They were read at the station of the number, as if all stood equally far apart."""
+    azimuths = [*range(0, 200, 20), 225, 270, 315]
+    file = table(tmp_path / "rows.csv", {a: round(10 + a / 1000, 6) for a in azimuths})
+    points = survey(run, tmp_path / "out", file, 20, "--survey-points", 16)["survey_points"]
+    at = {round(p["azimuth_deg"], 6): p["z"] for p in points}
+    assert at[315] == pytest.approx(10.315) and at[22.5] == pytest.approx(10.0225)
+    assert at[247.5] == pytest.approx(10.2475) and at[180] == pytest.approx(10.18)

@@ -18,6 +18,7 @@ from conftest import ROOT
 from results import Run, write_pcd, write_xyz
 
 sys.path.insert(0, str(ROOT / "scripts"))
+from length_units import METRES  # noqa: E402
 from plot_figures import curve_residuals, elevation  # noqa: E402
 from plot_result import PlotError, read_cloud, read_pcd, read_result  # noqa: E402
 
@@ -194,3 +195,12 @@ def test_compressed_scans_are_refused(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes().replace(b"DATA binary\n", b"DATA binary_compressed\n"))
     with pytest.raises(PlotError, match="binary_compressed"):
         read_pcd(path, 10)
+
+
+def test_the_scripts_know_the_units_that_the_programs_know() -> None:
+    header = (ROOT / "src/core/length_units.h").read_text()
+    listed = re.search(r"kUnits = \{(.*?)\};", header, re.DOTALL)
+    assert listed is not None
+    found = dict(re.findall(r'\{"([\w-]+)", ([^}]+)\}', listed[1]))
+    written = {"kMetresPerFoot": 0.3048, "1200.0 / 3937.0": 1200 / 3937}
+    assert METRES == {unit: written.get(size) or float(size) for unit, size in found.items()}

@@ -61,6 +61,7 @@ const FoundationBand kBand{0.02, 0.25, 0.0, 0.001};
 SetupAgreement madeAgreement() {
   SetupAgreement agreement;
   agreement.setups.resize(2);
+  for (Setup& setup : agreement.setups) setup.points = 1000;
   agreement.covariance = Eigen::MatrixXd::Zero(10, 10);
   agreement.covariance(0, 0) = agreement.covariance(5, 5) = 4e-6;
   return agreement;
@@ -159,6 +160,7 @@ TEST(SetupShares, OneSetupSharesNothing) {
   ring.point_setups.clear();
   SetupAgreement agreement;
   agreement.setups.resize(1);
+  agreement.setups[0].points = ring.points.size();
   const SetupShares shares = setupShares(ring, madeTank(), stations, {0.0, 0.0}, kBand);
   const auto [covariance, parts, seen] = shareSetupErrors(agreement, stations, shares, 0.0);
   EXPECT_EQ(covariance.factors.rows(), 0);
@@ -166,6 +168,20 @@ TEST(SetupShares, OneSetupSharesNothing) {
   EXPECT_EQ(covariance.sigma(5), 0.0003);
   EXPECT_EQ(seen.size(), 1U);
   EXPECT_EQ(parts[5].n_setups, 1U);
+}
+
+TEST(ShareSetupErrors, OfSeveralSetupsOfWhichOneHasPointsThatOneSeesAll) {
+  Ring ring = madeRing();
+  ring.point_setups.clear();
+  const auto stations = madeStations();
+  SetupAgreement agreement;
+  agreement.setups.resize(3);
+  agreement.setups[1].points = ring.points.size();
+  const SetupShares shares = setupShares(ring, madeTank(), stations, {0.0, 0.0}, kBand);
+  const SharedErrors shared = shareSetupErrors(agreement, stations, shares, 0.0);
+  EXPECT_TRUE(shared.seen[0].empty() && shared.seen[2].empty());
+  EXPECT_EQ(shared.seen[1].size(), stations.size());
+  for (const StationSetups& s : shared.stations) ASSERT_EQ(s.n_setups, 1U);
 }
 
 }  // namespace

@@ -191,6 +191,8 @@ class Scan {
 
   /// The file's name without its ending, the label, or both where both are needed: "file:label".
   std::string setupName(SetupKey setup) const;
+  /// The label alone; empty in a file without labels, and for points that bear none.
+  std::string setupLabel(SetupKey setup) const;
 
   /// Where the scanner stood, as the file says (PCD VIEWPOINT, PTX position), relative to origin() [m]; nothing when it
   /// does not.

@@ -94,6 +94,8 @@ struct SetupAgreement {
   bool height_estimated = false;  ///< whether spread.height and tilt come from the overlaps; else given or assumed
   bool plan_estimated = false;    ///< whether spread.plan does
   bool no_setups = false;         ///< files or labels can be none and were taken together: wholes, or tiles of one
+  bool too_many = false;          ///< more files or labels than are told apart, and were taken together
+  bool tiles_joined = false;      ///< files are tiles of one cloud whose labels name the setups
   bool by_order = false;          ///< told apart by the order of the points, not by files or labels
   double rms_before = kUnknown, rms_after = kUnknown;  ///< over all [m]
   Eigen::MatrixXd covariance;       ///< of all setups' motions, in order, that are left unknown; empty for one setup

@@ -43,6 +43,6 @@ function directionOf(azimuth) {
 
 /** The station nearest to an azimuth [deg], or -1. */
 function stationAt(azimuth) {
-  if (stations.length === 0) return -1;
-  return Math.round((azimuth / 360) * stations.length + stations.length) % stations.length;
+  const away = (s) => Math.abs(((((s.azimuth_deg - azimuth) % 360) + 540) % 360) - 180);
+  return stations.reduce((best, s, i) => (best < 0 || away(s) < away(stations[best]) ? i : best), -1);
 }
