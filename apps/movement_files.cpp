@@ -26,7 +26,6 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// To a ten-thousand-millionth, so that a third of a turn reads 120.
 std::string text(double value) {
   if (!std::isfinite(value)) return {};
   char buffer[32];

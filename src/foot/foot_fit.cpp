@@ -132,7 +132,7 @@ SurfaceRows rowsOnSurface(const std::vector<FootPoint>& points, const FootProfil
 
 }  // namespace
 
-FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
+FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start,
                       const FootPrior& prior) {
   constexpr double kSteepestSettlement = 0.01;  // of the datum along the shell [m/m]
   constexpr double kPooled = 10.0;  // how many points the noise of the whole ring counts for beside a station's own
@@ -157,7 +157,7 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
     Eigen::Matrix<double, 6, 6> normal = terms.transpose() * seen.matrix * terms;
     Eigen::Matrix<double, 6, 1> right = terms.transpose() * seen.right;
     normal(1, 1) += alike * priorWeight(prior.sigma_slope);
-    right[1] += alike * priorWeight(prior.sigma_slope) * slope;
+    right[1] += alike * priorWeight(prior.sigma_slope) * prior.slope;
     normal(2, 2) += priorWeight(kSteepestSettlement);
     normal(3, 3) += priorWeight(prior.sigma_bend);
     normal(4, 4) += alike * priorWeight(feigned.across);
@@ -180,7 +180,7 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.sigma_slope = error * std::sqrt(inverse(1, 1));
   if (prior.rounding.step > 0.0) {
     const double across = distances.spread();
-    fit.rounding = prior.rounding.errorOf(own, std::abs(slope) * across);  // the fit's own slopes may be of steps
+    fit.rounding = prior.rounding.errorOf(own, std::abs(prior.slope) * across);  // the fit's own slopes may be of steps
     fit.sigma = std::hypot(fit.sigma, fit.rounding);
     fit.sigma_slope = std::hypot(fit.sigma_slope, fit.rounding / across);
   }

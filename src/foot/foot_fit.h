@@ -12,7 +12,6 @@
 #include "foot/shell_line.h"
 #include "tank_datum/core/default_init_allocator.h"
 #include "tank_datum/core/unknown.h"
-#include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
 
@@ -20,7 +19,7 @@ struct Tank;
 
 /// What is known of the foundation surface before a station's own points are looked at.
 struct FootPrior {
-  PeriodicFit slope;       ///< across the shell, against azimuth [m/m]
+  double slope = 0;        ///< across the shell [m/m]
   double sigma_slope = 0;  ///< how far stations differ from it [m/m]
   double sigma_bend = 0;   ///< of the datum's second-order term along the shell [1/m]
   double shared = 0;       ///< variance that the points' errors have in common, the surface's own roughness [m^2]
@@ -99,7 +98,7 @@ class FootRing {
 /// sigma.
 /// @param start  elevation of the surface at the shell, to a few noises [m]
 /// @return not valid for fewer than four points
-FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double slope,
+FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start,
                       const FootPrior& prior);
 
 }  // namespace tank_datum

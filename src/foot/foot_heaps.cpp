@@ -20,10 +20,9 @@ struct Together {
 
   /// @param own  with weights one over their variances
   explicit Together(std::vector<WeightedValue> own) {
-    constexpr double kShared = 3.0;  // stations that a point counts for
     double weights = 0.0;
     for (const WeightedValue& v : own) weights += v.weight;
-    sigma = kMedianOverMean * std::sqrt(kShared / weights);
+    sigma = kMedianOverMean * std::sqrt(kWithNeighbours / weights);
     value = weightedMedian(std::move(own));
   }
 };
@@ -52,7 +51,7 @@ FootFit ownFit(const Foot& foot, std::size_t station, const FootPass& pass, doub
   FootPrior any = pass.priors.at(station);
   any.sigma_slope = 1.0;
   const auto points = foot.ring.around(foot.directions[station], half_width, fit.z, foot.reach);
-  return fitFoundation(points, profile, fit.z + profile.offset, pass.priors.slope[station], any);
+  return fitFoundation(points, profile, fit.z + profile.offset, any);
 }
 
 bool isHeap(std::size_t station, const FootPriors& priors, const FootFit& own) {

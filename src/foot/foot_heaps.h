@@ -7,7 +7,8 @@
 
 namespace tank_datum {
 
-constexpr double kWithNeighbours = 3.0;  ///< of half a step: half the window of a station and those beside it
+/// Of half a step: half the window of a station and those beside it. Each point counts for as many stations.
+constexpr double kWithNeighbours = 3.0;
 
 /// The surface at a station as its points lie, whatever its slope is known to be.
 /// @param half_width  of the window that is looked at [rad]

@@ -84,7 +84,7 @@ FittedPoints fitStretch(const Foot& foot, const FootPass& pass, const StationStr
   FootPrior prior = pass.priors.at(at);
   if (pass.priors.settled) prior.sigma_slope = kSettledSlope;
   prior.shared = rough;
-  const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], prior);
+  const FootFit fit = fitFoundation(points, profile, z + profile.offset, prior);
   return {std::move(points), pass.priors.blends.without(fit, at), pass.priors.steepnessAt(at)};
 }
 

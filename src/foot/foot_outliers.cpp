@@ -78,6 +78,35 @@ bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   return isGrazed(points, pass.sections.at(station), fit, foot.reach);
 }
 
+/// What a station's own points say of the surface that was fitted there.
+struct StationFindings {
+  Unmeasured reason = Unmeasured::None;
+  bool is_kerb = false;     ///< it stands before the shell, which goes on below it
+  bool is_heap = false;     ///< it is soil
+  bool is_no_foot = false;  ///< no foundation is so, whatever lies beside
+  FootFit own;              ///< ownFit() of the station and its neighbours
+};
+
+StationFindings lookAt(const Foot& foot, std::size_t station, const FootPass& pass, bool supported) {
+  StationFindings found;
+  const FootFit& fit = pass.fits[station];
+  if (!foot.shell_seen[station]) {
+    found.reason = Unmeasured::NoShell;
+  } else if (!fit.valid() || !supported) {
+    found.reason = Unmeasured::Hidden;
+  } else {
+    found.own = ownFit(foot, station, pass, kWithNeighbours * foot.half_step);
+    found.is_kerb = countShell(foot, station, fit).goOn();
+    found.is_heap = isHeap(station, pass.priors, found.own) || isHeapInHalf(foot, station, pass) ||
+                    isHeapBefore(foot, station, pass);
+    found.is_no_foot = found.is_kerb || found.is_heap || isSteep(fit, pass.priors) || isGrazedAt(foot, station, pass);
+    if (found.is_no_foot ||
+        !isSameSurface(foot.points[station], fit, pass.priors.slope[station], pass.sections.at(station)))
+      found.reason = Unmeasured::OtherSurface;
+  }
+  return found;
+}
+
 /// Whether the shell is seen, at the stations of a run, to go down to them from the level beside.
 bool goesDownTo(const Foot& foot, const StepRun& run, const std::vector<FootFit>& fits) {
   ShellCounts shell;
@@ -108,22 +137,13 @@ std::vector<FootFit> standing(std::vector<FootFit> fits, const std::vector<Unmea
 FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> supported = findSupport(foot, pass);
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
-  std::vector<char> before(reasons.size(), 0), no_foot(reasons.size(), 0), heaps(reasons.size(), 0);
+  std::vector<char> kerbs(reasons.size(), 0), no_foot(reasons.size(), 0), heaps(reasons.size(), 0);
   std::vector<FootFit> own(reasons.size());
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
-    const FootFit& fit = pass.fits[i];
-    if (!foot.shell_seen[i]) {
-      reasons[i] = Unmeasured::NoShell;
-    } else if (!fit.valid() || !supported[i]) {
-      reasons[i] = Unmeasured::Hidden;
-    } else {
-      before[i] = countShell(foot, i, fit).goOn() ? 1 : 0;
-      own[i] = ownFit(foot, i, pass, kWithNeighbours * foot.half_step);
-      heaps[i] = isHeap(i, pass.priors, own[i]) || isHeapInHalf(foot, i, pass) || isHeapBefore(foot, i, pass) ? 1 : 0;
-      no_foot[i] = before[i] || isSteep(fit, pass.priors) || isGrazedAt(foot, i, pass) || heaps[i] ? 1 : 0;
-      const bool other = no_foot[i] || !isSameSurface(foot.points[i], fit, pass.priors.slope[i], pass.sections.at(i));
-      if (other) reasons[i] = Unmeasured::OtherSurface;
-    }
+    StationFindings found = lookAt(foot, i, pass, supported[i]);
+    reasons[i] = found.reason;
+    kerbs[i] = found.is_kerb, heaps[i] = found.is_heap, no_foot[i] = found.is_no_foot;
+    own[i] = std::move(found.own);
   });
   const auto refuse = [&](const std::vector<bool>& found) {
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -132,8 +152,8 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   };
   const std::vector<bool> shell_below = findShellBelow(foot, standing(pass.fits, reasons));
   refuse(shell_below);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (shell_below[i]) before[i] = 1;
+  for (std::size_t i = 0; i < kerbs.size(); ++i) {
+    if (shell_below[i]) kerbs[i] = 1;
   }
   own = standing(std::move(own), reasons);
   const std::vector<bool> going_on = findHeapsGoingOn(foot, pass.priors, own, {heaps.begin(), heaps.end()});
@@ -148,9 +168,9 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   refuse(grazed);
   refuse(cover.covered);
   const auto stand = std::count(reasons.begin(), reasons.end(), Unmeasured::None);
-  const auto kerbs = std::count(before.begin(), before.end(), 1);
+  const auto kerb_stations = std::count(kerbs.begin(), kerbs.end(), 1);
   const bool none =
-      static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerbs) || areHeaps(own, pass.priors);
+      static_cast<std::size_t>(stand) < kAsMany * static_cast<std::size_t>(kerb_stations) || areHeaps(own, pass.priors);
   const std::vector<FootFit> kept = standing(pass.fits, reasons);
   const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels, pass.stood);

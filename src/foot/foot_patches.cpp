@@ -124,7 +124,7 @@ std::vector<FittedPoints> patchWindows(const Foot& foot, const FootPass& pass) {
     const FootProfile& profile = pass.sections.at(at);
     const double half = static_cast<double>(stations) * foot.half_step, z = pass.fits[at].z;
     std::vector<FootPoint> points = foot.ring.around(foot.directions[at], half, z, foot.reach);
-    const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[at], pass.priors.at(at));
+    const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.at(at));
     windows[k] = {std::move(points), fit, pass.priors.steepnessAt(at)};
   });
   return windows;

@@ -218,7 +218,7 @@ FootFit BlendedLip::without(FootFit fit, std::size_t station) const {
 
 FootPrior FootPriors::at(std::size_t station) const {
   FootPrior prior;
-  prior.slope.coefficients = Eigen::VectorXd::Constant(1, slope[station]);
+  prior.slope = slope[station];
   prior.sigma_slope = sigma_slope[station];
   prior.sigma_bend = sigma_bend;
   prior.scatter = scatter;

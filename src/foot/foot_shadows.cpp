@@ -60,7 +60,7 @@ Windows lookAtWindows(const Foot& foot, const FootPass& pass) {
     auto points = foot.ring.around(foot.directions[i], half, z, foot.reach);
     const double steepness = steepnessOf(points, profile, z + profile.offset, foot.reach);
     if (steepness > 0.0) windows.seen[k] = steepness;
-    const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.slope[i], pass.priors.at(i));
+    const FootFit fit = fitFoundation(points, profile, z + profile.offset, pass.priors.at(i));
     const auto beside = [&](const FootPoint& p) { return p.d < profile.band_from || p.d > profile.band_to; };
     points.erase(std::remove_if(points.begin(), points.end(), beside), points.end());
     points.shrink_to_fit();
@@ -94,6 +94,7 @@ SeenHeights seenHeights(double steepness, const Roughness& roughness) {
 }
 
 Roughness unshadowed(const Roughness& seen, double steepness) {
+  if (!(seen.slopes() > 0.0)) return seen;  // smooth
   Roughness rough = seen;
   for (int i = 0; i < 5; ++i) rough.heights *= seen.heights / seenHeights(steepness, rough).spread;
   return rough;

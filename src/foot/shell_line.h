@@ -39,7 +39,7 @@ struct ShellOutline {
   std::vector<double> radius;  ///< per equal cell of azimuth [m], NaN where nothing stands
   double noise = 0;            ///< typical spread of a cell's points about its radius [m]
 
-  double at(double azimuth) const;  ///< nearest cell that was seen, NaN where none is within three cells
+  double at(double azimuth) const;  ///< [m], between the two cells beside it, NaN where none is within three cells
 };
 
 /// From the points that are surely above the foot, without objects before the shell.

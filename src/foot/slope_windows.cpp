@@ -16,18 +16,20 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   slopes.fits.resize((count + slopes.stride - 1) / slopes.stride);
   slopes.bands.resize(slopes.fits.size());
   std::vector<RayCounts> rays(slopes.fits.size());
-  FootPrior prior;
-  prior.sigma_slope = windows.sigma_slope;
-  prior.sigma_bend = sigma_bend;
-  prior.scatter = windows.scatter;
-  prior.rounding.step = foot.rounding;
+  FootPrior any;
+  any.sigma_slope = windows.sigma_slope;
+  any.sigma_bend = sigma_bend;
+  any.scatter = windows.scatter;
+  any.rounding.step = foot.rounding;
   forEachIndex(slopes.fits.size(), 0, [&](std::size_t k) {
     const std::size_t i = k * slopes.stride;
     if (!elevations.seen[i]) return;
     const FootProfile& profile = sections.at(i);
     const double level = elevations.filled[i];
     const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
-    slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, profile.slope, prior);
+    FootPrior prior = any;
+    prior.slope = profile.slope;
+    slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, prior);
     if (!windows.beams) return;
     rays[k] = countRays(points, profile, level + profile.offset, foot.reach);
     slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);

@@ -38,7 +38,7 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
   constexpr std::size_t kEnough = 8;                   // points; with fewer a window may be wider than asked for
   constexpr double kWidestSparse = 5.0 * kPi / 180.0;
   const FootPrior prior = priors.at(station);
-  const double slope = priors.slope[station], start = level + profile.offset;
+  const double start = level + profile.offset;
   const double widest = std::min(foot.options.widest_window / foot.radius, kWidestAngle);
   FootPrior known_slope = prior;
   known_slope.sigma_slope = priors.settled ? kSettledSlope : std::min(prior.sigma_slope, kKnownSlope);
@@ -49,7 +49,7 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
   Agreement agreement;
   const bool told = isResolved(foot);  // errors of cameras are alike for neighbours: narrow windows seem too sure
   for (double half = foot.half_step;; half *= 1.4) {
-    FootFit wider = fitFoundation(pointsWithin(half), profile, start, slope, known_slope);
+    FootFit wider = fitFoundation(pointsWithin(half), profile, start, known_slope);
     if (told && fit.valid() && !agreement.holds(wider)) break;  // the surface is no parabola over so long an arc
     wider.half_width = half;
     fit = wider;
@@ -61,7 +61,7 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
     fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);
     return fit;
   }
-  FootFit free = fitFoundation(pointsWithin(fit.half_width), profile, start, slope, prior);
+  FootFit free = fitFoundation(pointsWithin(fit.half_width), profile, start, prior);
   free.half_width = fit.half_width;
   return free;
 }

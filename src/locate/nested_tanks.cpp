@@ -9,8 +9,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kMuchMore = 1.25;  // arc seen on a coarser rung that outweighs the finer rung's accuracy
-
 /// Whether the stretches of height over which two shells are seen are mostly the same; a ringwall ends where its shell
 /// begins.
 bool standAtOneHeight(const Tank& a, const Tank& b) {
@@ -25,29 +23,73 @@ bool isRingwallOf(const Tank& face, const Tank& shell) {
   return face.foot.coefficients[0] < shell.foot.coefficients[0] - 0.5 * shell.ringwall_height;
 }
 
+/// The larger circle and the smaller one, and how far they are apart.
+struct Nested {
+  const Tank &outer, &inner;
+  double apart;  ///< of the centres [m]
+
+  Nested(const Tank& a, const Tank& b)
+      : outer(a.circle.radius >= b.circle.radius ? a : b),
+        inner(&outer == &a ? b : a),
+        apart((outer.circle.center - inner.circle.center).norm()) {}
+  /// How far one is from the other at most [m].
+  double gap() const { return apart + outer.circle.radius - inner.circle.radius; }
+};
+
+/// Whether two circles are one shell: found on two rungs, or again from what its tolerance left over.
+bool areOneShell(const Tank& a, const Tank& b) {
+  if (!a.foot.valid() || !b.foot.valid()) return false;
+  const Nested two(a, b);
+  if (two.gap() <= kRingwallWidth && (isRingwallOf(a, b) || isRingwallOf(b, a))) return false;
+  const double same = std::max(4.0 * two.outer.resolution, 0.02 * two.outer.circle.radius);
+  return two.gap() <= same && standAtOneHeight(a, b);
+}
+
+using Tanks = std::vector<Tank>::iterator;
+
+/// Of one shell, found several times: among those that show a foundation beside it, if any does, the finest that shows
+/// nearly as much of the shell as any.
+Tanks bestOf(Tanks first, Tanks last) {
+  constexpr double kMuchMore = 1.25;  // arc seen on a coarser rung that outweighs the finer rung's accuracy
+  const auto has_foundation = [](const Tank& tank) { return tank.has_foundation; };
+  last = std::any_of(first, last, has_foundation) ? std::stable_partition(first, last, has_foundation) : last;
+  const auto less = [](const Tank& a, const Tank& b) { return a.coverage < b.coverage; };
+  const double most = std::max_element(first, last, less)->coverage;
+  last = std::stable_partition(first, last, [&](const Tank& tank) { return kMuchMore * tank.coverage >= most; });
+  return std::min_element(first, last, [](const Tank& a, const Tank& b) { return a.resolution < b.resolution; });
+}
+
+/// Leaves one circle of each shell.
+void dropRepeated(std::vector<Tank>& tanks) {
+  for (std::size_t i = 0; i < tanks.size();) {
+    const Tanks tank = tanks.begin() + static_cast<std::ptrdiff_t>(i);
+    const Tanks others =
+        std::stable_partition(tank + 1, tanks.end(), [&](const Tank& other) { return areOneShell(*tank, other); });
+    if (others == tank + 1) {
+      ++i;
+      continue;
+    }
+    std::iter_swap(tank, bestOf(tank, others));
+    tanks.erase(tank + 1, others);
+  }
+}
+
 /// The one of two nested circles that is no tank, or null when both may be.
 const Tank* falseCircleOf(const Tank& a, const Tank& b) {
-  const Tank& outer = a.circle.radius >= b.circle.radius ? a : b;
-  const Tank& inner = &outer == &a ? b : a;
-  const double apart = (outer.circle.center - inner.circle.center).norm();
-  if (apart > outer.circle.radius || !a.foot.valid() || !b.foot.valid()) return nullptr;
-  const double gap = outer.circle.radius - inner.circle.radius;
-  if (apart + gap <= kRingwallWidth && isRingwallOf(a, b)) return &a;
-  if (apart + gap <= kRingwallWidth && isRingwallOf(b, a)) return &b;
-  const double same = std::max(4.0 * outer.resolution, 0.02 * outer.circle.radius);
-  if (apart + gap <= same && standAtOneHeight(outer, inner)) {
-    // one shell found twice: on two rungs, or again from what its tolerance left over
-    const Tank& finer = outer.resolution < inner.resolution ? outer : inner;
-    const Tank& coarser = &finer == &outer ? inner : outer;
-    return coarser.coverage > kMuchMore * finer.coverage ? &finer : &coarser;
+  const Nested two(a, b);
+  if (two.apart > two.outer.circle.radius || !a.foot.valid() || !b.foot.valid()) return nullptr;
+  if (two.gap() <= kRingwallWidth) {
+    if (isRingwallOf(a, b)) return &a;
+    if (isRingwallOf(b, a)) return &b;
+    if (two.outer.foot.coefficients[0] < two.inner.foot.coefficients[0]) return &two.outer;
   }
-  if (apart + gap <= kRingwallWidth && outer.foot.coefficients[0] < inner.foot.coefficients[0]) return &outer;
-  return outer.height < inner.height ? &outer : &inner;  // a bund wall round a tank, or a thing inside a tank
+  return two.outer.height < two.inner.height ? &two.outer : &two.inner;  // a bund round a tank, or a thing inside one
 }
 
 }  // namespace
 
 void dropNested(std::vector<Tank>& tanks) {
+  dropRepeated(tanks);
   for (std::size_t i = 0; i < tanks.size(); ++i) {
     for (std::size_t j = i + 1; j < tanks.size();) {
       const Tank* out = falseCircleOf(tanks[i], tanks[j]);

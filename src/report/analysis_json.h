@@ -7,7 +7,8 @@
 
 namespace tank_datum {
 
-/// Adds `harmonics`, `out_of_plane`, `foundation`, `checks` and `notes` to a datum.json. Metres, degrees.
+/// Adds `harmonics`, `out_of_plane`, `local_settlements`, `foundation`, `checks`, `verdict` and `notes` to a
+/// datum.json. Metres, degrees.
 /// @param z_origin  added to the mean elevation [m]
 void addAnalysis(nlohmann::ordered_json& json, const Analysis& analysis, const std::vector<Station>& stations,
                  double z_origin);

@@ -14,7 +14,7 @@ nlohmann::ordered_json setupsSection(const Datum& datum);
 /// is not known.
 nlohmann::ordered_json covarianceSection(const Datum& datum);
 
-/// What the adjustment as a whole says: the sigmas it took, and from where; null for one setup.
+/// What the adjustment as a whole says: the sigmas it took, and from where; null for stations typed in.
 nlohmann::ordered_json agreementSection(const Datum& datum);
 
 /// The datum with its covariance for finite-element work: a row a node with its place, its settlement (z - mean), its

@@ -157,7 +157,7 @@ SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector
     shared.stations[i].sigma_setup = shared.covariance.factors.col(column).norm();
     std::size_t seen = 0;
     for (std::size_t s = 0; s < agreement.setups.size(); ++s) {
-      if (agreement.setups[s].points == 0) continue;
+      if (one_has_points && agreement.setups[s].points == 0) continue;
       if (shares.foundation(column, one_has_points ? 0 : static_cast<Eigen::Index>(s)) < kSeen) continue;
       ++seen;
       if (stations[i].flag == StationFlag::Measured) shared.seen[s].push_back(i);

@@ -9,6 +9,7 @@
 #include "fit/adaptive_smooth.h"
 #include "fit/harmonics.h"
 #include "shell/shell_bands.h"
+#include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -115,9 +116,7 @@ Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& optio
   const double variance = std::max(fit.covariance(1, 1), fit.covariance(2, 2)) * std::min(alike, stations);
   lean.sigma = fit.sigma * std::sqrt(variance);
   if (!(2.0 * lean.sigma <= kSteepestShell)) return {};
-  const double turn = portable::atan2(lean.gradient.y(), lean.gradient.x()) - options.zero_azimuth;
-  const double azimuth = (options.clockwise ? -turn : turn) / kTwoPi;
-  lean.direction = kTwoPi * (azimuth - std::floor(azimuth));
+  lean.direction = azimuthOf(portable::atan2(lean.gradient.y(), lean.gradient.x()), options);
   lean.height = *std::max_element(heights.begin(), heights.end());
   return lean;
 }

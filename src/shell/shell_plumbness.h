@@ -17,7 +17,7 @@ std::vector<Plumbness> plumbnessOf(const ShellGrid& grid, const std::vector<Stat
 
 /// What the slopes have in common, as a lean of the whole; not valid with too few of them, nor where its interval (95
 /// %) is wider than any shell leans: over a short arc a lean and a taper are alike.
-/// @param clockwise  whether azimuths run so; zero_azimuth is where they begin
+/// @param options  how azimuths are counted
 Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& options);
 
 }  // namespace tank_datum

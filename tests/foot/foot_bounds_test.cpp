@@ -45,7 +45,7 @@ TEST(FitFoundation, ADatumMayRunOneInAHundredAlongTheShell) {
   prior.sigma_slope = 1e-4, prior.sigma_bend = 1e-6;
   std::vector<FootPoint> beside;
   for (int i = 0; i < 200; ++i) beside.push_back({0.2, 0.02 + 0.0013 * i, 0.0});
-  EXPECT_NEAR(fitFoundation(beside, pad, 0.0, 0.0, prior).sigma, 0.01 * 0.2, 0.0001);
+  EXPECT_NEAR(fitFoundation(beside, pad, 0.0, prior).sigma, 0.01 * 0.2, 0.0001);
 }
 
 /// The section through so many points in each of a hundred bins of 3 mm, without noise.

@@ -31,7 +31,7 @@ FootProfile padProfile() {
 
 FootPrior priorOf(double slope = 0.0, double sigma_slope = 0.1, double sigma_bend = 0.003) {
   FootPrior prior;
-  prior.slope.coefficients = Eigen::Vector3d(slope, 0, 0);
+  prior.slope = slope;
   prior.sigma_slope = sigma_slope;
   prior.sigma_bend = sigma_bend;
   return prior;
@@ -51,8 +51,8 @@ std::vector<FootPoint> pointsOn(const Surface2& height, int count, double noise 
   return points;
 }
 
-FootFit fitted(const std::vector<FootPoint>& points, const FootPrior& prior = priorOf(), double slope = 0.0) {
-  return fitFoundation(points, padProfile(), 2.0, slope, prior);
+FootFit fitted(const std::vector<FootPoint>& points, const FootPrior& prior = priorOf()) {
+  return fitFoundation(points, padProfile(), 2.0, prior);
 }
 
 TEST(FitFoot, OfAnExactPlaneIsItsElevationAtTheShell) {
@@ -96,7 +96,7 @@ std::vector<FootPoint> rowAcross(double first_t, double last_t) {
 FootFit fittedAcross(const std::vector<FootPoint>& row, double scatter) {
   FootPrior prior = priorOf(-0.03, 0.005);
   prior.scatter = scatter;
-  return fitted(row, prior, -0.03);
+  return fitted(row, prior);
 }
 
 TEST(FitFoot, OneRowDoesNotTellTheSlopeOfARoughSurface) {
@@ -117,12 +117,12 @@ TEST(FitFoot, PointsAllOverABandTellItsSlope) {
 
 /// The fit of a level surface, 0.3 of a step above one, whose points were rounded and spread over the steps.
 FootFit roundedTo(double step, double noise, double slope = 0.0) {
-  FootPrior prior = priorOf();
+  FootPrior prior = priorOf(slope);
   prior.rounding.step = step;
   auto points = pointsOn([=](double d, double) { return 2.0 + 0.3 * step + slope * d; }, 2000, noise);
   std::mt19937_64 random(5);
   for (FootPoint& p : points) p.z = (std::round(p.z / step) + uniform(random) - 0.5) * step;
-  return fitted(points, prior, slope);
+  return fitted(points, prior);
 }
 
 TEST(FitFoot, RoundingLeavesMoreUnknownThanPointsScatterBy) {
@@ -173,13 +173,13 @@ TEST(FitFoot, AShadowMovesTheEndOfTheSurface) {
 TEST(FitFoot, WithFewPointsThePriorWinsAndSigmaSaysSo) {
   const std::vector<FootPoint> far = {{-0.1, 0.24, 2.0}, {0.1, 0.25, 2.0}, {-0.1, 0.26, 2.0},
                                       {0.1, 0.25, 2.0},  {0, 0.25, 2.0},   {0, 0.29, 2.0}};
-  const FootFit told = fitted(far, priorOf(0.04, 0.002), 0.04);
+  const FootFit told = fitted(far, priorOf(0.04, 0.002));
   EXPECT_NEAR(told.slope, 0.04, 0.003);
   EXPECT_NEAR(told.z, 2.0 - 0.25 * 0.04, 0.001);
   EXPECT_GT(told.sigma, 0.8 * 0.25 * 0.002);
   EXPECT_LT(told.sigma, 1.5 * 0.25 * 0.002);
   EXPECT_NEAR(told.sigma_slope, 0.002, 0.0002);
-  EXPECT_GT(fitted(far, priorOf(0.04, 0.1), 0.04).sigma, 3.0 * told.sigma);
+  EXPECT_GT(fitted(far, priorOf(0.04, 0.1)).sigma, 3.0 * told.sigma);
 }
 
 TEST(FitFoot, WithManyPointsTheDataWin) {

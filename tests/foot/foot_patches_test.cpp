@@ -83,7 +83,7 @@ TEST(PatchesOf, LongerThanALipIsWideAreToldAlongIt) {
       const double t = along(random), d = across(random);
       points.push_back({t, d, surface(k + t, d) + 0.001 * normal(random)});
     }
-    const FootFit fit = fitFoundation(points, lip, 0.0, 0.0, prior);
+    const FootFit fit = fitFoundation(points, lip, 0.0, prior);
     windows.push_back({std::move(points), fit});
   }
   const Roughness found = patchesOf(windows, lip);

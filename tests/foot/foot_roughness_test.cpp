@@ -79,7 +79,7 @@ std::vector<FittedPoints> windowsOf(const RoughSurface& rough, int count, double
       const double t = along(random), d = across(random);
       points.push_back({t, d, rough(2.0 * k + t, d) + noise * normal(random)});
     }
-    const FootFit fit = fitFoundation(points, profile, 0.0, 0.0, prior);
+    const FootFit fit = fitFoundation(points, profile, 0.0, prior);
     all.push_back({points, fit});
   }
   return all;

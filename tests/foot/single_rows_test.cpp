@@ -107,7 +107,7 @@ std::vector<FittedPoints> windowsOfRows(const RoughSurface& rough, double known)
         points.push_back({t, d + z / kSteepness, z});
       }
     }
-    const FootFit fit = fitFoundation(points, lip(), 0.0, 0.0, prior);
+    const FootFit fit = fitFoundation(points, lip(), 0.0, prior);
     all.push_back({std::move(points), fit, known});
   }
   return all;

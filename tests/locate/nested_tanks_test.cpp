@@ -33,6 +33,25 @@ TEST(DropNested, OfOneShellFoundTwiceTheFinerStaysUnlessTheCoarserSawAQuarterMor
   EXPECT_EQ(leftOf({coarse, fine}), 10.0);
 }
 
+TEST(DropNested, OfOneShellFoundTwiceTheOneBesideWhichAFoundationIsSeenStays) {
+  Tank fine = tankOf(10.0, 8.0, 0.0, 0.05), coarse = tankOf(10.01, 8.0, 0.0, 0.1);
+  coarse.coverage = 1.5 * fine.coverage;
+  fine.has_foundation = true;
+  EXPECT_EQ(leftOf({fine, coarse}), 10.0);
+  coarse.has_foundation = true;
+  EXPECT_EQ(leftOf({coarse, fine}), 10.01);
+  fine.has_foundation = false;
+  EXPECT_EQ(leftOf({fine, coarse}), 10.01);
+}
+
+TEST(DropNested, OfOneShellFoundOnManyRungsTheFinestThatSawNearlyAsMuchAsAnyStays) {
+  Tank fine = tankOf(10.0, 8.0, 0.0, 0.05), middle = tankOf(10.01, 8.0, 0.0, 0.1),
+       coarse = tankOf(10.02, 8.0, 0.0, 0.4);
+  middle.coverage = 1.2 * fine.coverage, coarse.coverage = 1.4 * fine.coverage;
+  for (const auto& order : {std::vector<Tank>{fine, middle, coarse}, {coarse, middle, fine}, {middle, coarse, fine}})
+    EXPECT_EQ(leftOf(order), 10.01);
+}
+
 TEST(DropNested, AHigherWallThatStandsDeeperUpToSixDecimetresOutsideIsARingwall) {
   const Tank shell = tankOf(10.0, 2.0);
   EXPECT_EQ(leftOf({shell, tankOf(10.58, 3.0, -3.5)}), 10.0);

@@ -61,7 +61,6 @@ const FoundationBand kBand{0.02, 0.25, 0.0, 0.001};
 SetupAgreement madeAgreement() {
   SetupAgreement agreement;
   agreement.setups.resize(2);
-  for (Setup& setup : agreement.setups) setup.points = 1000;
   agreement.covariance = Eigen::MatrixXd::Zero(10, 10);
   agreement.covariance(0, 0) = agreement.covariance(5, 5) = 4e-6;
   return agreement;
