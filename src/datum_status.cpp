@@ -117,7 +117,7 @@ Datum describeStations(Datum datum, const DatumOptions& options) {
   if (datum.level.measured < 8) {
     const double falls = datum.refined.falls;
     const std::string why =
-        falls > 0.0 ? formatted("; what meets it falls by %.2g m/m, as soil or an apron does", falls) : "";
+        falls > 0.0 ? formatted("; what meets it falls by %.2g m/m, as soil, an apron or a fillet does", falls) : "";
     return withoutCrease(std::move(datum),
                          candidate + "the shell meets one and the same surface at fewer than 8 stations" + why);
   }

@@ -87,7 +87,7 @@ struct StationFindings {
   FootFit own;              ///< ownFit() of the station and its neighbours
 };
 
-StationFindings lookAt(const Foot& foot, std::size_t station, const FootPass& pass, bool supported) {
+StationFindings findingsAt(const Foot& foot, std::size_t station, const FootPass& pass, bool supported) {
   StationFindings found;
   const FootFit& fit = pass.fits[station];
   if (!foot.shell_seen[station]) {
@@ -140,7 +140,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   std::vector<char> kerbs(reasons.size(), 0), no_foot(reasons.size(), 0), heaps(reasons.size(), 0);
   std::vector<FootFit> own(reasons.size());
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
-    StationFindings found = lookAt(foot, i, pass, supported[i]);
+    StationFindings found = findingsAt(foot, i, pass, supported[i]);
     reasons[i] = found.reason;
     kerbs[i] = found.is_kerb, heaps[i] = found.is_heap, no_foot[i] = found.is_no_foot;
     own[i] = std::move(found.own);

@@ -115,14 +115,14 @@ double medianSigma(const std::vector<Station>& stations, const SigmaOf& sigmaOf)
 std::vector<TankTest> testsOfGap(double shell_from, double reach, const ShellEvidence& shell) {
   if (!std::isfinite(shell_from) || !shell.known()) return {};
   return {judged(kShellGap, std::max(0.0, shell_from - 3.0 * shell.spacing) / reach,
-                 "its wall is seen from %.3g m above the foundation on, as cladding is or a dark foot leaves",
+                 "its wall is seen from %.3g m above the foundation on, as of cladding, a dark foot or a tank on beams",
                  shell_from)};
 }
 
 std::vector<TankTest> testsUnderShell(double under_shell) {
   if (!std::isfinite(under_shell)) return {};
   return {judged(kUnderShell, under_shell,
-                 "the foundation is seen under its wall over %.0f %% of the foot, as under cladding",
+                 "the foundation is seen under its wall over %.0f %% of the foot, as under cladding or a tank on beams",
                  100.0 * under_shell)};
 }
 

@@ -129,4 +129,4 @@ def test_an_apron_that_falls_is_no_foundation(run: Runner, synth: Synth, tmp_pat
     )
     result = run(scan, "-o", tmp_path / "out", "--setup-error", 0)
     assert result.returncode == 1
-    assert "what meets it falls by 0.25 m/m, as soil or an apron does" in result.stderr
+    assert "what meets it falls by 0.25 m/m, as soil, an apron or a fillet does" in result.stderr
