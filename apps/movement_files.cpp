@@ -1,20 +1,20 @@
 #include "movement_files.h"
 
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/plain_text.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "io/json_file.h"
 #include "movement/movement.h"
 #include "movement/trend.h"
 #include "report/datum_record.h"
+#include "report/json_number.h"
 #include "report/movement_json.h"
 #include "report/report_page.h"
+#include "report/text_file.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -23,21 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-std::string text(double value) {
-  if (!std::isfinite(value)) return {};
-  char buffer[32];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
-void write(const fs::path& path, const std::string& content) {
-  std::ofstream out(path, std::ios::binary);
-  out << content;
-  out.close();
-  if (!out) throw Error(Error::Kind::File, "report", path.string(), "not written", "a writable folder with room");
-}
 
 }  // namespace
 
@@ -69,9 +54,11 @@ std::string movementCsv(const std::vector<StationHistory>& histories) {
   }
   csv += "\n";
   for (const StationHistory& place : histories) {
-    csv += text(toDegrees(place.azimuth)) + "," + text(place.rate) + "," + text(place.sigma_rate);
+    csv +=
+        shortestText(toDegrees(place.azimuth)) + "," + shortestText(place.rate) + "," + shortestText(place.sigma_rate);
     for (const StationMovement& s : place.surveys) {
-      csv += "," + text(s.dz) + "," + text(s.lod95()) + "," + (std::isfinite(s.dz) ? s.significant ? "1" : "0" : "");
+      csv += "," + shortestText(s.dz) + "," + shortestText(s.lod95()) + "," +
+             (std::isfinite(s.dz) ? s.significant ? "1" : "0" : "");
     }
     csv += "\n";
   }
@@ -123,10 +110,10 @@ std::string movementsJson(const Comparison& comparison) {
 void writeMovement(const ResultFolder& folder, const Comparison& comparison) {
   const fs::path to(folder.stage(""));
   const std::string json = movementsJson(comparison);
-  write(to / "movement.json", json);
+  writeTextFile(to / "movement.json", json);
   const std::string csv = movementCsv(comparison.histories);
-  write(to / "movement.csv", csv);
-  write(to / "report.html", trendPage(json, csv, comparison.readers.logo));
+  writeTextFile(to / "movement.csv", csv);
+  writeTextFile(to / "report.html", trendPage(json, csv, comparison.readers.logo));
 }
 
 }  // namespace tank_datum

@@ -3,6 +3,7 @@
 #include <locale.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -54,6 +55,13 @@ __attribute__((format(printf, 1, 2))) inline std::string formatted(const char* f
   std::string text = vformatted(format, values);
   va_end(values);
   return text;
+}
+
+/// The shortest text that reads back as the same double; empty when it is not known.
+inline std::string shortestText(double value) {
+  if (!std::isfinite(value)) return {};
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /// Six digits at most, as a stream without a locale prints a number: "0.25", "1e+06".

@@ -63,8 +63,7 @@ std::vector<double> pooledSteepness(const std::vector<RayCounts>& windows, doubl
   return steepness;
 }
 
-std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double reach) {
-  std::vector<double> steepness = pooledSteepness(windows, reach);
+std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, std::vector<double> steepness, double reach) {
   for (std::size_t i = 0; i < windows.size(); ++i) steepness[i] = std::min(steepness[i], windows[i].steepness(reach));
   return steepness;
 }

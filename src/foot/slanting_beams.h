@@ -54,8 +54,9 @@ std::vector<double> pooledSteepness(const std::vector<RayCounts>& windows, doubl
 /// Steepness at windows round the ring. Where few rows of the scan cross a lip, a window that shows some of it has more
 /// points than its share, as if rays were steep: it is seen no more steeply than with those beside it together, until
 /// there are enough points.
-/// @param reach  of the section [m]
-std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, double reach);
+/// @param steepness  pooledSteepness() of them
+/// @param reach      of the section [m]
+std::vector<double> steepnessAlong(const std::vector<RayCounts>& windows, std::vector<double> steepness, double reach);
 
 /// Steepness of a whole ring's rays. Beams that meet a lip's weld or edge too fill the lip with points, as if rays were
 /// steep; they do not where what it lies on is seen farther out: the one with fewer points counts.

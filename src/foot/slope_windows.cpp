@@ -35,8 +35,8 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
     slopes.bands[k] = bandPointsOf(points, profile, level + profile.offset);
   });
   if (!windows.beams) return slopes;
-  slopes.steepness = steepnessAlong(rays, foot.reach);
   slopes.pooled_steepness = pooledSteepness(rays, foot.reach);
+  slopes.steepness = steepnessAlong(rays, slopes.pooled_steepness, foot.reach);
   slopes.ring_steepness = ringSteepness(rays, foot.reach);
   return slopes;
 }

@@ -8,6 +8,7 @@
 
 #include "core/point_hash.h"
 #include "core/units.h"
+#include "locate/keep_points.h"
 #include "locate/ring_shape.h"
 #include "locate/stray_points.h"
 #include "search/voxel_sample.h"
@@ -110,15 +111,7 @@ void dropStrays(Ring& ring, const Tank& tank, int threads) {
   const VoxelSample sample(ring.points, 8, finest, threads);  // asked how points are alone, not for its voxels
   if (!holdsStrays(sample)) return;
   const std::vector<char> is_stray = findStrays(ring.points, closingEdge(sample));
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (is_stray[i]) continue;
-    ring.points[kept] = ring.points[i];
-    if (!ring.point_setups.empty()) ring.point_setups[kept] = ring.point_setups[i];
-    ++kept;
-  }
-  ring.points.resize(kept);
-  if (!ring.point_setups.empty()) ring.point_setups.resize(kept);
+  keepPoints(ring, [&](std::size_t i) { return !is_stray[i]; });
 }
 
 }  // namespace

@@ -1,37 +1,23 @@
 #include "tank_datum/report/report.h"
 
-#include <cerrno>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 
-#include "core/refusal.h"
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "io/pcd_copy.h"
 #include "io/pcd_writer.h"
 #include "report/setups_json.h"
 #include "report/shell_report.h"
+#include "report/text_file.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
 namespace {
 
-/// The shortest text that reads back as the same double; empty when unknown.
-std::string text(double value) {
-  if (!std::isfinite(value)) return {};
-  char buffer[32];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
+std::string text(double value) { return shortestText(value); }
 
 std::string text(const std::optional<std::size_t>& count) { return count ? std::to_string(*count) : std::string(); }
-
-void writeText(const std::string& path, const std::string& content) {
-  std::ofstream out(path, std::ios::binary);
-  out << content;
-  out.close();
-  if (!out) throw refusedBySystem("report", path, path, errno, "a writable folder with room for the results");
-}
 
 /// x, y and z are 4-byte floats relative to a local origin, since PCL 1.13 reads 8-byte ones as zeros.
 void writeCloud(const std::string& path, const Points& points, const Eigen::Vector3d& origin) {
@@ -87,11 +73,11 @@ std::string stationsCsv(const Datum& datum) {
 }
 
 void writeResults(const std::string& folder, const Datum& datum, const Provenance& provenance) {
-  writeText(folder + "/datum.json", datumJson(datum, provenance));
-  writeText(folder + "/stations.csv", stationsCsv(datum));
-  writeText(folder + "/shell.csv", shellCsv(datum.shell));
+  writeTextFile(folder + "/datum.json", datumJson(datum, provenance));
+  writeTextFile(folder + "/stations.csv", stationsCsv(datum));
+  writeTextFile(folder + "/shell.csv", shellCsv(datum.shell));
   if (!datum.hasStations()) return;
-  if (!datum.covariance.empty()) writeText(folder + "/datum_nodes.csv", nodesCsv(datum));
+  if (!datum.covariance.empty()) writeTextFile(folder + "/datum_nodes.csv", nodesCsv(datum));
   Points curve;
   for (const Station& s : datum.stations) {
     if (s.flag != StationFlag::Missing) curve.emplace_back(s.x, s.y, s.z);

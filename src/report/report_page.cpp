@@ -1,15 +1,13 @@
 #include "report/report_page.h"
 
-#include <cerrno>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/refusal.h"
 #include "report/datum_record.h"
 #include "report/report_template.h"
 #include "report/section_json.h"
 #include "report/shell_report.h"
 #include "report/sighting_json.h"
+#include "report/text_file.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -115,21 +113,10 @@ std::string indexPage(const std::vector<IndexEntry>& tanks) {
   return pageWith({{"index", "application/json", index.dump(-1, ' ', false, kReplaceBytes)}});
 }
 
-namespace {
-
-void writePage(const std::string& path, const std::string& page) {
-  std::ofstream out(path, std::ios::binary);
-  out << page;
-  out.close();
-  if (!out) {
-    throw refusedBySystem("report", path, path, errno, "a writable folder with room for the results");
-  }
+void writeReportPage(const std::string& folder, const std::string& page) {
+  writeTextFile(folder + "/report.html", page);
 }
 
-}  // namespace
-
-void writeReportPage(const std::string& folder, const std::string& page) { writePage(folder + "/report.html", page); }
-
-void writeIndexPage(const std::string& folder, const std::string& page) { writePage(folder + "/index.html", page); }
+void writeIndexPage(const std::string& folder, const std::string& page) { writeTextFile(folder + "/index.html", page); }
 
 }  // namespace tank_datum

@@ -1,8 +1,8 @@
 #include "report/setups_json.h"
 
-#include <charconv>
 #include <cmath>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "report/json_number.h"
 #include "report/station_arcs.h"
@@ -100,10 +100,7 @@ std::string nodesCsv(const Datum& datum) {
   std::string csv = "station,x,y,z,settlement,sigma_own";
   for (Eigen::Index k = 0; k < covariance.factors.rows(); ++k) csv += ",shared_" + std::to_string(k + 1);
   csv += "\n";
-  const auto cell = [](double value) {
-    char text[32];
-    return "," + std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-  };
+  const auto cell = [](double value) { return "," + shortestText(value); };
   for (std::size_t i = 0; i < datum.stations.size(); ++i) {
     const Station& s = datum.stations[i];
     const auto column = static_cast<Eigen::Index>(i);

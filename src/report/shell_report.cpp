@@ -1,6 +1,5 @@
 #include "report/shell_report.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdarg>
 
@@ -16,12 +15,6 @@ __attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) 
   const std::string text = vformatted(format, values);
   va_end(values);
   return text + "\n";
-}
-
-std::string text(double value) {
-  if (!std::isfinite(value)) return {};
-  char buffer[32];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
 }
 
 /// The foot's radii, or the lowest height's when the foot is not seen.
@@ -64,8 +57,9 @@ std::string plumbnessLine(const ShellSurvey& survey, const Display& display) {
 std::string shellCsv(const ShellSurvey& survey) {
   std::string csv = "azimuth_deg,height,radius,deviation,sigma,n,offset\n";
   for (const ShellPoint& p : survey.points) {
-    csv += text(toDegrees(p.azimuth)) + "," + text(p.height) + "," + text(p.radius) + "," + text(p.deviation) + "," +
-           text(p.sigma) + "," + std::to_string(p.points) + "," + text(p.offset) + "\n";
+    csv += shortestText(toDegrees(p.azimuth)) + "," + shortestText(p.height) + "," + shortestText(p.radius) + "," +
+           shortestText(p.deviation) + "," + shortestText(p.sigma) + "," + std::to_string(p.points) + "," +
+           shortestText(p.offset) + "\n";
   }
   return csv;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/point_hash.h"
+#include "locate/keep_points.h"
 
 namespace tank_datum {
 namespace {
@@ -71,15 +72,7 @@ RepeatedPoints removeRepeated(Ring& ring) {
   result.removed = repeated.size();
   std::vector<char> gone(ring.points.size(), 0);
   for (const std::uint32_t i : repeated) gone[i] = 1;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (gone[i]) continue;
-    ring.points[kept] = ring.points[i];
-    if (!ring.point_setups.empty()) ring.point_setups[kept] = ring.point_setups[i];
-    ++kept;
-  }
-  ring.points.resize(kept);
-  if (!ring.point_setups.empty()) ring.point_setups.resize(kept);
+  keepPoints(ring, [&](std::size_t i) { return !gone[i]; });
   return result;
 }
 

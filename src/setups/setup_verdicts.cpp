@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "locate/keep_points.h"
 #include "setups/setup_ring.h"
 
 namespace tank_datum {
@@ -33,15 +34,8 @@ void dropBad(Ring& ring, const std::vector<Setup>& setups, const Eigen::Vector2d
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
     if (!is_bad(i)) ++good[SetupRing::arcOf(ring.points[i], center)];
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    if (is_bad(i) && good[SetupRing::arcOf(ring.points[i], center)] >= kEnough) continue;
-    ring.points[kept] = ring.points[i];
-    ring.point_setups[kept] = ring.point_setups[i];
-    ++kept;
-  }
-  ring.points.resize(kept);
-  ring.point_setups.resize(kept);
+  keepPoints(ring,
+             [&](std::size_t i) { return !is_bad(i) || good[SetupRing::arcOf(ring.points[i], center)] < kEnough; });
 }
 
 }  // namespace tank_datum

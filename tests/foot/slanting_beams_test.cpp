@@ -59,13 +59,15 @@ TEST(SteepnessOf, OfAShellThatIsHardlySeenIsNotKnown) {
 
 /// Steepness at the first of four windows whose shells are seen alike; the others have no point of the lip.
 double steepnessBesideNone(double points) {
-  return steepnessAlong({{points, points / 0.04, 200}, {0, 0, 200}, {0, 0, 200}, {0, 0, 200}}, 0.5).front();
+  const std::vector<RayCounts> windows = {{points, points / 0.04, 200}, {0, 0, 200}, {0, 0, 200}, {0, 0, 200}};
+  return steepnessAlong(windows, pooledSteepness(windows, 0.5), 0.5).front();
 }
 
 TEST(SteepnessAlong, OfFewPointsIsThatOfTheWindowsBesideTogether) {
   EXPECT_NEAR(steepnessBesideNone(50), 50.0 / 0.04 / (200.0 / 0.2), 1e-12);
   EXPECT_NEAR(steepnessBesideNone(49), 49.0 / 0.04 / (600.0 / 0.2), 1e-12);
-  EXPECT_NEAR(steepnessAlong({{4, 100, 200}, {40, 1000, 200}, {9, 200, 200}}, 0.5)[0], 0.1, 1e-12) << "seen so";
+  const std::vector<RayCounts> few = {{4, 100, 200}, {40, 1000, 200}, {9, 200, 200}};
+  EXPECT_NEAR(steepnessAlong(few, pooledSteepness(few, 0.5), 0.5)[0], 0.1, 1e-12) << "seen so";
 }
 
 /// What a level surface between two distances shows whose points range noise moves along rays of some steepness.
