@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/least_without.h"
 #include "core/ring_runs.h"
 #include "core/statistics.h"
 
@@ -50,22 +51,20 @@ struct Stepped {
 
 /// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
 std::vector<StepRun> runsBetweenSteps(const Stepped& ring) {
-  std::vector<std::size_t> seen, starts;
+  std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < ring.fits.size(); ++i) {
     if (ring.stands(i)) seen.push_back(i);
   }
-  const auto before = [&](std::size_t k) { return seen[(k + seen.size() - 1) % seen.size()]; };
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const std::size_t apart = (seen[k] + ring.fits.size() - before(k)) % ring.fits.size();
-    if (ring.stepBetween(seen[k], before(k), apart)) starts.push_back(k);
-  }
+  const auto at = [&](std::size_t k) { return seen[k % seen.size()]; };
+  const auto beginsAt = [&](std::size_t k) {
+    const std::size_t before = at(k + seen.size() - 1);
+    return ring.stepBetween(seen[k], before, (seen[k] + ring.fits.size() - before) % ring.fits.size());
+  };
   std::vector<StepRun> runs;
-  for (std::size_t s = 0; s < starts.size() && starts.size() > 1; ++s) {
-    const std::size_t next = starts[(s + 1) % starts.size()];
+  for (const RingRun& between : runsBetween(seen.size(), beginsAt)) {
     StepRun run;
-    for (std::size_t k = starts[s]; run.stations.empty() || k != next; k = (k + 1) % seen.size())
-      run.stations.push_back(seen[k]);
-    run.beside = std::min(ring.fits[before(starts[s])].z, ring.fits[seen[next]].z);
+    for (std::size_t k = between.first; k <= between.last; ++k) run.stations.push_back(at(k));
+    run.beside = std::min(ring.fits[at(between.first + seen.size() - 1)].z, ring.fits[at(between.last + 1)].z);
     runs.push_back(std::move(run));
   }
   return runs;
@@ -152,11 +151,9 @@ double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {
     });
     return quantile(ratios, kShare) / kWithin - 1.0;
   };
-  double low = 0.0, high = 0.0;
-  for (const ThirdDifference& d : differences) high = std::max(high, std::abs(d.value));
-  if (excess(low) <= 0.0) return 0.0;
-  for (int halving = 0; halving < 40; ++halving) (excess(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
-  return high;
+  double most = 0.0;
+  for (const ThirdDifference& d : differences) most = std::max(most, std::abs(d.value));
+  return leastWithout(excess, most, 40);
 }
 
 }  // namespace tank_datum

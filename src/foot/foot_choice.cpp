@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/portable_math.h"
+#include "core/ring_runs.h"
 #include "core/statistics.h"
 
 namespace tank_datum {
@@ -102,23 +103,23 @@ struct Run {
 };
 
 std::vector<Run> runsOf(const Ring& ring, const Choice& choice) {
-  std::vector<std::size_t> seen, starts;
+  std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < choice.size(); ++i) {
     if (choice[i]) seen.push_back(i);
   }
-  for (std::size_t k = 0; k < seen.size(); ++k) {
+  const auto beginsAt = [&](std::size_t k) {
     const std::size_t at = seen[k], before = seen[(k + seen.size() - 1) % seen.size()];
     const auto apart = static_cast<double>((at + choice.size() - before) % choice.size());
     const FootCandidate &a = ring.places[before][*choice[before]], &b = ring.places[at][*choice[at]];
-    if (std::abs(a.height - b.height) > 2.0 * usualDifference(a, b, apart * ring.arc, ring.reach)) starts.push_back(k);
-  }
+    return std::abs(a.height - b.height) > 2.0 * usualDifference(a, b, apart * ring.arc, ring.reach);
+  };
   std::vector<Run> runs;
-  for (std::size_t s = 0; s < starts.size() && starts.size() > 1; ++s) {
+  for (const RingRun& between : runsBetween(seen.size(), beginsAt)) {
     Run run;
-    const std::size_t next = starts[(s + 1) % starts.size()];
-    for (std::size_t k = starts[s]; run.members.empty() || k != next; k = (k + 1) % seen.size()) {
-      run.members.push_back(seen[k]);
-      run.cost += ring.costs[seen[k]][*choice[seen[k]]];
+    for (std::size_t k = between.first; k <= between.last; ++k) {
+      const std::size_t at = seen[k % seen.size()];
+      run.members.push_back(at);
+      run.cost += ring.costs[at][*choice[at]];
     }
     const auto length = static_cast<double>(run.members.size());
     run.cost = run.cost / length - 0.25 * portable::log2(length);

@@ -48,7 +48,8 @@ bool areOneShell(const Tank& a, const Tank& b) {
 using Tanks = std::vector<Tank>::iterator;
 
 /// Of one shell, found several times: among those that show a foundation beside it, if any does, the finest that shows
-/// nearly as much of the shell as any, of two on one rung the one that shows it higher up.
+/// nearly as much of the shell as any, of two on one rung the smaller: what stands before a shell makes its circle
+/// larger.
 Tanks bestOf(Tanks first, Tanks last) {
   constexpr double kMuchMore = 1.25;  // arc seen on a coarser rung that outweighs the finer rung's accuracy
   const auto has_foundation = [](const Tank& tank) { return tank.has_foundation; };
@@ -57,7 +58,7 @@ Tanks bestOf(Tanks first, Tanks last) {
   const double most = std::max_element(first, last, less)->coverage;
   last = std::stable_partition(first, last, [&](const Tank& tank) { return kMuchMore * tank.coverage >= most; });
   return std::min_element(first, last, [](const Tank& a, const Tank& b) {
-    return a.resolution < b.resolution || (a.resolution == b.resolution && a.height > b.height);
+    return std::pair(a.resolution, a.circle.radius) < std::pair(b.resolution, b.circle.radius);
   });
 }
 

@@ -1,28 +1,20 @@
 #include "report/shell_report.h"
 
 #include <cmath>
-#include <cstdarg>
 
 #include "core/plain_text.h"
 #include "core/units.h"
+#include "report/summary_line.h"
 
 namespace tank_datum {
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) {
-  std::va_list values;
-  va_start(values, format);
-  const std::string text = vformatted(format, values);
-  va_end(values);
-  return text + "\n";
-}
 
 /// The foot's radii, or the lowest height's when the foot is not seen.
 std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances,
                           const Display& display) {
   const Roundness* r = survey.foot();
   if (!r && !survey.roundness.empty()) r = &survey.roundness.front();
-  if (!r) return line("%-14s the shell is not seen round enough of the tank at any height", "roundness");
+  if (!r) return line("roundness", "the shell is not seen round enough of the tank at any height");
   const auto at = static_cast<std::size_t>(r - survey.roundness.data());
   std::string tolerance = "no tolerance for it";
   if (at < tolerances.size() && std::isfinite(tolerances[at].limit)) {
@@ -31,7 +23,7 @@ std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComp
     tolerance = formatted("tolerance%s %.4g %s: %s", whose.c_str(), display.shortFactor() * it.limit,
                           display.shortUnit(), nameOf(it.verdict));
   }
-  return line("%-14s %s / %s %s at %s above the datum, worst at %.0f deg (%s)", "roundness",
+  return line("roundness", "%s / %s %s at %s above the datum, worst at %.0f deg (%s)",
               display.signedShort(r->max_deviation).c_str(), display.signedShort(r->min_deviation).c_str(),
               display.shortUnit(), display.longText(r->height, 2).c_str(), toDegrees(r->azimuth), tolerance.c_str());
 }
@@ -40,14 +32,14 @@ constexpr double kShownLean = 5e-5;  // [m]: of less, which is 0.0 mm, a directi
 
 std::string plumbnessLine(const ShellSurvey& survey, const Display& display) {
   const Plumbness* worst = survey.worstPlumbness();
-  if (!worst) return line("%-14s the shell is seen at one height only", "plumbness");
+  if (!worst) return line("plumbness", "the shell is seen at one height only");
   std::string lean;
   if (survey.lean.valid() && survey.lean.offset() >= kShownLean) {
     lean = formatted("; the tank leans %s +- %s towards %.0f deg", display.shortText(survey.lean.offset()).c_str(),
                      display.shortText(2.0 * survey.lean.height * survey.lean.sigma).c_str(),
                      toDegrees(survey.lean.direction));
   }
-  return line("%-14s %s +- %s (2 sigma) over %s of height at %.0f deg%s", "plumbness",
+  return line("plumbness", "%s +- %s (2 sigma) over %s of height at %.0f deg%s",
               display.signedShort(worst->offset).c_str(), display.shortText(2.0 * worst->sigma).c_str(),
               display.longText(worst->height, 1).c_str(), toDegrees(worst->azimuth), lean.c_str());
 }
@@ -66,7 +58,7 @@ std::string shellCsv(const ShellSurvey& survey) {
 
 std::string shellSummary(const ShellSurvey& survey, const std::vector<LimitComparison>& tolerances,
                          const Display& display) {
-  if (!survey.valid()) return survey.message.empty() ? "" : line("%-14s %s", "shell", survey.message.c_str());
+  if (!survey.valid()) return survey.message.empty() ? "" : line("shell", "%s", survey.message.c_str());
   return roundnessLine(survey, tolerances, display) + plumbnessLine(survey, display);
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/least_without.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -143,10 +144,7 @@ double Overlaps::extraOf(const SetupSolution& solution, bool shell) const {
     }
     return inflation * median(misfits) - 1.0;
   };
-  double low = 0.0, high = kWidest;
-  if (excess(low) <= 0.0) return 0.0;
-  for (int halving = 0; halving < 20; ++halving) (excess(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
-  return high;
+  return leastWithout(excess, kWidest, 20);
 }
 
 void measureDiscrepancy(const Overlaps& overlaps, SetupAdjustment& result) {

@@ -37,5 +37,18 @@ TEST(RunsRound, AWholeRingIsOneRun) {
   EXPECT_EQ(runs.front().last - runs.front().first, 2U);
 }
 
+TEST(RunsBetween, GoFromOneBeginToTheNextRoundTheRing) {
+  const auto runs = runsBetween(10, [](std::size_t k) { return k == 2 || k == 3 || k == 7; });
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_TRUE(runs[0].first == 2 && runs[0].last == 2);
+  EXPECT_TRUE(runs[1].first == 3 && runs[1].last == 6);
+  EXPECT_TRUE(runs[2].first == 7 && runs[2].last == 11);
+}
+
+TEST(RunsBetween, AreNoneWithFewerThanTwoBegins) {
+  EXPECT_TRUE(runsBetween(10, [](std::size_t k) { return k == 2; }).empty());
+  EXPECT_TRUE(runsBetween(0, [](std::size_t) { return true; }).empty());
+}
+
 }  // namespace
 }  // namespace tank_datum

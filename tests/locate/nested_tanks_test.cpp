@@ -44,9 +44,9 @@ TEST(DropNested, OfOneShellFoundTwiceTheOneBesideWhichAFoundationIsSeenStays) {
   EXPECT_EQ(leftOf({fine, coarse}), 10.01);
 }
 
-TEST(DropNested, OfOneShellFoundTwiceOnOneRungTheHigherStays) {
-  EXPECT_EQ(leftOf({tankOf(10.0, 7.0), tankOf(10.01, 8.0)}), 10.01);
-  EXPECT_EQ(leftOf({tankOf(10.0, 8.0), tankOf(10.01, 7.0)}), 10.0);
+TEST(DropNested, OfOneShellFoundTwiceOnOneRungTheSmallerStays) {
+  EXPECT_EQ(leftOf({tankOf(10.0, 8.0), tankOf(10.01, 8.0)}), 10.0);
+  EXPECT_EQ(leftOf({tankOf(10.01, 8.0), tankOf(10.0, 8.0)}), 10.0);
 }
 
 TEST(DropNested, OfOneShellFoundOnManyRungsTheFinestThatSawNearlyAsMuchAsAnyStays) {
