@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/clauses.h"
 #include "core/plain_text.h"
+#include "core/statistics.h"
 #include "search/voxel_sample.h"
 
 namespace tank_datum {
@@ -39,6 +41,19 @@ std::string unitsAdvice(const Points& points) {
   snprintfPlain(text, sizeof text, ": what was looked at is %.3g m by %.3g m wide and %.3g m high.", wide.x(), wide.y(),
                 wide.z());
   return advice + text;
+}
+
+/// Says of a scan that was cut along its shell that it was: "the scan ends 0.1 m outside of the shell: ...".
+std::string cutText(const Points& points, const Circle& circle) {
+  constexpr double kEnough = 0.2;    // [m], of a foundation
+  constexpr double kStrays = 0.001;  // share of the points
+  constexpr double kInside = 0.05;   // share of them, of which a floor or a roof has more
+  std::vector<double> offs;
+  for (const Eigen::Vector3d& p : points) offs.push_back((p.head<2>() - circle.center).norm() - circle.radius);
+  if (offs.empty() || quantile(offs, kInside) < -kEnough) return {};
+  const double end = quantile(offs, 1.0 - kStrays);
+  if (!(end < kEnough)) return {};
+  return formatted("the scan ends %.2f m outside of the shell: what it stands on was cut off", std::max(0.0, end));
 }
 
 std::string circleAdvice(const Sighting& sighting, const Eigen::Vector3d& origin) {
@@ -85,6 +100,7 @@ Datum withSighting(Datum datum, const Scan& scan, const DatumOptions& options) {
     sighting.foot = datum.tank.foot.coefficients.size() > 0 ? datum.tank.foot.coefficients[0] : kUnknown;
   }
   sighting.points = sampleNear(sighting.circle, scan, options.threads);
+  if (datum.status == Status::NoCrease) addClause(datum.message, cutText(sighting.points, sighting.circle));
   sighting.advice = adviceFor(datum, options);
   return datum;
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "sighting.h"
 #include "support/made_clouds.h"
 #include "tank_datum/datum.h"
 
@@ -37,6 +40,35 @@ TEST(ExtractDatum, OfNoTankIsThatOfAScanWithoutOne) {
   EXPECT_EQ(datum.status, Status::NoTank);
   EXPECT_EQ(datum.message, whole.message);
   EXPECT_EQ(datum.counts.points, scan.size());
+}
+
+/// What is said of a foot of which a scan holds so much, and so many of whose points, a share, are farther in or out.
+std::string saidOfCut(double outside, double farther_in = 0.0, double farther_out = 0.0) {
+  constexpr double kRadius = 8.0;
+  constexpr int kPoints = 4000;  // a picture shows them all
+  Points points;
+  for (int i = 0; i < kPoints; ++i) {
+    const double azimuth = 0.01 * i, share = 0.01 * (i % 100);
+    double off = i % 2 == 0 ? 0.0 : outside * share;
+    if (i < farther_in * kPoints) off = -3.0;
+    if (i >= (1.0 - farther_out) * kPoints) off = 3.0;
+    points.push_back(
+        {(kRadius + off) * std::cos(azimuth), (kRadius + off) * std::sin(azimuth), off == 0.0 ? share : 0.0});
+  }
+  Datum datum;
+  datum.status = Status::NoCrease;
+  const Scan scan = Scan::fromPoints(points);
+  datum.tank.circle = {-scan.origin().head<2>(), kRadius};
+  return withSighting(std::move(datum), scan, {}).message;
+}
+
+TEST(WithSighting, AScanCutNearItsShellIsTold) {
+  EXPECT_EQ(saidOfCut(0.16), "the scan ends 0.16 m outside of the shell: what it stands on was cut off");
+  EXPECT_EQ(saidOfCut(0.25), "");
+  EXPECT_NE(saidOfCut(0.16, 0.04), "");
+  EXPECT_EQ(saidOfCut(0.16, 0.07), "") << "seen from inside, or from above";
+  EXPECT_NE(saidOfCut(0.16, 0.0, 0.0008), "") << "strays";
+  EXPECT_EQ(saidOfCut(0.16, 0.0, 0.0013), "");
 }
 
 }  // namespace
