@@ -74,13 +74,12 @@ std::vector<StepRun> runsBetweenSteps(const Stepped& ring) {
 
 bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, double prior_slope,
                    const FootProfile& profile) {
-  constexpr double kSlope = 0.03;       // a foundation's slope varies by less along the shell [m/m]
   constexpr double kNoise = 3.0;        // times the usual roughness
   constexpr double kBeside = 0.03;      // so far beyond its edge a surface is known to end by the step down [m]
   constexpr double kLeastDrop = 0.003;  // of that step [m]
   constexpr std::size_t kFewestBeside = 6;
   constexpr double kSection = 0.010;  // how far the section beyond may differ in height [m]
-  if (std::abs(fit.slope - prior_slope) > kSlope + 3.0 * fit.sigma_slope) return false;
+  if (std::abs(fit.slope - prior_slope) > kSlopeVaries + 3.0 * fit.sigma_slope) return false;
   if (fit.noise > kNoise * profile.noise) return false;
   std::vector<double> off, beside, drops;
   for (const FootPoint& p : points) {

@@ -17,6 +17,8 @@ namespace tank_datum {
 
 struct Tank;
 
+constexpr double kSlopeVaries = 0.03;  ///< by less than this a foundation's slope does along the shell [m/m]
+
 /// What is known of the foundation surface before a station's own points are looked at.
 struct FootPrior {
   double slope = 0;        ///< across the shell [m/m]

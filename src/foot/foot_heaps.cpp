@@ -117,7 +117,6 @@ std::vector<bool> findHeapedArcs(const Foot& foot, const FootPriors& priors, con
 
 std::vector<bool> findHeapsGoingOn(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own,
                                    const std::vector<bool>& heaps) {
-  constexpr double kSlope = 0.03;          // a foundation's varies by less along the shell [m/m]
   constexpr double kScatter = 0.5;         // of what the surface does elsewhere
   constexpr double kFar = 20.0 * kDegree;  // over which a heap may go on unseen
   constexpr std::size_t kPart = 6;         // of the ring: longer ones are no heaps
@@ -125,7 +124,7 @@ std::vector<bool> findHeapsGoingOn(const Foot& foot, const FootPriors& priors, c
   std::vector<bool> going_on(count, false);
   if (priors.settled) return going_on;
   const auto tells = [&](const FootFit& fit) {
-    return fit.sigma_slope < kSlope && fit.own > kScatter * priors.scatter;
+    return fit.sigma_slope < kSlopeVaries && fit.own > kScatter * priors.scatter;
   };
   for (std::size_t i = 0; i < count; ++i) {
     if (!heaps[i]) continue;
@@ -142,7 +141,6 @@ std::vector<bool> findHeapsGoingOn(const Foot& foot, const FootPriors& priors, c
 }
 
 std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors, const std::vector<FootFit>& own) {
-  constexpr double kSlope = 0.03;  // a foundation's varies by less along the shell [m/m]
   const std::size_t count = own.size(), far = foot.stationsIn(kFarIsland);
   std::vector<bool> islands(count, false);
   if (priors.settled) return islands;
@@ -150,7 +148,7 @@ std::vector<bool> findStrangeIslands(const Foot& foot, const FootPriors& priors,
   for (const FootFit& fit : own) stand.push_back(fit.valid() ? 1 : 0);
   for (const RingRun& run : runsRound(stand, far)) {
     const bool few = run.last - run.first < far;
-    if (!few || !(strangeSlope(run, own, priors) > kSlope)) continue;
+    if (!few || !(strangeSlope(run, own, priors) > kSlopeVaries)) continue;
     for (std::size_t k = run.first; k <= run.last; ++k) islands[k % count] = true;
   }
   return islands;

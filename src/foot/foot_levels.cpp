@@ -17,7 +17,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kDip = 0.01;  // of the reach: what a datum may do locally, on a ring that is quiet elsewhere
 constexpr double kWidestStretch = 5.0 * kPi / 180.0;
 constexpr double kMostHelp = 20.0;  // stations that one may lean on, for the count of its points
 

@@ -16,6 +16,7 @@ constexpr double kSettledSlope = 1e-4;          ///< standard deviation of a slo
 constexpr double kSlopeWindow = 5.0 * kDegree;  ///< in which the slope of a lip is looked at [rad]
 constexpr double kFarIsland = 10.0 * kDegree;   ///< over which no gap between stations is bridged [rad]
 constexpr double kHolds = 0.5;                  ///< of a difference: two standard errors hold it
+constexpr double kDip = 0.01;        ///< of the reach: what a datum does locally, on a ring that is quiet elsewhere
 constexpr double kHeapFalls = 0.01;  ///< than a wide surface does all round: what falls by more is no foundation [m/m]
 
 /// What the passes look at; none of them changes it. Vectors are indexed by station.

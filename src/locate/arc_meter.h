@@ -8,6 +8,8 @@
 
 namespace tank_datum {
 
+constexpr double kFacing = 0.94;  ///< cosine of 20 degrees between a wall's normal and the direction to the centre
+
 /// Whether a wall stands on a circle: near it, and its normal points to the centre within an angle.
 struct StandingRule {
   double tolerance;  ///< distance from the circle [m]

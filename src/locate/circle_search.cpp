@@ -14,7 +14,6 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kFacing = 0.94;      // cosine of 20 degrees between a wall's normal and the direction to the centre
 constexpr double kOutOfRound = 0.01;  // of the radius; API 653 lets 1 % of it stand on large tanks' upper courses
 constexpr int kTrials = 20'000;       // a tank holding 5 % of the walls near a trial point is met some 50 times
 constexpr double kNearlyWhole = 0.95 * kTwoPi;  // an arc that no other circle's exceeds by much

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/cell_number.h"
+#include "locate/wall_sector.h"
 
 namespace tank_datum {
 namespace {
@@ -14,8 +15,7 @@ using CellIndex = std::pair<std::int64_t, std::int64_t>;
 using CellGrid = std::map<CellIndex, std::size_t>;
 
 constexpr double kCellInVoxels = 2.0;
-constexpr double kHoleInVoxels = 3.0;  // two empty voxels between hits are still one wall
-constexpr double kRunInVoxels = 4.0;   // sloping or rough ground fills at most two voxels of a column
+constexpr double kRunInVoxels = 4.0;  // sloping or rough ground fills at most two voxels of a column
 
 CellIndex cellOf(double x, double y, double cell) { return {cellNumber(x / cell), cellNumber(y / cell)}; }
 

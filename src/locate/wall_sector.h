@@ -28,7 +28,7 @@ std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& 
 constexpr double kRingwallWidth = 0.6;      ///< the widest ringwall beyond the shell [m]
 constexpr double kShortOfRingwall = 0.075;  ///< half of the way to the face of the narrowest ringwall [m]
 constexpr double kFewestVoxels = 3.0;       ///< that a wall is high
-constexpr double kHoleInVoxels = 3.0;       ///< between hits that are still one wall
+constexpr double kHoleInVoxels = 3.0;       ///< between hits, two empty ones, that are still one wall
 
 /// How far from the circle points of a wall are at most [m].
 /// @param rms  of the wall about its circle [m]

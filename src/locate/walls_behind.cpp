@@ -24,7 +24,6 @@ struct SectorView {
 WallsBehind wallsBehind(const std::vector<WallCell>& walls, const Tank& tank) {
   constexpr double kClear = 0.2;    // of the radius: a mug's wall is a tenth of it thick, a pilaster's less
   constexpr double kWithin = 0.02;  // of the radius: the shell itself
-  constexpr double kFacing = 0.94;  // cosine of 20 degrees, as where circles are looked for
   constexpr int kWall = 2;          // cells; a single one may be a pole
   const Circle& circle = tank.circle;
   const double clear = std::max(kClear * circle.radius, 4.0 * tank.resolution);
