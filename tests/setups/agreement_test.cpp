@@ -204,5 +204,31 @@ TEST(SetupAgreement, PlacesMakeARadiusOfWhatNoOverlapShows) {
   EXPECT_DOUBLE_EQ(merged.radiusError(), 0.0028);
 }
 
+/// The agreement of points of a shell that bear so many labels.
+SetupAgreement agreementOfLabels(std::size_t labels) {
+  const TestFolder folder;
+  std::string text = "x y z setup\n";
+  for (int i = 0; i < 4000; ++i) {
+    const double azimuth = 0.01 * i;
+    text += std::to_string(5.0 * std::cos(azimuth)) + " " + std::to_string(5.0 * std::sin(azimuth)) + " 0.2 " +
+            std::to_string(static_cast<std::size_t>(i) % labels) + "\n";
+  }
+  const Scan scan = Scan::open({folder.file("scan.txt", text)});
+  Tank tank;
+  tank.circle = {-scan.origin().head<2>(), 5.0};
+  tank.foot.coefficients = Eigen::Vector3d(-scan.origin().z(), 0.0, 0.0);
+  Ring ring = cropRing(scan, tank, {});
+  return agreed(ring, scan, tank, {});
+}
+
+TEST(SetupAgreement, MoreThanTwoHundredLabelsAreTakenTogetherAndSaid) {
+  const std::string told = "more than 200 files or labels are not told apart";
+  EXPECT_EQ(setupMessage(agreementOfLabels(200), {}).find(told), std::string::npos);
+  const SetupAgreement many = agreementOfLabels(201);
+  ASSERT_EQ(many.setups.size(), 1U);
+  EXPECT_EQ(many.setups[0].name, "all");
+  EXPECT_EQ(setupMessage(many, {}), told);
+}
+
 }  // namespace
 }  // namespace tank_datum

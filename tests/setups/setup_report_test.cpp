@@ -43,5 +43,19 @@ TEST(SetupMessage, MergedScansThatDisagreeByMoreThanTwiceTheStationsOwnErrorAreT
               says(agreement, "disagree by about 0.9 mm", stations));
 }
 
+TEST(SetupMessage, SeparateFilesAreAskedForWhereTheyHelp) {
+  SetupAgreement agreement;
+  agreement.merged_sigma = 0.0028;
+  EXPECT_TRUE(says(agreement, "2.8 mm: give them as separate files"));
+  agreement.too_many = true;
+  EXPECT_FALSE(says(agreement, "give them as separate files"));
+}
+
+TEST(SetupMessage, TilesAreTold) {
+  SetupAgreement agreement;
+  agreement.tiles_joined = true;
+  EXPECT_TRUE(says(agreement, "files are tiles of one cloud: points of equal labels are taken to be of one setup"));
+}
+
 }  // namespace
 }  // namespace tank_datum
