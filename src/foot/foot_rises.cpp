@@ -115,9 +115,8 @@ struct Compared {
 
 std::vector<bool> findRises(const Foot& foot, const FootOutliers& outliers, const std::vector<double>& levels,
                             const std::vector<double>& sigmas) {
-  constexpr double kLittle =
-      0.002;                     // of the reach: what the datum itself does at least beside an arc, kDip over islands
-  constexpr double kMost = 0.5;  // of the levels: islands that are more are the ring
+  constexpr double kLittle = 0.002;  // of the reach: what the datum itself does at least beside an arc
+  constexpr double kMost = 0.5;      // of the levels: islands that are more are the ring
   const std::vector<RingRun> arcs = coveredArcs(outliers);
   std::vector<bool> rises(levels.size(), false);
   if (arcs.empty()) return rises;
