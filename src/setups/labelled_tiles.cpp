@@ -39,6 +39,7 @@ std::vector<ShellArcs> sumOf(const std::vector<ShellArcs>& setups, const std::ve
 }  // namespace
 
 bool joinLabelledTiles(Ring& ring, const Scan& scan, const Tank& tank, int threads) {
+  if (ring.point_setups.empty()) return false;  // one setup, or more than are told apart
   const auto files = numberGroups(ring.setups, [](SetupKey setup) { return setup.source; });
   const auto labels = numberGroups(ring.setups, [&](SetupKey setup) { return scan.setupLabel(setup); });
   const std::size_t setups = ring.setups.size();
