@@ -10,6 +10,10 @@ namespace tank_datum {
 /// @param finest  steps are no smaller
 double roundingStep(std::vector<double> values, double finest);
 
+/// The same where most values are of one level, as elevations about a level floor, and the next ones of few: of the 21
+/// levels that most values share, however far apart. Means of rounded values lie between.
+double roundingStepBesideFloor(std::vector<double> values, double finest);
+
 /// Standard deviation of what rounding does to the mean of many values: as much as to one where they are alike, next to
 /// nothing where they scatter by half of a step (the first term of its Fourier series; Widrow and Kollar 2008).
 /// @param scatter  of the values before they were rounded

@@ -24,6 +24,12 @@ bool isOfFloats(double step) {
   return std::abs(std::remainder(std::frexp(step, &exponent), 0.5)) < kOff;
 }
 
+std::vector<double> valuesOf(const Points& points, Eigen::Index axis) {
+  std::vector<double> values;
+  for (const auto& p : points) values.push_back(p[axis]);
+  return values;
+}
+
 /// The steps of the coordinates of every setup; 0 where they are finer than `finest`. Where others are rounded and z is
 /// not, the scan was turned since: z has theirs, unseen.
 std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
@@ -39,12 +45,13 @@ std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
   std::vector<Eigen::Vector3d> steps(samples.size(), Eigen::Vector3d::Zero());
   for (std::size_t s = 0; s < steps.size(); ++s) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      std::vector<double> values;
-      for (const auto& p : samples[s]) values.push_back(p[axis]);
-      steps[s][axis] = roundingStep(std::move(values), finest);
+      steps[s][axis] = roundingStep(valuesOf(samples[s], axis), finest);
     }
     const double coarsest = steps[s].maxCoeff();
     if (steps[s].z() == 0.0 && !isOfFloats(coarsest)) steps[s].z() = coarsest;
+    // means that a filter took of rounded elevations lie between the steps, and those of a floor on one of them
+    const double beside_floor = roundingStepBesideFloor(valuesOf(samples[s], 2), finest);
+    steps[s].z() = std::max(steps[s].z(), beside_floor);
   }
   return steps;
 }

@@ -67,6 +67,31 @@ TEST(RoundingStep, IsThatOfTheLevelsThatMostValuesShare) {
   EXPECT_NEAR(stepOf(values), 0.01, 1e-9);
 }
 
+/// So many values on one level, of a floor, and as many on forty levels, of a wall, so many steps apart; means lie
+/// between.
+std::vector<double> valuesAboutFloor(int apart, int on_floor = 5'000) {
+  std::vector<double> values(static_cast<std::size_t>(on_floor), 0.0);
+  for (int i = 0; i < 40; ++i) values.insert(values.end(), 100, 0.01 * (1 + apart * i));
+  for (int of = 2; of <= 40; ++of) {
+    for (int i = 0; i < 240; ++i) values.push_back(0.01 * (i % 60) + 0.01 * (i % of) / of);
+  }
+  return values;
+}
+
+TEST(RoundingStepBesideFloor, IsThatOfTheFullestLevelsHoweverFarApart) {
+  EXPECT_NEAR(roundingStepBesideFloor(valuesAboutFloor(1), kFinest), 0.01, 1e-9);
+  EXPECT_NEAR(roundingStepBesideFloor(valuesAboutFloor(30), kFinest), 0.01, 1e-9) << "one gap is of one step";
+  EXPECT_EQ(stepOf(valuesAboutFloor(30)), 0.0);
+}
+
+TEST(RoundingStepBesideFloor, OfValuesThatWereNotRoundedIsNone) {
+  for (const int count : {3, 21, 300, 20'000}) {
+    EXPECT_EQ(roundingStepBesideFloor(valuesOver(2.0, 0.0, count), kFinest), 0.0);
+    EXPECT_EQ(roundingStepBesideFloor(std::vector<double>(static_cast<std::size_t>(count), 1.0), kFinest), 0.0);
+  }
+  EXPECT_EQ(roundingStepBesideFloor({}, kFinest), 0.0);
+}
+
 TEST(RoundingStep, AFifthOfTheValuesMayBeRounded) {
   const auto with_others = [](int rounded) {
     std::vector<double> values = valuesOver(0.5, 0.001, rounded), others = valuesOver(0.5, 0.0, 20'000 - rounded);
