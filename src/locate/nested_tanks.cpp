@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "locate/step_back.h"
 #include "locate/wall_sector.h"
 
 namespace tank_datum {
@@ -77,6 +78,20 @@ void dropRepeated(std::vector<Tank>& tanks) {
   }
 }
 
+/// Whether the outer one is a wall round the inner one, however much of either a scan shows: the inner one is seen from
+/// outside upon a foundation, and the outer one from within, or it is no higher than a ringwall and ends lower than the
+/// other begins. What stands inside of a tank, or upon its roof, is smaller.
+bool isWallRound(const Tank& outer, const Tank& inner) {
+  constexpr double kOfTank = 0.15;   // of the outer radius, that columns inside of a tank do not have
+  constexpr double kOfPlinth = 0.5;  // that what stands on a low tank's roof does not have
+  constexpr double kAsHigh = 0.5;    // of the outer height, that of things inside of a tank mostly is less
+  if (inner.side != Side::Outside || !inner.has_foundation) return false;
+  const double share = inner.circle.radius / outer.circle.radius;
+  if (outer.side == Side::Inside) return share >= kOfTank && inner.height >= kAsHigh * outer.height;
+  return share >= kOfPlinth && outer.height <= kHighestRingwall &&
+         outer.foot.coefficients[0] < inner.foot.coefficients[0];
+}
+
 /// The one of two nested circles that is no tank, or null when both may be.
 const Tank* falseCircleOf(const Tank& a, const Tank& b) {
   const Nested two(a, b);
@@ -86,6 +101,7 @@ const Tank* falseCircleOf(const Tank& a, const Tank& b) {
     if (isRingwallOf(b, a)) return &b;
     if (two.outer.foot.coefficients[0] < two.inner.foot.coefficients[0]) return &two.outer;
   }
+  if (isWallRound(two.outer, two.inner)) return &two.outer;
   return two.outer.height < two.inner.height ? &two.outer : &two.inner;  // a bund round a tank, or a thing inside one
 }
 

@@ -84,6 +84,30 @@ TEST(DropNested, OfABundWallAndATankTheHigherStays) {
   EXPECT_EQ(leftOf({tankOf(1.0, 2.0), tankOf(25.0, 12.0)}), 25.0);
 }
 
+/// The radius of what is left of a tank, seen from outside upon its foundation, and a circle of 20 m round it.
+double leftOfTankIn(Side side, double radius, double height, double outer_height, double foot = 0.0) {
+  Tank tank = tankOf(radius, height, foot), wall = tankOf(20.0, outer_height);
+  tank.has_foundation = wall.has_foundation = true;
+  wall.side = side;
+  return leftOf({wall, tank});
+}
+
+TEST(DropNested, AHigherWallRoundATankThatIsSeenFromWithinIsNone) {
+  EXPECT_EQ(leftOfTankIn(Side::Inside, 8.0, 1.3, 1.6), 8.0) << "cut below the bund's top";
+  EXPECT_EQ(leftOfTankIn(Side::Inside, 17.0, 7.0, 9.0), 17.0) << "a cup";
+  EXPECT_EQ(leftOfTankIn(Side::Inside, 17.0, 4.6, 9.0), 17.0);
+  EXPECT_EQ(leftOfTankIn(Side::Inside, 17.0, 4.4, 9.0), 20.0) << "a thing in a tank";
+  EXPECT_EQ(leftOfTankIn(Side::Inside, 3.1, 1.3, 1.6), 3.1);
+  EXPECT_EQ(leftOfTankIn(Side::Inside, 2.9, 1.3, 1.6), 20.0) << "a column";
+}
+
+TEST(DropNested, ALowWallThatEndsBelowWhatStandsOnItIsNoTank) {
+  EXPECT_EQ(leftOfTankIn(Side::Outside, 19.2, 1.4, 1.5, 1.5), 19.2);
+  EXPECT_EQ(leftOfTankIn(Side::Outside, 19.2, 1.4, 2.1, 2.1), 20.0);
+  EXPECT_EQ(leftOfTankIn(Side::Outside, 10.2, 1.4, 1.5, 1.5), 10.2);
+  EXPECT_EQ(leftOfTankIn(Side::Outside, 9.8, 1.4, 1.5, 1.5), 20.0) << "upon a roof";
+}
+
 TEST(DropNested, TanksBesideEachOtherStay) {
   Tank beside = tankOf(5.0, 8.0);
   beside.circle.center.x() += 16.0;
