@@ -139,9 +139,8 @@ std::vector<SurveyPoint> surveyPointsOf(const Identity& identity, const std::vec
     point.number = i + 1;
     point.azimuth = azimuthOf(first - kTwoPi * i / identity.survey_points, options);
     if (const auto place = z.placeOf(point.azimuth)) {
-      const RingValue &before = z.values()[place->before], &after = z.values()[place->after];
-      point.z = (1.0 - place->share) * before.value + place->share * after.value;
-      point.sigma_z = std::fmax(before.sigma, after.sigma);
+      point.z = z.at(point.azimuth)->value;
+      point.sigma_z = std::fmax(z.values()[place->before].sigma, z.values()[place->after].sigma);
     }
     if (const auto value = u.at(point.azimuth)) point.u = value->value;
     points.push_back(point);

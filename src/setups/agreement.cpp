@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "core/parallel.h"
 #include "core/plain_text.h"
@@ -194,7 +195,10 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   spreadRounded(ring, footUnit(tank.circle.radius, tank.resolution));
   agreement.repeated_points = repeated.removed;
   agreement.given = {options.error, options.tilt, options.error};
-  agreement.tiles_joined = joinLabelledTiles(ring, scan, tank, threads);
+  std::optional<SetupRing> polar;
+  if (!ring.point_setups.empty()) polar.emplace(ring, tank, threads);
+  agreement.tiles_joined = polar && joinLabelledTiles(ring, *polar, scan, tank);
+  if (agreement.tiles_joined) polar.emplace(ring, tank, threads);
   agreement.setups = setupsOf(ring, scan, tank.circle.radius, options, agreement.tiles_joined);
   agreement.too_many = agreement.setups.size() < ring.setups.size();
   requireKnown(scan, agreement.setups, options);
@@ -204,16 +208,16 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     ring.point_setups.clear();
     agreement.by_order = partByOrder(ring, tank, agreement, threads);
     if (!agreement.by_order) return agreement;
+    polar.emplace(ring, tank, threads);
   }
-  const SetupRing polar(ring, tank, threads);
-  if (!agreement.by_order && areNoSetups(shellArcsOfSetups(polar, tank, ring.reach, agreement.setups.size()), tank)) {
+  if (!agreement.by_order && areNoSetups(shellArcsOfSetups(*polar, tank, ring.reach, agreement.setups.size()), tank)) {
     agreement.no_setups = true;
     takeTogether(ring, agreement.setups);  // each may hold pieces of several: their order says nothing
     return agreement;
   }
   std::vector<Eigen::Vector3d> origins;
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
-  const auto views = viewArcs(polar, tank, ring.reach, origins, threads);
+  const auto views = viewArcs(*polar, tank, ring.reach, origins, threads);
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
   if (!agreement.by_order && !agreement.tiles_joined) markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "setups/setup_ring.h"
 #include "setups/shell_arcs.h"
 
 namespace tank_datum {
@@ -38,14 +37,13 @@ std::vector<ShellArcs> sumOf(const std::vector<ShellArcs>& setups, const std::ve
 
 }  // namespace
 
-bool joinLabelledTiles(Ring& ring, const Scan& scan, const Tank& tank, int threads) {
-  if (ring.point_setups.empty()) return false;  // one setup, or more than are told apart
+bool joinLabelledTiles(Ring& ring, const SetupRing& polar, const Scan& scan, const Tank& tank) {
   const auto files = numberGroups(ring.setups, [](SetupKey setup) { return setup.source; });
   const auto labels = numberGroups(ring.setups, [&](SetupKey setup) { return scan.setupLabel(setup); });
   const std::size_t setups = ring.setups.size();
   if (countOf(files) < 2 || countOf(files) == setups) return false;    // no file holds two
   if (countOf(labels) < 2 || countOf(labels) == setups) return false;  // none is in two files
-  const auto shown = shellArcsOfSetups(SetupRing(ring, tank, threads), tank, ring.reach, setups);
+  const auto shown = shellArcsOfSetups(polar, tank, ring.reach, setups);
   if (!areTiles(sumOf(shown, files))) return false;
   std::vector<SetupKey> joined(countOf(labels));
   for (std::size_t s = setups; s-- > 0;) joined[labels[s]] = ring.setups[s];

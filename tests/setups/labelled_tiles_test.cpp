@@ -65,7 +65,7 @@ struct Cropped {
     tank.foot.coefficients = Eigen::Vector3d(-scan.origin().z(), 0.0, 0.0);
     ring = cropRing(scan, tank, {});
   }
-  bool join() { return joinLabelledTiles(ring, scan, tank, 1); }
+  bool join() { return joinLabelledTiles(ring, SetupRing(ring, tank, 1), scan, tank); }
 
   const Scan& scan;
   Tank tank;
