@@ -3,27 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/bucket_sort.h"
 #include "core/parallel.h"
-#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum {
-namespace {
-
-/// atan2 of a tiny negative y rounds up to a full turn
-double azimuthOf(const Eigen::Vector2d& arm) {
-  const double azimuth = portable::atan2(arm.y(), arm.x());
-  return azimuth >= 0.0 ? azimuth : std::min(azimuth + kTwoPi, std::nextafter(kTwoPi, 0.0));
-}
-
-}  // namespace
 
 PolarRing::PolarRing(const Points& points, const Eigen::Vector2d& center) : points_(points.size()) {
   forEachRun(points.size(), 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector2d arm = points[i].head<2>() - center;
-      points_[i] = {azimuthOf(arm), arm.norm(), points[i].z()};
+      points_[i] = {azimuthOfArm(arm.x(), arm.y()), arm.norm(), points[i].z()};
     }
   });
   constexpr std::size_t kSectors = 4096;

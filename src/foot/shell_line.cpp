@@ -8,8 +8,10 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/ring_cells.h"
 #include "fit/surface_rows.h"
 #include "foot/shell_objects.h"
+#include "locate/ring_shape.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/locate/tank.h"
 
@@ -53,10 +55,8 @@ ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep
     for (std::size_t i = ring.firstFrom(from); i < end; ++i) {
       if (kept[i]) radii.push_back(points[i].radius);
     }
-    std::sort(radii.begin(), radii.end());
-    const bool enough = radii.size() >= 5;
-    result.radius[cell] = enough ? halfSampleMode(radii) : kUnknown;
-    spreads[cell] = enough ? robustSigma(radii, result.radius[cell]) : kUnknown;
+    result.radius[cell] = densestOfCell(radii);
+    spreads[cell] = std::isfinite(result.radius[cell]) ? robustSigma(radii, result.radius[cell]) : kUnknown;
   });
   spreads.erase(std::remove_if(spreads.begin(), spreads.end(), [](double s) { return std::isnan(s); }), spreads.end());
   result.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
@@ -73,27 +73,11 @@ bool ShellLine::isSupportedWithin(double step) const {
   return before <= 0.5 * step || after <= 0.5 * step || before + after <= kCoarse * step;
 }
 
-double ShellOutline::at(double azimuth) const {
-  const auto count = static_cast<std::ptrdiff_t>(radius.size());
-  const double turn = azimuth / kTwoPi;
-  const double position = (turn - fastFloor(turn)) * static_cast<double>(count) - 0.5;
-  const auto left = static_cast<std::ptrdiff_t>(fastFloor(position));
-  const double share = position - static_cast<double>(left);
-  const auto cell = [&](std::ptrdiff_t i) {  // i is off by less than a turn
-    return radius[static_cast<std::size_t>(i < 0 ? i + count : i >= count ? i - count : i)];
-  };
-  const double between = (1.0 - share) * cell(left) + share * cell(left + 1);
-  if (std::isfinite(between)) return between;
-  for (std::ptrdiff_t away = 0; away <= 3; ++away) {
-    if (std::isfinite(cell(left - away))) return cell(left - away);
-    if (std::isfinite(cell(left + 1 + away))) return cell(left + 1 + away);
-  }
-  return kUnknown;
-}
+double ShellOutline::at(double azimuth) const { return betweenCells(radius, azimuth); }
 
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach) {
   ShellOutline shell =
-      outline(ring, tank.circle.radius, [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + 0.3 * reach; });
+      outline(ring, tank.circle.radius, [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + kAboveFoot * reach; });
   const double arc = kTwoPi * tank.circle.radius / static_cast<double>(shell.radius.size());
   shell.radius = withoutObjects({std::move(shell.radius), shell.noise, arc});
   return shell;

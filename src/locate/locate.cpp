@@ -4,10 +4,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/azimuth.h"
 #include "core/parallel.h"
 #include "core/parts.h"
-#include "core/portable_math.h"
-#include "core/units.h"
 #include "locate/circle_search.h"
 #include "locate/nested_tanks.h"
 #include "locate/ring_shape.h"
@@ -108,8 +107,7 @@ Tank describeKnown(const std::vector<Sample>& samples, const Circle& circle) {
 }  // namespace
 
 double Tank::azimuthOf(const Eigen::Vector2d& p) const {
-  const double azimuth = portable::atan2(p.y() - circle.center.y(), p.x() - circle.center.x());
-  return azimuth < 0 ? azimuth + kTwoPi : azimuth;
+  return azimuthOfArm(p.x() - circle.center.x(), p.y() - circle.center.y());
 }
 
 std::vector<Tank> locateTanks(const Scan& scan, const LocateOptions& options, int threads,

@@ -9,6 +9,8 @@
 
 namespace tank_datum {
 
+constexpr double kAboveFoot = 0.3;  ///< of the reach: from so high above the foot on nothing but the shell is seen
+
 /// Which points lie near the foot.
 struct RingShape {
   Circle circle;

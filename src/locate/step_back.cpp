@@ -38,25 +38,28 @@ struct Sums {
   }
   double spread() const { return zz - z * z / n; }
   double product() const { return zo - z * off / n; }
+  double lean() const { return spread() > 0.0 ? product() / spread() : 0.0; }
 };
 
-/// A wall in two pieces that lean alike, with their means.
+/// A wall in two pieces, with their means and leans: alike, or the lower one's face is battered.
 struct TwoPieces {
-  double lean = 0, upper_lean = 0;  // of both, and of the upper one by itself
-  double lower_z = 0, lower_off = 0, upper_z = 0, upper_off = 0;
+  double lower_z = 0, lower_off = 0, lower_lean = 0;
+  double upper_z = 0, upper_off = 0, upper_lean = 0;
 
   TwoPieces(const Sums& lower, const Sums& upper) {
-    const double spread = lower.spread() + upper.spread();
-    lean = spread > 0.0 ? (lower.product() + upper.product()) / spread : 0.0;
-    upper_lean = upper.spread() > 0.0 ? upper.product() / upper.spread() : 0.0;
-    lower_z = lower.z / lower.n, lower_off = lower.off / lower.n;
-    upper_z = upper.z / upper.n, upper_off = upper.off / upper.n;
+    lower_z = lower.z / lower.n, lower_off = lower.off / lower.n, lower_lean = lower.lean();
+    upper_z = upper.z / upper.n, upper_off = upper.off / upper.n, upper_lean = upper.lean();
   }
-  /// How far the lower one stands out.
-  double apart() const { return lower_off - upper_off - lean * (lower_z - upper_z); }
-  double upperAt(double z) const { return upper_off + lean * (z - upper_z); }
-  double lowerAt(double z) const { return lower_off + lean * (z - lower_z); }
+  void leanAlike(double lean) { lower_lean = upper_lean = lean; }
+  double upperAt(double z) const { return upper_off + upper_lean * (z - upper_z); }
+  double lowerAt(double z) const { return lower_off + lower_lean * (z - lower_z); }
 };
+
+/// What two pieces that lean alike lean by.
+double sharedLean(const Sums& lower, const Sums& upper) {
+  const double spread = lower.spread() + upper.spread();
+  return spread > 0.0 ? (lower.product() + upper.product()) / spread : 0.0;
+}
 
 /// Sums over the first hits, none of them, one and so on, about the lowest.
 std::vector<Sums> runningSums(const std::vector<Hit>& run) {
@@ -95,19 +98,23 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
     const std::size_t middle = firstFrom(run, height),
                       end = firstFrom(run, height + std::max(height - lowest.z, piece));
     if (middle == 0 || middle == end) continue;
-    const TwoPieces pieces(sums[middle], sums[end].minus(sums[middle]));
-    if (!(pieces.apart() > least) || std::abs(pieces.upper_lean) > kRoof) continue;
+    const Sums below = sums[middle], over = sums[end].minus(sums[middle]);
+    TwoPieces pieces(below, over);
+    if (std::abs(pieces.upper_lean) > kRoof) continue;
+    if (pieces.lower_lean > pieces.upper_lean) pieces.leanAlike(sharedLean(below, over));
+    const double between = 0.5 * (run[middle - 1].z + run[middle].z) - lowest.z;
+    const double apart = pieces.lowerAt(between) - pieces.upperAt(between);
+    if (!(apart > least)) continue;
     double scatter = 0.0;
     for (std::size_t i = 0; i < end; ++i) {
       const double z = run[i].z - lowest.z;
       scatter += std::abs(run[i].off - lowest.off - (i < middle ? pieces.lowerAt(z) : pieces.upperAt(z)));
     }
     scatter /= static_cast<double>(end);
-    if (scatter > std::min(least_scatter, kClear * pieces.apart())) continue;
+    if (scatter > std::min(least_scatter, kClear * apart)) continue;
     least_scatter = scatter;
     above = end - middle, lower_top = run[middle - 1].z;
-    const double between = 0.5 * (run[middle - 1].z + run[middle].z);
-    step = {between, lowest.off + pieces.upperAt(between - lowest.z), pieces.apart(), lowest.z, top};
+    step = {lowest.z + between, lowest.off + pieces.upperAt(between), apart, lowest.z, top};
   }
   return lower_top <= top - piece && above >= kFewest ? step : StepBack{};
 }

@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/azimuth.h"
 #include "core/parallel.h"
-#include "core/portable_math.h"
-#include "core/statistics.h"
 #include "core/units.h"
+#include "fit/ring_cells.h"
+#include "locate/ring_shape.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-double turnOf(const Eigen::Vector2d& arm) {
-  const double azimuth = portable::atan2(arm.y(), arm.x());
-  return azimuth >= 0.0 ? azimuth : azimuth + kTwoPi;
-}
+double turnOf(const Eigen::Vector2d& arm) { return azimuthOfArm(arm.x(), arm.y()); }
 
 std::size_t cellOf(double azimuth) {
   return std::min(SetupRing::kCells - 1, static_cast<std::size_t>(azimuth / kTwoPi * SetupRing::kCells));
@@ -62,32 +57,16 @@ void SetupRing::sortIntoCells(const Ring& ring, const Eigen::Vector2d& center, i
 }
 
 void SetupRing::findOutline(const Tank& tank, double reach, int threads) {
-  constexpr std::size_t kFewestOfCell = 5;
-  outline_.assign(kCells, kUnknown);
+  outline_.resize(kCells);
   forEachIndex(kCells, threads, [&](std::size_t cell) {
     std::vector<double> radii;
     for (const Entry* e = begin(cell); e != end(cell); ++e) {
-      if (e->z > tank.foot(e->azimuth) + 0.3 * reach) radii.push_back(e->radius);
+      if (e->z > tank.foot(e->azimuth) + kAboveFoot * reach) radii.push_back(e->radius);
     }
-    std::sort(radii.begin(), radii.end());
-    if (radii.size() >= kFewestOfCell) outline_[cell] = halfSampleMode(radii);
+    outline_[cell] = densestOfCell(radii);
   });
 }
 
-double SetupRing::outlineAt(double azimuth) const {
-  constexpr std::ptrdiff_t kFurthest = 3;
-  const auto count = static_cast<std::ptrdiff_t>(kCells);
-  const double position = azimuth / kTwoPi * static_cast<double>(kCells) - 0.5;
-  const auto left = static_cast<std::ptrdiff_t>(std::floor(position));
-  const double share = position - static_cast<double>(left);
-  const auto cell = [&](std::ptrdiff_t i) { return outline_[static_cast<std::size_t>((i + count) % count)]; };
-  const double between = (1.0 - share) * cell(left) + share * cell(left + 1);
-  if (std::isfinite(between)) return between;
-  for (std::ptrdiff_t away = 0; away <= kFurthest; ++away) {
-    if (std::isfinite(cell(left - away))) return cell(left - away);
-    if (std::isfinite(cell(left + 1 + away))) return cell(left + 1 + away);
-  }
-  return kUnknown;
-}
+double SetupRing::outlineAt(double azimuth) const { return betweenCells(outline_, azimuth); }
 
 }  // namespace tank_datum

@@ -7,6 +7,7 @@
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "locate/ring_shape.h"
 
 namespace tank_datum {
 namespace {
@@ -18,8 +19,7 @@ bool isNearShell(double off, double reach) {
 }
 
 bool isAboveFoot(double above, double reach) {
-  constexpr double kFrom = 0.3;  // of the reach
-  return above > kFrom * reach;
+  return above > kAboveFoot * reach;
 }
 
 /// In which arcs more than strays are.

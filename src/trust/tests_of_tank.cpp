@@ -33,8 +33,8 @@ struct Bounds {
 //            pipes and stairs hide a tenth of a tank's shell. Cans have 0 to 0.1, streets and rooms 0.3 to 0.9.
 // radius     Standard error of the radius over the radius: an arc that knows its circle to a few per cent only may be
 //            of anything. Cans of 36 mm, noise 1 mm, have 0.03, a box 0.09.
-// cone       Slope of the wall outwards beyond 3 standard errors: a bowl opens by more than 7 degrees, a shell of
-//            courses that thin upwards by less than 1.
+// cone       Slope of the wall outwards beyond 3 standard errors: a bowl opens by more than 7 degrees and a battered
+//            face by 3, a shell of courses that thin upwards by less than 1. Cans and pots on tables have 0.03 at most.
 // level      Range of the datum over the diameter, as for waves: of a tank that leans by 1.5 % in a scan by 2 degrees.
 // waves      Range of the datum about its plane over the diameter, beyond 6 standard errors of a station and two
 //            spacings of the points: a shell buckles at a hundredth of it.
@@ -65,7 +65,7 @@ struct Bounds {
 //            scan that was cut, or that looks no higher, it is 0; of a ringwall's face, with its top or the lowest
 //            centimetres of the shell in view, 0.3 to 1.
 constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3.2},
-    kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.12, 0.36},
+    kOnCircle{"off_circle", "1", 0.25, 0.5}, kRadius{"radius", "1", 0.04, 0.08}, kCone{"cone", "1", 0.05, 0.36},
     kLevel{"level", "1", 0.05, 0.1}, kWaves{"waves", "1", 0.01, 0.02}, kArc{"stations", "deg", 30.0, 15.0},
     kSigma{"sigma", "1", 1.0, HUGE_VAL}, kShellGap{"shell_gap", "1", 0.2, HUGE_VAL},
     kLowWall{"low_wall", "1", 0.1, HUGE_VAL}, kUnderShell{"under_shell", "1", 0.2, HUGE_VAL},

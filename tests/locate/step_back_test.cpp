@@ -27,6 +27,21 @@ TEST(StepBackHeight, IsWhereAShellStandsBackFromTheFaceOfItsRingwall) {
   EXPECT_NEAR(stepBack(1.0, 0.15, -0.03), 1.0, 0.5 * kVoxel);
 }
 
+/// The height at which an upright wall steps back upon a face 1 m high that leans by so much.
+double stepBackOfBattered(double lean, double crest) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 1.0, crest - lean, lean);
+  stack(hits, 1.0, 4.0, 0.0);
+  return findStepBack(hits, kVoxel, kThickness).height;
+}
+
+TEST(StepBackHeight, AFaceMayBeBattered) {
+  EXPECT_NEAR(stepBackOfBattered(-0.1, 0.12), 1.0, 0.5 * kVoxel);
+  EXPECT_NEAR(stepBackOfBattered(-0.2, 0.12), 1.0, 0.5 * kVoxel);
+  EXPECT_TRUE(std::isnan(stepBackOfBattered(-0.1, 0.0)));  // a wall that bends has no step
+  EXPECT_TRUE(std::isnan(stepBackOfBattered(0.1, 0.0)));
+}
+
 TEST(StepBackHeight, IsNoneOfAWallThatLeansOrStandsOutAbove) {
   EXPECT_TRUE(std::isnan(stepBack(1.0, 0.0, -0.05)));
   EXPECT_TRUE(std::isnan(stepBack(1.0, -0.15)));

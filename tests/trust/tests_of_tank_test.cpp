@@ -92,7 +92,7 @@ TEST(TestsOfShell, Bounds) {
         shell.cone = -(value + 3.0 * shell.sigma_cone);
         return testsOfShell(Tank(), shell);
       },
-      0.12, 0.36);
+      0.05, 0.36);
   expectBounds(
       "off_circle",
       [](double value) {

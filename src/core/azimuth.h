@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/portable_math.h"
+#include "core/units.h"
+
+namespace tank_datum {
+
+/// The azimuth of a direction (x, y), counter-clockwise from x: 0 or more, and less than a full turn, to which that of
+/// a tiny negative y rounds [rad].
+inline double azimuthOfArm(double x, double y) {
+  const double azimuth = portable::atan2(y, x);
+  return azimuth >= 0.0 ? azimuth : std::min(azimuth + kTwoPi, std::nextafter(kTwoPi, 0.0));
+}
+
+}  // namespace tank_datum

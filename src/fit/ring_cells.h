@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+namespace tank_datum {
+
+/// The value at an azimuth of what is known in equal cells round a ring, NaN where it is not: straight between the two
+/// cells beside, else the nearest's, and NaN where none is known within three cells.
+/// @param cells    of which the first begins at azimuth 0
+/// @param azimuth  [rad]
+double betweenCells(const std::vector<double>& cells, double azimuth);
+
+/// Where the values of a cell lie densest; NaN of fewer than five.
+/// @param values  in no order; sorted on return
+double densestOfCell(std::vector<double>& values);
+
+}  // namespace tank_datum

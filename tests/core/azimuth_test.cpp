@@ -1,0 +1,20 @@
+#include "core/azimuth.h"
+
+#include <gtest/gtest.h>
+
+namespace tank_datum {
+namespace {
+
+TEST(AzimuthOfArm, IsCountedCounterClockwiseFromX) {
+  EXPECT_EQ(azimuthOfArm(1.0, 0.0), 0.0);
+  EXPECT_NEAR(azimuthOfArm(0.0, 2.0), 0.25 * kTwoPi, 1e-12);
+  EXPECT_NEAR(azimuthOfArm(1.0, -1.0), 0.875 * kTwoPi, 1e-12);
+}
+
+TEST(AzimuthOfArm, IsLessThanAFullTurn) {
+  EXPECT_LT(azimuthOfArm(1.0, -1e-300), kTwoPi);
+  EXPECT_GT(azimuthOfArm(1.0, -1e-300), 6.28);
+}
+
+}  // namespace
+}  // namespace tank_datum
