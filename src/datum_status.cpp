@@ -1,7 +1,10 @@
 #include "datum_status.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "core/clauses.h"
 #include "core/plain_text.h"
@@ -39,6 +42,20 @@ std::string whyNoSurface(const FootProfile& profile) {
                 "the foundation is first seen %.0f mm from the shell: a lip or a gutter may be hidden",
                 1e3 * profile.unseen);
   return text;
+}
+
+/// What the stations say of a foot at which next to none stands.
+std::string whyNoStations(const std::vector<Station>& stations, double falls) {
+  const auto count = [&](Unmeasured reason) {
+    return std::count_if(stations.begin(), stations.end(), [&](const Station& s) { return s.reason == reason; });
+  };
+  const std::ptrdiff_t hidden = count(Unmeasured::Hidden), others = count(Unmeasured::OtherSurface);
+  std::string why = "the shell meets one and the same surface at fewer than 8 stations";
+  if (hidden > 0) addClause(why, formatted("%td of %zu stations show too few points of it", hidden, stations.size()));
+  if (others > 0) addClause(why, formatted("%td stations show another surface", others));
+  if (falls > 0.0)
+    addClause(why, formatted("what meets it falls by %.2g m/m, as soil, an apron or a fillet does", falls));
+  return why;
 }
 
 /// A missing station keeps its place on the fitted circle, and what was refused in its gap.
@@ -115,11 +132,8 @@ Datum describeStations(Datum datum, const DatumOptions& options) {
   }
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {
-    const double falls = datum.refined.falls;
-    const std::string why =
-        falls > 0.0 ? formatted("; what meets it falls by %.2g m/m, as soil, an apron or a fillet does", falls) : "";
-    return withoutCrease(std::move(datum),
-                         candidate + "the shell meets one and the same surface at fewer than 8 stations" + why);
+    const std::string why = whyNoStations(datum.stations, datum.refined.falls);
+    return withoutCrease(std::move(datum), candidate + why);
   }
   blankMissing(datum);
   return finishDatum(std::move(datum), options);
