@@ -141,7 +141,7 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
 /// What the shape of the stations and of the shell means, beside the limits of the codes.
 Datum withChecks(Datum datum, const DatumOptions& options) {
   datum.analysis = analyse({datum.stations, datum.tilt, datum.circle.radius,
-                            shellMeasures(datum.shell, options.analysis.facts), datum.covariance},
+                            shellMeasures(datum.shell, options.analysis.facts, datum.circle.radius), datum.covariance},
                            options.analysis);
   datum.stations = withParts(std::move(datum.stations), datum.analysis.out_of_plane.stations);
   datum.analysis.roundness =

@@ -122,6 +122,27 @@ Cover coverIn(const ShellStrip& strip, double reach) {
           isLip(strip, level, distances, width, height)};
 }
 
+/// How high a lip may be that noise blurs into the shell [m]: what is seen beside it then rises towards it. Of what is
+/// seen nearest to the shell noise leaves half. A lip of the usual width may be hidden whole, and nothing rises. 0
+/// where noise is narrower than lips.
+double blurredLip(const ShellStrip& strip, double reach) {
+  constexpr double kNarrowest = 0.03, kUsual = 0.1;  // lips, of the reach: 15 and 50 mm
+  constexpr double kThickness = 0.02;                // of the reach: 10 mm
+  constexpr double kNearest = 1.0 / 3.0;             // of the strip
+  constexpr double kSure = 3.0;                      // standard errors
+  if (!strip.valid() || strip.from < kNarrowest * reach) return 0.0;
+  const double hidden = strip.from < kUsual * reach ? 0.0 : kThickness * reach;
+  std::vector<double> heights;
+  for (const Beside& p : strip.points) {
+    if (p.d < strip.from + kNearest * (strip.to - strip.from) && std::abs(p.height) < kHighestLip * reach)
+      heights.push_back(p.height);
+  }
+  if (heights.empty()) return hidden;
+  const double rise = median(heights);
+  const double error = kMedianOverMean * robustSigma(heights, rise) / std::sqrt(static_cast<double>(heights.size()));
+  return rise > kSure * error ? std::max(hidden, 2.0 * rise) : hidden;
+}
+
 /// The cover of the station of a run that has one nearest to one.
 /// @param lips  whether only lips count
 Lift nearestLift(const std::vector<Cover>& found, const RingRun& run, std::size_t station, bool lips) {
@@ -156,7 +177,10 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
   std::vector<Cover> found(count);
   forEachIndex(count, 0, [&](std::size_t i) { strips[i] = stripAt(foot, i, fits[i], sections.at(i)); });
   forEachIndex(count, 0, [&](std::size_t i) {
-    if (fits[i].valid()) found[i] = coverIn(together(strips, i, foot), foot.reach);
+    if (!fits[i].valid()) return;
+    const ShellStrip strip = together(strips, i, foot);
+    found[i] = coverIn(strip, foot.reach);
+    if (!(found[i].lift.height > 0.0)) found[i].lift.height = blurredLip(strip, foot.reach);
   });
   std::vector<char> valid(count);
   for (std::size_t i = 0; i < count; ++i) valid[i] = fits[i].valid() ? 1 : 0;

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
+#include "core/units.h"
+#include "tank_datum/core/unknown.h"
+
 namespace tank_datum {
 namespace {
 
@@ -19,12 +24,24 @@ ShellSurvey survey() {
   shell.roundness = {at(0.3, 0.010, 1.0), at(1.3, 0.020, 8.0), at(2.3, 0.015, 1.0)};
   Plumbness plumb;
   plumb.height = 8.0, plumb.offset = -0.03, plumb.sigma = 0.001, plumb.azimuth = 2.0;
-  shell.plumbness = {plumb};
+  shell.plumbness.assign(360, plumb);
+  for (std::size_t i = 0; i < 360; ++i) shell.plumbness[i].direction = toRadians(static_cast<double>(i) - 90.0);
   return shell;
 }
 
+constexpr double kRadius = 20.0;
+
+/// Whether plumbness is of the whole ring where so many degrees are seen over no more than so much of 8 m.
+bool isWhole(std::size_t degrees, double seen, double tank_height = kUnknown) {
+  ShellSurvey shell = survey();
+  for (std::size_t i = 0; i < degrees; ++i) shell.plumbness[100 + i].height = seen;
+  TankFacts facts;
+  facts.height = tank_height;
+  return shellMeasures(shell, facts, kRadius)[2].whole_ring;
+}
+
 TEST(ShellMeasures, AreTheFootTheWorstAboveAndTheWorstPlumbness) {
-  const auto measures = shellMeasures(survey(), {});
+  const auto measures = shellMeasures(survey(), {}, kRadius);
   ASSERT_EQ(measures.size(), 3U);
   EXPECT_EQ(measures[0].quantity, "roundness_foot");
   EXPECT_EQ(measures[0].worst.value, 0.010);
@@ -40,12 +57,27 @@ TEST(ShellMeasures, AreTheFootTheWorstAboveAndTheWorstPlumbness) {
 TEST(ShellMeasures, APartOfTheHeightLeavesPlumbnessOpen) {
   TankFacts facts;
   facts.height = 16.0;
-  EXPECT_FALSE(shellMeasures(survey(), facts)[2].whole_ring);
+  EXPECT_FALSE(shellMeasures(survey(), facts, kRadius)[2].whole_ring);
   facts.height = 8.5;
-  EXPECT_TRUE(shellMeasures(survey(), facts)[2].whole_ring);
+  EXPECT_TRUE(shellMeasures(survey(), facts, kRadius)[2].whole_ring);
 }
 
-TEST(ShellMeasures, NothingOfAShellNotSeen) { EXPECT_TRUE(shellMeasures({}, {}).empty()); }
+TEST(ShellMeasures, AnArcAsWideAsSurveyPointsAreApartLeavesPlumbnessOpen) {  // 6.096 m are 17.5 degrees
+  EXPECT_TRUE(isWhole(16, 4.0));
+  EXPECT_FALSE(isWhole(17, 4.0));
+  EXPECT_TRUE(isWhole(17, 7.3)) << "nearly all of the height";
+  EXPECT_FALSE(isWhole(17, 7.1));
+  EXPECT_FALSE(isWhole(17, 7.3, 8.5)) << "of the height that is said";
+  EXPECT_TRUE(isWhole(17, 7.7, 8.5));
+}
+
+TEST(ShellMeasures, PlumbnessInOnePlaceIsNotOfTheRing) {
+  ShellSurvey shell = survey();
+  shell.plumbness.resize(1);
+  EXPECT_FALSE(shellMeasures(shell, {}, kRadius)[2].whole_ring);
+}
+
+TEST(ShellMeasures, NothingOfAShellNotSeen) { EXPECT_TRUE(shellMeasures({}, {}, kRadius).empty()); }
 
 }  // namespace
 }  // namespace tank_datum
