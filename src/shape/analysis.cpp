@@ -33,11 +33,12 @@ void addTilt(const Tilt& tilt, double radius, std::vector<Measure>& measures) {
 }
 
 /// The largest difference of height across a diameter.
-void addAntipodal(const std::vector<Station>& stations, std::vector<Measure>& measures) {
+void addAntipodal(const std::vector<Station>& stations, bool whole, std::vector<Measure>& measures) {
   const Antipodal across = antipodalOf(stations);
   Measure measure;
   measure.quantity = "antipodal";
-  measure.worst = {across.max_h, kUnknown, across.azimuth};
+  measure.worst = {across.max_h, across.sigma, across.azimuth};
+  measure.whole_ring = whole;
   if (!std::isfinite(across.max_h)) measure.unavailable = "no two stations lie across a diameter";
   measures.push_back(measure);
 }
@@ -188,7 +189,7 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   for (Measure& m : result.measures) m.whole_ring = whole;
   addTilt(ring.tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
-  addAntipodal(stations, result.measures);
+  addAntipodal(stations, whole, result.measures);
   result.checks = judge(options.limits, result.measures, options.facts, 2.0 * radius);
   result.headline = headlineOf(result.checks, {surveys.model().dense(), whole && count(stations, isInDoubt) == 0});
   for (Measure& m : result.measures) m.share = nullptr;  // it refers to the simulated surveys

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "core/portable_math.h"
 #include "core/units.h"
@@ -16,6 +18,29 @@ namespace tank_datum {
 namespace {
 
 bool known(const Station& station) { return station.flag != StationFlag::Missing && std::isfinite(station.z); }
+
+/// Two stations across a diameter, the first in their order before the second.
+struct Diameter {
+  std::size_t first, second;
+};
+
+/// The diameters in the order of their first stations; those that have no station across are in none.
+std::vector<Diameter> diametersOf(const std::vector<Station>& stations) {
+  constexpr double kSame = 1e-6;  // [rad]
+  const auto from_zero = [](double azimuth) { return azimuth - kTwoPi * std::floor(azimuth / kTwoPi); };
+  std::vector<std::pair<double, std::size_t>> places;
+  for (std::size_t i = 0; i < stations.size(); ++i) places.push_back({from_zero(stations[i].azimuth), i});
+  std::sort(places.begin(), places.end());
+  std::vector<Diameter> diameters;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const double across = from_zero(stations[i].azimuth + kPi - kSame);
+    auto at = std::lower_bound(places.begin(), places.end(), std::pair(across, std::size_t{0}));
+    if (at == places.end()) at = places.begin();
+    const double apart = std::remainder(at->first - stations[i].azimuth - kPi, kTwoPi);
+    if (std::abs(apart) <= 1.5 * kSame && at->second > i) diameters.push_back({i, at->second});
+  }
+  return diameters;
+}
 
 }  // namespace
 
@@ -39,25 +64,23 @@ Level levelOf(const std::vector<Station>& stations) {
 
 std::vector<double> antipodalHeights(const std::vector<Station>& stations) {
   std::vector<double> heights;
-  if (stations.size() % 2 == 1) return heights;
-  const std::size_t half = stations.size() / 2;
-  for (std::size_t i = 0; i < half; ++i) {
-    const Station &a = stations[i], &b = stations[i + half];
-    const bool opposite = std::abs(std::remainder(b.azimuth - a.azimuth - kPi, kTwoPi)) < 1e-6;
-    heights.push_back(opposite && known(a) && known(b) ? a.z - b.z : kUnknown);
+  for (const auto& [first, second] : diametersOf(stations)) {
+    const Station &a = stations[first], &b = stations[second];
+    heights.push_back(known(a) && known(b) ? a.z - b.z : kUnknown);
   }
   return heights;
 }
 
 Antipodal antipodalOf(const std::vector<Station>& stations) {
   Antipodal result;
-  const std::vector<double> heights = antipodalHeights(stations);
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (std::isnan(heights[i]) || std::abs(heights[i]) <= result.max_h) continue;
-    const Station &a = stations[i], &b = stations[i + heights.size()];
-    result.max_h = std::abs(heights[i]);
+  for (const auto& [first, second] : diametersOf(stations)) {
+    const Station &a = stations[first], &b = stations[second];
+    const double height = a.z - b.z;
+    if (!known(a) || !known(b) || std::abs(height) <= result.max_h) continue;
+    result.max_h = std::abs(height);
+    result.sigma = std::hypot(a.sigma_z, b.sigma_z);
     result.diameter = std::hypot(a.x - b.x, a.y - b.y);
-    result.azimuth = heights[i] >= 0.0 ? a.azimuth : b.azimuth;
+    result.azimuth = height >= 0.0 ? a.azimuth : b.azimuth;
   }
   return result;
 }

@@ -11,7 +11,7 @@ namespace tank_datum {
 Level levelOf(const std::vector<Station>& stations);
 
 /// The difference of height across every diameter, in the stations' order over half a turn: positive when the first
-/// end is the higher one, NaN where an end is not known. Empty for an odd number of stations.
+/// end is the higher one, NaN where an end is not known. None of a station that has no other across from it.
 std::vector<double> antipodalHeights(const std::vector<Station>& stations);
 
 /// The largest of them. An upper bound of the tilt: a bump or an error of one station counts in full.

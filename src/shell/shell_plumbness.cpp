@@ -7,7 +7,6 @@
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
-#include "fit/harmonics.h"
 #include "shell/shell_bands.h"
 #include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
@@ -92,33 +91,6 @@ std::vector<Plumbness> plumbnessOf(const ShellGrid& grid, const std::vector<Stat
   for (const double height : heights) smoothOver(height, grid, all);
   all.erase(std::remove_if(all.begin(), all.end(), [](const Plumbness& p) { return std::isnan(p.offset); }), all.end());
   return all;
-}
-
-Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& options) {
-  constexpr std::size_t kFewestStations = 8;
-  constexpr double kAlike = 10.0 * kPi / 180.0;  // a shell's lobes are alike over ten degrees, its stations no more
-  Lean lean;
-  if (plumbness.size() < kFewestStations) return lean;
-  std::vector<double> directions, slopes, weights, heights;
-  double sum = 0;
-  for (const Plumbness& p : plumbness) {
-    directions.push_back(p.direction);
-    slopes.push_back(p.slope);
-    weights.push_back(p.height * p.height);  // what a slope is worth: shapes, not noise, are what it is off by
-    heights.push_back(p.height);
-    sum += weights.back();
-  }
-  for (double& w : weights) w *= static_cast<double>(weights.size()) / sum;
-  const PeriodicFit fit = fitHarmonics(directions, slopes, weights, {1, true, 0.0});
-  lean.gradient = {fit.coefficients[1], fit.coefficients[2]};
-  const double stations = static_cast<double>(plumbness.size());
-  const double alike = std::max(1.0, kAlike / kTwoPi * options.count);
-  const double variance = std::max(fit.covariance(1, 1), fit.covariance(2, 2)) * std::min(alike, stations);
-  lean.sigma = fit.sigma * std::sqrt(variance);
-  if (!(2.0 * lean.sigma <= kSteepestShell)) return {};
-  lean.direction = azimuthOf(portable::atan2(lean.gradient.y(), lean.gradient.x()), options);
-  lean.height = *std::max_element(heights.begin(), heights.end());
-  return lean;
 }
 
 }  // namespace tank_datum

@@ -15,9 +15,4 @@ Plumbness plumbnessAt(const ShellGrid& grid, std::size_t station, const Station&
 /// that the largest of many noisy ones is not taken for the shell's.
 std::vector<Plumbness> plumbnessOf(const ShellGrid& grid, const std::vector<Station>& stations);
 
-/// What the slopes have in common, as a lean of the whole; not valid with too few of them, nor where its interval (95
-/// %) is wider than any shell leans: over a short arc a lean and a taper are alike.
-/// @param options  how azimuths are counted
-Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& options);
-
 }  // namespace tank_datum

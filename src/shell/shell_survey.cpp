@@ -4,6 +4,7 @@
 
 #include "core/normal95.h"
 #include "core/plain_text.h"
+#include "shell/shell_lean.h"
 #include "shell/shell_plumbness.h"
 #include "shell/shell_roundness.h"
 #include "tank_datum/core/unknown.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
@@ -63,6 +64,23 @@ TEST(AntipodalOf, LeavesOutPairsWithAMissingEnd) {
   const Antipodal result = antipodalOf(survey({NAN, 0.1, 0, 0, 0.3, 0.2, 0, -0.25}, 30.0));
   EXPECT_NEAR(result.max_h, 0.25, 1e-15);
   EXPECT_DOUBLE_EQ(result.azimuth, 135 * kDegree);
+}
+
+TEST(AntipodalOf, AStationNeedNotHaveOneAcross) {
+  std::vector<Station> stations = survey({0, 0.1, 0, 0, 0.3, 0.2, 0, -0.25}, 30.0);
+  stations.erase(stations.begin() + 4);
+  EXPECT_NEAR(antipodalOf(stations).max_h, 0.25, 1e-15);
+  EXPECT_EQ(antipodalHeights(stations).size(), 3U);
+  std::rotate(stations.begin(), stations.begin() + 2, stations.end());
+  EXPECT_NEAR(antipodalOf(stations).max_h, 0.25, 1e-15);
+}
+
+TEST(AntipodalOf, HasTheErrorsOfItsTwoEnds) {
+  std::vector<Station> stations = survey({0, 0, 0, 0, 0.3, 0, 0, 0}, 30.0);
+  EXPECT_TRUE(std::isnan(antipodalOf(stations).sigma));
+  for (Station& s : stations) s.sigma_z = 0.001;
+  stations[4].sigma_z = 0.002;
+  EXPECT_NEAR(antipodalOf(stations).sigma, 0.002236, 1e-6);
 }
 
 TEST(AntipodalOf, IsUnknownForAnOddCountOrNoPair) {

@@ -27,6 +27,7 @@ struct Antipodal {
   double max_h = kUnknown;     ///< h [m]
   double diameter = kUnknown;  ///< D, distance of the two stations in plan [m]
   double azimuth = kUnknown;   ///< of the higher end, as the user counts it [rad]
+  double sigma = kUnknown;     ///< standard error of h [m]
   double angle() const;        ///< alpha = atan(h / D) [rad]
 };
 
