@@ -31,10 +31,14 @@ FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootP
   return pass;
 }
 
-/// What a pass leaves to the next one.
-FootElevations elevationsAfter(const FootPass& pass, const std::vector<bool>& seen) {
+/// What a pass leaves to the next one, which looks beside what was found too: a section over several degrees shows no
+/// surface in the middle of a dip.
+FootElevations elevationsAfter(const Foot& foot, const FootPass& pass, std::vector<bool> seen) {
   const std::vector<double> elevations = elevationsOf(pass.fits);
-  return {withoutOutliers(elevations, pass.outliers, pass.priors.settled), filledUp(elevations), seen};
+  std::vector<double> known = withoutOutliers(elevations, pass.outliers, pass.priors.settled);
+  const std::vector<bool> beside = closeTo(foot, known);
+  for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = seen[i] || beside[i];
+  return {std::move(known), filledUp(elevations), std::move(seen)};
 }
 
 /// The elevations of stations whose shell is not seen are not stacked.
@@ -90,7 +94,7 @@ FootPass runPasses(const Foot& foot, const Tank& tank, FootElevations& elevation
     if (i > 0) pass = runPass(foot, elevations, pass);
     if (pass.sections.whole.unseen > 0.0) return pass;
     pass.outliers = findOutliers(foot, pass);
-    elevations = elevationsAfter(pass, elevations.seen);
+    elevations = elevationsAfter(foot, pass, std::move(elevations.seen));
   }
   if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);

@@ -38,6 +38,47 @@ TEST(RefineStations, TheSectionIsAsSharpAsItsPointsThoughTheFirstLookSmoothsTheD
   EXPECT_NEAR(found.refined.profile.noise, kNoise, 0.2 * kNoise);
 }
 
+constexpr double kDipHalf = 7.0 * kDegree, kDipDepth = 0.012;
+
+double dip(double azimuth) {
+  const double share = std::abs(azimuth - 0.5 * kTwoPi) / kDipHalf;
+  return share < 1.0 ? -0.5 * kDipDepth * (1.0 + std::cos(0.5 * kTwoPi * share)) : 0.0;
+}
+
+/// A shell upon a lip 55 mm wide and 10 mm thick, three points of it to a degree, that dips by more than its thickness.
+Ring dippingRing() {
+  constexpr double kWide = 18.6, kLip = 0.055, kThickness = 0.010;
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> any;
+  Ring ring;
+  ring.reach = 0.5;
+  const auto add = [&](double d, double height) {
+    const double a = kTwoPi * any(random), r = kWide + d;
+    ring.points.push_back({r * std::cos(a), r * std::sin(a), dip(a) + height});
+  };
+  for (int i = 0; i < 120'000; ++i) add(0.0015 * normal(random), 0.5 * any(random));
+  for (int i = 0; i < 1'200; ++i) add(kLip * any(random), kNoise * normal(random));
+  for (int i = 0; i < 2'000; ++i) add(kLip + 0.0015 * normal(random), -kThickness * any(random));
+  for (int i = 0; i < 20'000; ++i) add(kLip + 0.245 * any(random), -kThickness + kNoise * normal(random));
+  return ring;
+}
+
+TEST(RefineStations, ADipOfFewPointsIsMeasuredFromItsEdgesInwards) {
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, 18.6};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  const std::vector<StationDatum> stations = refineStations(dippingRing(), tank, {}, {}).stations;
+  std::size_t measured = 0;
+  for (const StationDatum& s : stations) {
+    const double off = std::abs(s.direction - 0.5 * kTwoPi);
+    if (off > kDipHalf || s.flag != StationFlag::Measured) continue;
+    ++measured;
+    EXPECT_LT(std::abs(s.z - dip(s.direction)), 4.0 * s.sigma_z) << s.direction / kDegree;
+  }
+  EXPECT_GE(measured, 9U);
+}
+
 /// The stations that are measured of a shell upon a pad that falls by so much, against which a steeper bank lies but
 /// for 60 degrees.
 std::vector<StationDatum> measuredBesideBank(double pad) {
