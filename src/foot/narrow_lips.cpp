@@ -122,6 +122,21 @@ Cover coverIn(const ShellStrip& strip, double reach) {
           isLip(strip, level, distances, width, height)};
 }
 
+/// How high above the surface the shell ends behind an edge: it stands out farther than a weld of that height, which
+/// falls by 45 degrees; 0 where none does [m].
+double edgeBeside(const ShellStrip& strip, double reach) {
+  constexpr double kFewest = 8.0, kShare = 0.25;  // points that stand out so, and of all that stand there
+  constexpr double kBlur = 5.0, kSurface = 2.0;   // standard deviations; two of them pass for the shell
+  if (!strip.valid()) return 0.0;
+  const double height = shellEndsAt(strip, reach);
+  double standing = 0.0, beyond = 0.0;
+  for (const Beside& p : strip.points) {
+    if (p.height < kSurface * strip.noise || p.height > height) continue;
+    standing += 1.0, beyond += p.d > height - p.height + kBlur * strip.blur;
+  }
+  return beyond >= kFewest && beyond > kShare * standing ? std::min(height, kHighestLip * reach) : 0.0;
+}
+
 /// How high a lip may be that noise blurs into the shell [m]: what is seen beside it then rises towards it. Of what is
 /// seen nearest to the shell noise leaves half. A lip of the usual width may be hidden whole, and nothing rises. 0
 /// where noise is narrower than lips.
@@ -180,7 +195,8 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
     if (!fits[i].valid()) return;
     const ShellStrip strip = together(strips, i, foot);
     found[i] = coverIn(strip, foot.reach);
-    if (!(found[i].lift.height > 0.0)) found[i].lift.height = blurredLip(strip, foot.reach);
+    double& height = found[i].lift.height;
+    if (!(height > 0.0)) height = std::max(edgeBeside(strip, foot.reach), blurredLip(strip, foot.reach));
   });
   std::vector<char> valid(count);
   for (std::size_t i = 0; i < count; ++i) valid[i] = fits[i].valid() ? 1 : 0;

@@ -76,8 +76,8 @@ bool ShellLine::isSupportedWithin(double step) const {
 double ShellOutline::at(double azimuth) const { return betweenCells(radius, azimuth); }
 
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach) {
-  ShellOutline shell =
-      outline(ring, tank.circle.radius, [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + kAboveFoot * reach; });
+  ShellOutline shell = outline(ring, tank.circle.radius,
+                               [&](const PolarPoint& p) { return p.z > tank.foot(p.azimuth) + kAboveFoot * reach; });
   const double arc = kTwoPi * tank.circle.radius / static_cast<double>(shell.radius.size());
   shell.radius = withoutObjects({std::move(shell.radius), shell.noise, arc});
   return shell;

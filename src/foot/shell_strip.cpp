@@ -70,17 +70,21 @@ ShellStrip together(const std::vector<ShellStrip>& strips, std::size_t station, 
   return all;
 }
 
+double shellEndsAt(const ShellStrip& strip, double reach) {
+  std::vector<double> heights = strip.shell;
+  std::sort(heights.begin(), heights.end());
+  const double high = kStripHigh * reach, density = static_cast<double>(heights.size()) / high;
+  const double height = emptyUpTo(heights, 0.0, high, density);
+  return height > kLowestLip * reach ? height : 0.0;
+}
+
 double unseenHeight(const ShellStrip& strip, double reach) {
   if (!strip.valid()) return 0.0;
-  const double high = kStripHigh * reach;
-  std::vector<double> distances, heights = strip.shell;
+  std::vector<double> distances;
   for (const Beside& p : strip.points) distances.push_back(p.d);
   std::sort(distances.begin(), distances.end());
-  std::sort(heights.begin(), heights.end());
   const double gap = emptyUpTo(distances, strip.from, strip.to, strip.surface / strip.width);
-  if (gap < kNarrowestStrip * reach) return 0.0;
-  const double density = static_cast<double>(heights.size()) / high, height = emptyUpTo(heights, 0.0, high, density);
-  return height > kLowestLip * reach ? height : 0.0;
+  return gap < kNarrowestStrip * reach ? 0.0 : shellEndsAt(strip, reach);
 }
 
 }  // namespace tank_datum

@@ -39,6 +39,9 @@ ShellStrip stripAt(const Foot& foot, std::size_t station, const FootFit& fit, co
 /// narrowest lip takes to be seen.
 ShellStrip together(const std::vector<ShellStrip>& strips, std::size_t station, const Foot& foot);
 
+/// How high above the surface the shell ends, where it would be seen farther down as densely; 0: it does not [m].
+double shellEndsAt(const ShellStrip& strip, double reach);
+
 /// How high above the surface the shell ends where neither it nor anything beside it is seen below, as densely as what
 /// is seen beyond would be: a black or wet lip, which returns nothing, may be there. 0: something is seen [m].
 double unseenHeight(const ShellStrip& strip, double reach);

@@ -91,13 +91,14 @@ std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elev
   return matched;
 }
 
-/// Mean squared standardised difference at a turn; NaN with too few stations.
-double misfitAt(const Epoch& baseline, const Epoch& current, double offset, Removal removal) {
+/// Mean squared standardised difference at a turn, without what is common: a tilt that has changed would turn the
+/// shape. NaN with too few stations.
+double misfitAt(const Epoch& baseline, const Epoch& current, double offset) {
   Matching matching = matchStations(baseline, current, offset);
   std::vector<MatchedStation>& matched = matching.stations;
   const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
   if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
-  CommonPart(matched, removal, false).removeFrom(matched);
+  CommonPart(matched, Removal::Tilt, false).removeFrom(matched);
   double sum = 0;
   for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
   return sum / static_cast<double>(matched.size());
@@ -169,8 +170,7 @@ void CommonPart::removeFromErrors(std::vector<MatchedStation>& stations) const {
 AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
   constexpr int kSteps = 720;
   constexpr double kStep = kTwoPi / kSteps, kElsewhere = 10.0 * kPi / 180.0;
-  const Removal removal = options.removal == Removal::Nothing ? Removal::Mean : options.removal;
-  const auto at = [&](double offset) { return misfitAt(baseline, current, offset, removal); };
+  const auto at = [&](double offset) { return misfitAt(baseline, current, offset); };
   std::vector<double> misfits;
   int best = -1;
   for (int i = 0; i < kSteps; ++i) {
@@ -191,8 +191,8 @@ AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const 
   const double before = at(best * kStep - kReach), after = at(best * kStep + kReach);
   const double curvature = (before - 2.0 * middle + after) / (kReach * kReach);
   if (!(curvature > 0.0) || !(second > 2.0 * std::max(middle, 1.0))) {
-    throw Error(Error::Kind::Option, "movement", "azimuth offset", "the datum's shape fits more than one turn",
-                "an azimuth offset that is given");
+    throw Error(Error::Kind::Option, "movement", "azimuth offset",
+                "the datum's shape out of plane fits more than one turn", "an azimuth offset that is given");
   }
   AzimuthOffset offset;
   offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);

@@ -64,7 +64,7 @@ struct AzimuthOffset {
 /// A direction as a survey counts azimuths, from where its own zero is and whichever way round [rad].
 double azimuthIn(const Epoch& epoch, double direction);
 
-/// The turn of the current survey at which the shapes agree best.
+/// The turn of the current survey at which the shapes out of plane agree best.
 /// @throws Error (Option) when the shape does not single out one turn
 AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
 

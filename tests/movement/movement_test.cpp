@@ -68,6 +68,16 @@ TEST(CompareEpochs, NeighboursThatShareErrorsProveLess) {
   EXPECT_EQ(found(together), 0U);
 }
 
+TEST(CompareEpochs, ATiltThatChangesDoesNotTurnTheEstimate) {
+  MovementOptions options;
+  options.estimate_offset = true;
+  Epoch tilted = with(&Survey::turned, 37.25 * kDegree, 2).epoch();
+  for (Elevation& e : tilted.stations) e.z += 0.005 * std::cos(e.direction);
+  const Movement m = compareEpochs(with(&Survey::lift, 0, 1).epoch(), tilted, options);
+  EXPECT_NEAR(m.azimuth_offset, 37.25 * kDegree, 3 * m.sigma_azimuth_offset);
+  EXPECT_TRUE(m.tilt_significant);
+}
+
 TEST(CompareEpochs, EstimatesTheTurnFromTheShapeWithItsUncertainty) {
   MovementOptions options;
   options.estimate_offset = true;
