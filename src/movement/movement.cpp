@@ -123,6 +123,15 @@ void requireErrors(const Epoch& epoch) {
                         : "sigma_z of its measured stations");
 }
 
+namespace {
+
+/// Whether centres say whether it is the same tank: in a frame that both surveys share.
+bool shareFrame(const Epoch& baseline, const MovementOptions& options) {
+  return !baseline.levelled && !options.estimate_offset && options.azimuth_offset == 0.0;
+}
+
+}  // namespace
+
 void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
                      const MovementOptions& options) {
   const double from = baseline.circle.radius, to = circle.radius;
@@ -132,8 +141,7 @@ void requireSameTank(const Epoch& baseline, const std::string& name, const Circl
                unitBehind(to / from));
   }
   const double apart = (circle.center - baseline.circle.center).norm();
-  const bool elsewhere = baseline.levelled || options.estimate_offset || options.azimuth_offset != 0.0;
-  if (!elsewhere && !(apart <= options.centre_distance)) {
+  if (shareFrame(baseline, options) && !(apart <= options.centre_distance)) {
     refuse("centre of " + name, generalText(apart) + " m from the baseline's",
            "within " + generalText(options.centre_distance) + " m, the same tank in the same frame");
   }
@@ -175,6 +183,8 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
     return movement;
   }
   requireComparable(baseline, current, options);
+  if (shareFrame(baseline, options) && !current.levelled)
+    movement.centre_apart = (current.circle.center - baseline.circle.center).norm();
   const AzimuthOffset offset =
       options.estimate_offset ? estimateOffset(baseline, current, options) : AzimuthOffset{options.azimuth_offset, 0.0};
   movement.azimuth_offset = offset.value;

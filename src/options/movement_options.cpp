@@ -22,7 +22,7 @@ std::vector<Option> movementOptionsOf(MovementOptions& movement) {
         "turn of the later survey's frame, counter-clockwise")
       .in(Unit::Degrees);
   t.add("estimate_azimuth_offset", "movement.estimate_azimuth_offset", &movement.estimate_offset,
-        "find that turn by the datum's shape")
+        "find that turn by the datum's shape out of plane")
       .withNo();
   t.add("correlation_deg", "movement.correlation_deg", &movement.correlation,
         "arc within which stations share errors; 0: as the surveys say themselves")

@@ -44,6 +44,7 @@ Json movementSection(const Movement& movement) {
           {"registration_tilt_arcsec", toArcSeconds(movement.registration_tilt)},
           {"azimuth_offset_deg", toDegrees(movement.azimuth_offset)},
           {"sigma_azimuth_offset_deg", toDegrees(movement.sigma_azimuth_offset)},
+          {"centre_apart", number(movement.centre_apart)},
           {"message", movement.message},
           {"matched", movement.matched},
           {"significant", movement.significant},

@@ -27,12 +27,14 @@ std::string degreesText(double angle) { return fixedText(std::fmod(std::round(to
 }  // namespace
 
 std::vector<std::string> unsaidOf(const Movement& movement) {
+  constexpr double kApart = 0.02;  // [m]; what no scans of one tank in one frame are apart by
   std::vector<std::string> keys;
   if (!movement.valid()) return keys;
   if (movement.removal == Removal::Nothing && movement.registration_error == 0.0) {
     keys.emplace_back("movement.one_height");
   }
   if (movement.removal != Removal::Tilt && movement.registration_tilt == 0.0) keys.emplace_back("movement.one_level");
+  if (movement.centre_apart > kApart) keys.emplace_back("movement.centres_apart");
   return keys;
 }
 

@@ -68,6 +68,15 @@ TEST(CompareEpochs, NeighboursThatShareErrorsProveLess) {
   EXPECT_EQ(found(together), 0U);
 }
 
+TEST(CompareEpochs, CentresAreApartInAFrameThatIsShared) {
+  Epoch slid = with(&Survey::lift, 0, 2).epoch();
+  slid.circle.center += Eigen::Vector2d(0.03, 0.04);
+  EXPECT_NEAR(compareEpochs(Survey().epoch(), slid, {}).centre_apart, 0.05, 1e-12);
+  MovementOptions turned;
+  turned.azimuth_offset = 1e-3;
+  EXPECT_TRUE(std::isnan(compareEpochs(Survey().epoch(), slid, turned).centre_apart));
+}
+
 TEST(CompareEpochs, ATiltThatChangesDoesNotTurnTheEstimate) {
   MovementOptions options;
   options.estimate_offset = true;

@@ -66,7 +66,7 @@ struct MovementOptions {
   double registration_error = 0.0;  ///< 1 sigma of a height common to all stations, left after the removal [m]
   double registration_tilt = 0.0;   ///< 1 sigma of a tilt about either level axis, left after it [rad]
   double azimuth_offset = 0.0;      ///< of the current survey's frame: added to its directions [rad]
-  bool estimate_offset = false;     ///< find the azimuth offset by the datum's shape instead
+  bool estimate_offset = false;     ///< find the azimuth offset by the datum's shape out of plane instead
   double correlation = 0.0;         ///< arc within which stations share points; 0: as the surveys say themselves [rad]
   double radius_difference = 0.05;  ///< surveys whose radii differ by more are of different tanks [m]
   double centre_distance = 0.25;    ///< the same of the centres, in a common frame [m]
@@ -96,6 +96,7 @@ struct Movement {
   double registration_tilt = 0.0;     ///< as given [rad]
   double azimuth_offset = 0.0;        ///< as given or estimated [rad]
   double sigma_azimuth_offset = 0.0;  ///< its standard error; 0 when given [rad]
+  double centre_apart = kUnknown;     ///< of the two tanks' centres in a frame that both surveys share [m]
   double errors_shown = 1.0;          ///< scatter of the differences over the given sigmas
   double errors_used = 1.0;           ///< what the given sigmas were multiplied by: that, where it is above 1 and error
   double shared_arc = 0.0;            ///< arc within which the differences show shared errors [rad]

@@ -144,7 +144,7 @@ def extract_datum(
     registration_tilt_arcsec: float = 0.0,
     # turn of the later survey's frame, counter-clockwise (finite)
     azimuth_offset_deg: float = 0.0,
-    # find that turn by the datum's shape
+    # find that turn by the datum's shape out of plane
     estimate_azimuth_offset: bool = False,
     # arc within which stations share errors; 0: as the surveys say themselves (>= 0
     # deg)

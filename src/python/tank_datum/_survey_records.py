@@ -200,6 +200,7 @@ class Movement(Record):
     registration_tilt_arcsec: float
     azimuth_offset_deg: float
     sigma_azimuth_offset_deg: float | None
+    centre_apart: float | None
     message: str
     matched: int
     significant: int
