@@ -132,9 +132,11 @@ TEST(DatumOfLevelling, NeedsFourElevationsAndADiameter) {
   for (const double diameter : {0.0, -1.0, std::nan("")}) EXPECT_THROW(datumOfLevelling(ring(8), diameter, {}), Error);
 }
 
-TEST(DatumOfLevelling, UnequalStepsHaveNoDiameters) {
+TEST(DatumOfLevelling, DiametersAreOfStationsThatLieAcross) {
   auto stations = ring(16);
   stations.erase(stations.begin() + 3);
+  EXPECT_TRUE(std::isfinite(datumOfLevelling(stations, 20.0, {}).antipodal.max_h));
+  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].azimuth += 1e-3 * static_cast<double>(i);
   const Datum datum = datumOfLevelling(stations, 20.0, {});
   EXPECT_TRUE(datum.tilt.valid());
   EXPECT_TRUE(std::isnan(datum.antipodal.max_h));
