@@ -123,11 +123,11 @@ Cover coverIn(const ShellStrip& strip, double reach) {
 }
 
 /// How high above the surface the shell ends behind an edge: it stands out farther than a weld of that height, which
-/// falls by 45 degrees; 0 where none does [m].
+/// falls by 45 degrees; 0 where none does, and on a plate, which has a weld [m].
 double edgeBeside(const ShellStrip& strip, double reach) {
   constexpr double kFewest = 8.0, kShare = 0.25;  // points that stand out so, and of all that stand there
   constexpr double kBlur = 5.0, kSurface = 2.0;   // standard deviations; two of them pass for the shell
-  if (!strip.valid()) return 0.0;
+  if (!strip.valid() || strip.on_plate) return 0.0;
   const double height = shellEndsAt(strip, reach);
   double standing = 0.0, beyond = 0.0;
   for (const Beside& p : strip.points) {

@@ -18,9 +18,7 @@ bool isNearShell(double off, double reach) {
   return std::abs(off) <= kNear * reach;
 }
 
-bool isAboveFoot(double above, double reach) {
-  return above > kAboveFoot * reach;
-}
+bool isAboveFoot(double above, double reach) { return above > kAboveFoot * reach; }
 
 /// In which arcs more than strays are.
 std::vector<bool> seenIn(const ShellArcs& arcs) {

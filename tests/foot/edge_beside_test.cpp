@@ -36,6 +36,16 @@ TEST(EdgeBeside, HalfOfTheHeightAtWhichTheShellEndsIsInSigma) {
   EXPECT_NEAR(lift.sigma, 0.5 * kEnds, 0.0005);
 }
 
+TEST(EdgeBeside, OnAPlateIsItsWeld) {
+  Scene edge = endsAbove(20, 0.009);
+  edge.add = [all = edge.add](MadeFoot& made) {
+    all(made);
+    made.addAll(20, 0.002, 0.029, [](double) { return 0.0; });
+  };
+  EXPECT_GT(lipsOf(edge)[100].sigma, 0.0);
+  EXPECT_EQ(lipsOf(edge, true)[100].sigma, 0.0);
+}
+
 TEST(EdgeBeside, StandsOutFartherThanAWeld) {  // and five standard deviations of noise, 3 mm
   EXPECT_EQ(lipsOf(endsAbove(20, 0.0))[100].sigma, 0.0);
   EXPECT_EQ(lipsOf(endsAbove(20, 0.0027))[100].sigma, 0.0);

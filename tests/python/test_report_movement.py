@@ -75,21 +75,6 @@ def test_a_tank_that_sank_as_a_whole(browser: Any, tmp_path: Path) -> None:
         assert "known to 1.00\u00a0mm and 2.0 arc-seconds" in page.text("#trend .verdict")
 
 
-def test_a_tank_that_slid_is_said_to(browser: Any, tmp_path: Path) -> None:
-    before = epoch(tmp_path / "0.json", 0.0)
-    for slid, said in ((0.018, False), (0.022, True)):
-        survey = json.loads(before.read_text())
-        survey["tank"]["center"][0] += slid
-        after = tmp_path / "1.json"
-        after.write_text(json.dumps(survey))
-        done = compare(before, after, "-o", tmp_path / "m")
-        movement = json.loads((tmp_path / "m" / "movement.json").read_text())["movements"][0]
-        assert movement["centre_apart"] == pytest.approx(slid, abs=1e-6)
-        assert ("the tank slid" in done.stdout) == said
-        with opened(browser, tmp_path / "m" / "report.html") as page:
-            assert ("the tank slid" in page.text("#trend .verdict")) == said
-
-
 def test_one_height_is_not_asked_for_where_it_is_taken_out(browser: Any, tmp_path: Path) -> None:
     surveys = [epoch(tmp_path / f"{i}.json", 0.002 * i) for i in range(2)]
     said = {}
