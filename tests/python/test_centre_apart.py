@@ -1,4 +1,4 @@
-"""How far a tank's centre is from where it was: in movement.json, on the terminal and on the page."""
+"""How far a tank is from where it was: in movement.json, on the terminal and on the page."""
 
 from __future__ import annotations
 

@@ -136,6 +136,16 @@ TEST(LeanOf, SigmaCoversTheErrorBehindAGap) {
   EXPECT_GT((lean.gradient - truth).norm(), 1e-6);
 }
 
+/// Standard error of a lean of which 90 degrees are hidden, beside so many lobes that grow with height.
+double sigmaWithLobes(int lobes) {
+  const auto shape = [lobes](double a, double h) { return kRadius + h * 0.001 * std::cos(lobes * a); };
+  ShellGrid made = grid(kHeights, shape);
+  for (auto& row : made.cells) std::fill(row.begin() + 30, row.begin() + 120, ShellCell());
+  return leanOf(all(made), {}).sigma;
+}
+
+TEST(LeanOf, IsToldFromLobesUpToTheEighth) { EXPECT_LT(sigmaWithLobes(7), 0.5 * sigmaWithLobes(12)); }
+
 TEST(LeanOf, OfAShortArcIsUnknownWhereAnyLeanWouldDo) {
   const auto sigma_of = [](double scatter) {  // of the slopes, by turns this way and that, over 40 degrees
     ShellGrid made = grid(kHeights, [&](double a, double h) {
