@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/plain_text.h"
 #include "core/portable_math.h"
 #include "core/units.h"
@@ -80,7 +81,7 @@ Station stationFrom(const CsvRow& row, const Columns& columns, const std::string
   if (std::abs(s.azimuth) > kTwoPi + 1e-9) {
     throw refused(placeOf(file, row) + " azimuth_deg", row.cells[columns.azimuth], "degrees, -360 to 360");
   }
-  s.azimuth -= kTwoPi * std::floor(s.azimuth / kTwoPi);
+  s.azimuth = withinTurn(s.azimuth);
   if (row.cells[columns.elevation].empty()) return s;
   s.flag = StationFlag::Measured;
   s.z = numberIn(row, columns.elevation, "elevation", file) * metres_per_unit;

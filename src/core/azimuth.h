@@ -8,6 +8,9 @@
 
 namespace tank_datum {
 
+/// An angle as one from 0 to a full turn, to which a tiny negative one rounds [rad].
+inline double withinTurn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
+
 /// The azimuth of a direction (x, y), counter-clockwise from x: 0 or more, and less than a full turn, to which that of
 /// a tiny negative y rounds [rad].
 inline double azimuthOfArm(double x, double y) {

@@ -3,9 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/portable_math.h"
+#include "core/azimuth.h"
 #include "core/refusal.h"
-#include "core/units.h"
 #include "fit/circle.h"
 #include "tank_datum/edge/find_edge_points.h"
 
@@ -60,9 +59,8 @@ EdgePoints filterByCentre(const Points& points, const std::vector<std::int32_t>&
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (std::abs(edge.circle.residual(plan[i])) > edge.tolerance) continue;
     const Eigen::Vector2d arm = plan[i] - edge.circle.center;
-    const double azimuth = portable::atan2(arm.y(), arm.x());
     edge.indices.push_back(candidates[i]);
-    edge.azimuths.push_back(azimuth < 0 ? azimuth + kTwoPi : azimuth);
+    edge.azimuths.push_back(azimuthOfArm(arm.x(), arm.y()));
   }
   sortByAzimuth(edge);
   return edge;

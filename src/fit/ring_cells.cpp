@@ -30,6 +30,11 @@ double betweenCells(const std::vector<double>& cells, double azimuth) {
   return kUnknown;
 }
 
+std::size_t ringCell(double azimuth, std::size_t cells) {
+  const double turn = azimuth / kTwoPi;
+  return std::min(cells - 1, static_cast<std::size_t>((turn - fastFloor(turn)) * static_cast<double>(cells)));
+}
+
 double densestOfCell(std::vector<double>& values) {
   constexpr std::size_t kFewest = 5;
   std::sort(values.begin(), values.end());

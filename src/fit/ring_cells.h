@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace tank_datum {
@@ -9,6 +10,9 @@ namespace tank_datum {
 /// @param cells    of which the first begins at azimuth 0
 /// @param azimuth  [rad]
 double betweenCells(const std::vector<double>& cells, double azimuth);
+
+/// The cell that an azimuth [rad] lies in of so many equal ones, of which the first begins at 0.
+std::size_t ringCell(double azimuth, std::size_t cells);
 
 /// Where the values of a cell lie densest; NaN of fewer than five.
 /// @param values  in no order; sorted on return

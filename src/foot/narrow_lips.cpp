@@ -158,6 +158,13 @@ double blurredLip(const ShellStrip& strip, double reach) {
   return rise > kSure * error ? std::max(hidden, 2.0 * rise) : hidden;
 }
 
+/// What hides the surface beside the shell, or may: where no level shows it, an edge or noise.
+Cover coverOf(const ShellStrip& strip, double reach) {
+  const Cover cover = coverIn(strip, reach);
+  if (cover.lift.height > 0.0) return cover;
+  return {{std::max(edgeBeside(strip, reach), blurredLip(strip, reach)), 0.0}, false};
+}
+
 /// The cover of the station of a run that has one nearest to one.
 /// @param lips  whether only lips count
 Lift nearestLift(const std::vector<Cover>& found, const RingRun& run, std::size_t station, bool lips) {
@@ -192,11 +199,7 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
   std::vector<Cover> found(count);
   forEachIndex(count, 0, [&](std::size_t i) { strips[i] = stripAt(foot, i, fits[i], sections.at(i)); });
   forEachIndex(count, 0, [&](std::size_t i) {
-    if (!fits[i].valid()) return;
-    const ShellStrip strip = together(strips, i, foot);
-    found[i] = coverIn(strip, foot.reach);
-    double& height = found[i].lift.height;
-    if (!(height > 0.0)) height = std::max(edgeBeside(strip, foot.reach), blurredLip(strip, foot.reach));
+    if (fits[i].valid()) found[i] = coverOf(together(strips, i, foot), foot.reach);
   });
   std::vector<char> valid(count);
   for (std::size_t i = 0; i < count; ++i) valid[i] = fits[i].valid() ? 1 : 0;

@@ -8,6 +8,7 @@
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/ring_cells.h"
 
 namespace tank_datum {
 namespace {
@@ -93,8 +94,7 @@ double seenOutOfRound(const std::vector<double>& azimuths, const std::vector<dou
                       const std::vector<double>& weights) {
   std::array<double, static_cast<std::size_t>(kTwoPi / kAlike + 0.5)> sums{}, counts{};
   for (std::size_t i = 0; i < off.size(); ++i) {
-    const double turn = azimuths[i] / kTwoPi, place = (turn - std::floor(turn)) * static_cast<double>(sums.size());
-    const std::size_t part = std::min(sums.size() - 1, static_cast<std::size_t>(place));
+    const std::size_t part = ringCell(azimuths[i], sums.size());
     sums[part] += weights[i] * off[i];
     counts[part] += weights[i];
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/azimuth.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -123,8 +124,7 @@ bool turnsWithAzimuth(const Walls& walls, const Circle& circle, double voxel) {
     const Eigen::Vector2d radial = (wall->position - circle.center).normalized();
     const double cross = radial.x() * wall->normal.y() - radial.y() * wall->normal.x();
     const double off = portable::atan(cross / radial.dot(wall->normal));
-    double azimuth = portable::atan2(radial.y(), radial.x());
-    if (azimuth < 0) azimuth += kTwoPi;
+    const double azimuth = azimuthOfArm(radial.x(), radial.y());
     Sums& s = sums[static_cast<int>(azimuth / kTwoPi * kWindows) % kWindows];
     s.n += 1, s.x += azimuth, s.y += off, s.xx += azimuth * azimuth, s.xy += azimuth * off;
   }

@@ -41,7 +41,7 @@ struct Sums {
   double lean() const { return spread() > 0.0 ? product() / spread() : 0.0; }
 };
 
-/// A wall in two pieces, with their means and leans: alike, or the lower one's face is battered.
+/// A wall in two pieces, with their means and leans. The face of the lower one may be battered; else they lean alike.
 struct TwoPieces {
   double lower_z = 0, lower_off = 0, lower_lean = 0;
   double upper_z = 0, upper_off = 0, upper_lean = 0;
@@ -49,17 +49,15 @@ struct TwoPieces {
   TwoPieces(const Sums& lower, const Sums& upper) {
     lower_z = lower.z / lower.n, lower_off = lower.off / lower.n, lower_lean = lower.lean();
     upper_z = upper.z / upper.n, upper_off = upper.off / upper.n, upper_lean = upper.lean();
+    if (!(lower_lean > upper_lean)) return;
+    const double spread = lower.spread() + upper.spread();
+    lower_lean = upper_lean = spread > 0.0 ? (lower.product() + upper.product()) / spread : 0.0;
   }
-  void leanAlike(double lean) { lower_lean = upper_lean = lean; }
+  /// How far the lower one stands out at a height.
+  double apart(double z) const { return lowerAt(z) - upperAt(z); }
   double upperAt(double z) const { return upper_off + upper_lean * (z - upper_z); }
   double lowerAt(double z) const { return lower_off + lower_lean * (z - lower_z); }
 };
-
-/// What two pieces that lean alike lean by.
-double sharedLean(const Sums& lower, const Sums& upper) {
-  const double spread = lower.spread() + upper.spread();
-  return spread > 0.0 ? (lower.product() + upper.product()) / spread : 0.0;
-}
 
 /// Sums over the first hits, none of them, one and so on, about the lowest.
 std::vector<Sums> runningSums(const std::vector<Hit>& run) {
@@ -98,13 +96,10 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
     const std::size_t middle = firstFrom(run, height),
                       end = firstFrom(run, height + std::max(height - lowest.z, piece));
     if (middle == 0 || middle == end) continue;
-    const Sums below = sums[middle], over = sums[end].minus(sums[middle]);
-    TwoPieces pieces(below, over);
-    if (std::abs(pieces.upper_lean) > kRoof) continue;
-    if (pieces.lower_lean > pieces.upper_lean) pieces.leanAlike(sharedLean(below, over));
-    const double between = 0.5 * (run[middle - 1].z + run[middle].z) - lowest.z;
-    const double apart = pieces.lowerAt(between) - pieces.upperAt(between);
-    if (!(apart > least)) continue;
+    const Sums upper = sums[end].minus(sums[middle]);
+    const TwoPieces pieces(sums[middle], upper);
+    const double between = 0.5 * (run[middle - 1].z + run[middle].z) - lowest.z, apart = pieces.apart(between);
+    if (!(apart > least) || std::abs(upper.lean()) > kRoof) continue;
     double scatter = 0.0;
     for (std::size_t i = 0; i < end; ++i) {
       const double z = run[i].z - lowest.z;

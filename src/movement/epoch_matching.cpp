@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -19,7 +20,7 @@ constexpr double kLeastShared = 2.0 * kPi / 180.0;
 std::vector<Elevation> byDirection(const Epoch& epoch) {
   std::vector<Elevation> known;
   for (Elevation e : epoch.stations) {
-    e.direction = turn(e.direction);
+    e.direction = withinTurn(e.direction);
     if (std::isfinite(e.z) && e.sigma_z > 0.0) known.push_back(e);
   }
   std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
@@ -45,7 +46,7 @@ Elevation elevationAt(const std::vector<Elevation>& known, double direction, dou
                                       [](double value, const Elevation& e) { return value < e.direction; });
   const Elevation& a = after == known.begin() ? known.back() : *(after - 1);
   const Elevation& b = after == known.end() ? known.front() : *after;
-  const double width = turn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
+  const double width = withinTurn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
   if (std::abs(along) <= kSamePlace) {
     at = a;
     slope = width <= kWidestBracket + kSamePlace && width > 0.0 ? (b.z - a.z) / width : 0.0;
@@ -77,8 +78,8 @@ std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elev
     if (!std::isfinite(here.z) || !(here.sigma_z > 0.0)) continue;
     MatchedStation m;
     m.station = i;
-    m.direction = turn(here.direction + places.turned);
-    const Elevation there = elevationAt(other, turn(m.direction - other_turned), m.slope);
+    m.direction = withinTurn(here.direction + places.turned);
+    const Elevation there = elevationAt(other, withinTurn(m.direction - other_turned), m.slope);
     if (!std::isfinite(there.z)) continue;
     m.dz = places.of_baseline ? there.z - here.z : here.z - there.z;
     m.sigma = std::hypot(here.sigma_z, there.sigma_z);
@@ -117,8 +118,8 @@ double azimuthIn(const Epoch& epoch, double direction) {
   const Elevation &first = epoch.stations.front(), &second = epoch.stations[epoch.stations.size() > 1 ? 1 : 0];
   const double azimuths = std::remainder(second.azimuth - first.azimuth, kTwoPi);
   const double directions = std::remainder(second.direction - first.direction, kTwoPi);
-  return turn(first.azimuth +
-              (azimuths * directions < 0.0 ? first.direction - direction : direction - first.direction));
+  return withinTurn(first.azimuth +
+                    (azimuths * directions < 0.0 ? first.direction - direction : direction - first.direction));
 }
 
 CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal removal, bool robust) {

@@ -10,9 +10,6 @@
 
 namespace tank_datum {
 
-/// The angle in [0, 2 pi).
-inline double turn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
-
 constexpr double kWidestBracket = 2.0 * kDegree;  ///< neighbours between which an elevation is interpolated
 constexpr double kSamePlace = 1e-6;               ///< [rad], 0.03 mm at 30 m
 

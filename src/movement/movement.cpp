@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/normal95.h"
 #include "core/plain_text.h"
 #include "core/portable_math.h"
@@ -71,7 +72,7 @@ void describeWhole(const CommonMotion& motion, double freedom, double radius, Mo
   movement.tilt_change = motion.rim.norm() / radius;
   const Eigen::Vector2d along = motion.rim.normalized();
   movement.sigma_tilt_change = std::sqrt(along.dot(motion.covariance * along)) / radius;
-  movement.tilt_direction = turn(portable::atan2(motion.rim.y(), motion.rim.x()));
+  movement.tilt_direction = withinTurn(portable::atan2(motion.rim.y(), motion.rim.x()));
   movement.tilt_p_value = tiltPValue(motion, freedom);
   movement.tilt_significant = movement.tilt_p_value < 0.05;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -21,7 +22,7 @@ double correlationAt(const std::vector<double>& values, const std::vector<Matche
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::size_t j = (i + lag) % values.size();
     if (std::abs(values[i]) > most || std::abs(values[j]) > most) continue;
-    if (turn(stations[j].direction - stations[i].direction) > (static_cast<double>(lag) + 0.5) * step) continue;
+    if (withinTurn(stations[j].direction - stations[i].direction) > (static_cast<double>(lag) + 0.5) * step) continue;
     sums.push_back(values[i] + values[j]), differences.push_back(values[i] - values[j]);
   }
   const double s = square(robustSigma(sums, median(sums)));

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/azimuth.h"
 #include "core/normal95.h"
 #include "core/portable_math.h"
 #include "core/units.h"
@@ -19,7 +20,7 @@ namespace {
 std::vector<StationMovement> byDirection(const Movement& movement) {
   std::vector<StationMovement> known;
   for (StationMovement s : movement.stations) {
-    s.direction = turn(s.direction);
+    s.direction = withinTurn(s.direction);
     known.push_back(s);
   }
   std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
@@ -33,7 +34,7 @@ StationMovement movementAt(const std::vector<StationMovement>& known, double dir
                                       [](double value, const StationMovement& s) { return value < s.direction; });
   const StationMovement& a = after == known.begin() ? known.back() : *(after - 1);
   const StationMovement& b = after == known.end() ? known.front() : *after;
-  const double width = turn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
+  const double width = withinTurn(b.direction - a.direction), along = std::remainder(direction - a.direction, kTwoPi);
   if (std::abs(along) <= kSamePlace) return a;
   if (width > kWidestBracket + kSamePlace || !std::isfinite(a.dz) || !std::isfinite(b.dz)) return {};
   const double share = along / width;
@@ -107,7 +108,7 @@ std::vector<StationHistory> historiesOf(const std::vector<Movement>& movements, 
   if (last == movements.rend()) return histories;
   for (const StationMovement& place : last->stations) {
     StationHistory history;
-    history.azimuth = place.azimuth, history.direction = turn(place.direction);
+    history.azimuth = place.azimuth, history.direction = withinTurn(place.direction);
     for (const auto& survey : known) history.surveys.push_back(movementAt(survey, history.direction));
     fitRate(history, times);
     histories.push_back(std::move(history));

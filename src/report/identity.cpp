@@ -11,6 +11,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/azimuth.h"
 #include "core/printable.h"
 #include "core/units.h"
 #include "io/io_error.h"
@@ -94,8 +95,7 @@ ReferenceMark markOf(const std::string& text) {
   in.imbue(std::locale::classic());
   double degrees = kUnknown;
   if (!(in >> degrees) || !in.eof() || !(std::abs(degrees) <= 360.0)) throw refused();
-  const double azimuth = degrees * kDegree;
-  return {text.substr(0, sign), azimuth - kTwoPi * std::floor(azimuth / kTwoPi)};
+  return {text.substr(0, sign), withinTurn(degrees * kDegree)};
 }
 
 std::vector<ReferenceMark> marksOf(const std::vector<std::string>& texts) {

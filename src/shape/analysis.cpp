@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/length_units.h"
 #include "core/plain_text.h"
 #include "core/statistics.h"
@@ -86,7 +87,7 @@ std::string errorsNote(const RingModel& model) {
 std::vector<LocalSettlement> localSettlementsOf(const RingModel& model) {
   std::vector<LocalSettlement> all;
   for (const RingModel::Local& local : model.locals()) {
-    const double azimuth = local.shape.centre - kTwoPi * std::floor(local.shape.centre / kTwoPi);
+    const double azimuth = withinTurn(local.shape.centre);
     all.push_back({azimuth, 2.0 * local.shape.half_width, local.height, local.sigma});
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.azimuth < b.azimuth; });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/units.h"
 #include "limits/survey_spacing.h"
 #include "stations/placed_value.h"
@@ -20,10 +21,7 @@ std::vector<double> pointsOf(const std::vector<RingValue>& u, double radius) {
   const int wanted = 2 * static_cast<int>(std::lround(kTwoPi * radius / kSurveySpacing / 2.0));
   const int count = std::clamp(wanted, kFewestPoints, static_cast<int>(kMostPoints));
   std::vector<double> azimuths;
-  for (int i = 0; i < count; ++i) {
-    const double azimuth = furthest->azimuth + kTwoPi * i / count;
-    azimuths.push_back(azimuth - kTwoPi * std::floor(azimuth / kTwoPi));
-  }
+  for (int i = 0; i < count; ++i) azimuths.push_back(withinTurn(furthest->azimuth + kTwoPi * i / count));
   std::sort(azimuths.begin(), azimuths.end());
   return azimuths;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/azimuth.h"
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "shape/datum_waves.h"
@@ -27,13 +28,12 @@ struct Diameter {
 /// The diameters in the order of their first stations; those that have no station across are in none.
 std::vector<Diameter> diametersOf(const std::vector<Station>& stations) {
   constexpr double kSame = 1e-6;  // [rad]
-  const auto from_zero = [](double azimuth) { return azimuth - kTwoPi * std::floor(azimuth / kTwoPi); };
   std::vector<std::pair<double, std::size_t>> places;
-  for (std::size_t i = 0; i < stations.size(); ++i) places.push_back({from_zero(stations[i].azimuth), i});
+  for (std::size_t i = 0; i < stations.size(); ++i) places.push_back({withinTurn(stations[i].azimuth), i});
   std::sort(places.begin(), places.end());
   std::vector<Diameter> diameters;
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    const double across = from_zero(stations[i].azimuth + kPi - kSame);
+    const double across = withinTurn(stations[i].azimuth + kPi - kSame);
     auto at = std::lower_bound(places.begin(), places.end(), std::pair(across, std::size_t{0}));
     if (at == places.end()) at = places.begin();
     const double apart = std::remainder(at->first - stations[i].azimuth - kPi, kTwoPi);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
 #include "stations/ring_series.h"
@@ -19,7 +20,7 @@ std::vector<Station> filled(const std::vector<Station>& stations) {
   const double mean = kTwoPi / static_cast<double>(std::max<std::size_t>(1, stations.size()));
   const auto put = [&whole](double azimuth) {
     whole.emplace_back();
-    whole.back().azimuth = azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
+    whole.back().azimuth = withinTurn(azimuth);
     whole.back().z = whole.back().u = 0.0;
     whole.back().flag = StationFlag::Measured;
   };

@@ -9,6 +9,7 @@
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
+#include "fit/ring_cells.h"
 #include "shell/shell_bands.h"
 #include "stations/stations.h"
 
@@ -60,10 +61,7 @@ LeanFit fitLean(const Eigen::MatrixXd& rows, const Eigen::VectorXd& slopes, cons
 /// more height more, as shapes and not noise are what a slope is off by.
 Eigen::VectorXd worthOf(const std::vector<Plumbness>& plumbness) {
   constexpr std::size_t kArcs = 36;
-  const auto arc_of = [](const Plumbness& p) {
-    const double turn = p.direction / kTwoPi;
-    return std::min(kArcs - 1, static_cast<std::size_t>((turn - std::floor(turn)) * kArcs));
-  };
+  const auto arc_of = [](const Plumbness& p) { return ringCell(p.direction, kArcs); };
   std::array<double, kArcs> stations{};
   double squares = 0.0;
   for (const Plumbness& p : plumbness) ++stations[arc_of(p)], squares += square(p.height);

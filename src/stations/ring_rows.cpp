@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/units.h"
+#include "core/azimuth.h"
 
 namespace tank_datum {
 
@@ -22,7 +22,7 @@ void RingRows::add(double azimuth, const std::vector<std::pair<RingPlace, double
     put(place.before, (1.0 - place.share) * weight);
     put(place.after, place.share * weight);
   }
-  azimuths_.push_back(azimuth - kTwoPi * std::floor(azimuth / kTwoPi));
+  azimuths_.push_back(withinTurn(azimuth));
   scales_.push_back(scale);
   ends_.push_back(terms_.size());
 }

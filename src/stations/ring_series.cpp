@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/units.h"
 
 namespace tank_datum {
 
-double turnAhead(double from, double to) { return to - from - kTwoPi * std::floor((to - from) / kTwoPi); }
+double turnAhead(double from, double to) { return withinTurn(to - from); }
 
 RingSeries::RingSeries(const std::vector<Station>& stations, double Station::*quantity, double Station::*sigma) {
   constexpr double kGap = 2.0;  // of the mean distance: between typed stations that are not equally spaced
@@ -29,7 +30,7 @@ RingSeries::RingSeries(const std::vector<Station>& stations, double Station::*qu
 std::optional<RingPlace> RingSeries::placeOf(double azimuth) const {
   constexpr double kSame = 1e-9;  // rounding of an azimuth [rad]
   if (values_.empty()) return {};
-  azimuth -= kTwoPi * std::floor(azimuth / kTwoPi);
+  azimuth = withinTurn(azimuth);
   const auto later = [](const RingValue& v, double a) { return v.azimuth < a; };
   const auto found = std::lower_bound(values_.begin(), values_.end(), azimuth - kSame, later);
   const auto next = static_cast<std::size_t>(found - values_.begin()) % values_.size();

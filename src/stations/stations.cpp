@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/portable_math.h"
 #include "core/ring_runs.h"
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
-namespace {
-
-double wrapped(double azimuth) { return azimuth - kTwoPi * std::floor(azimuth / kTwoPi); }
-
-}  // namespace
-
 const char* nameOf(StationFlag flag) {
   switch (flag) {
     case StationFlag::Measured:
@@ -47,11 +42,11 @@ const char* nameOf(Unmeasured reason) {
 }
 
 double azimuthOf(double direction, const StationOptions& options) {
-  return wrapped((direction - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0));
+  return withinTurn((direction - options.zero_azimuth) * (options.clockwise ? -1.0 : 1.0));
 }
 
 double directionOf(double azimuth, const StationOptions& options) {
-  return wrapped(options.zero_azimuth + (options.clockwise ? -azimuth : azimuth));
+  return withinTurn(options.zero_azimuth + (options.clockwise ? -azimuth : azimuth));
 }
 
 std::vector<Station> emptyStations(const StationOptions& options) {

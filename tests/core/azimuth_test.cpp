@@ -5,6 +5,13 @@
 namespace tank_datum {
 namespace {
 
+TEST(WithinTurn, IsFromZeroToAFullTurn) {
+  EXPECT_EQ(withinTurn(0.0), 0.0);
+  EXPECT_EQ(withinTurn(kTwoPi), 0.0);
+  EXPECT_NEAR(withinTurn(-0.25 * kTwoPi), 0.75 * kTwoPi, 1e-12);
+  EXPECT_NEAR(withinTurn(2.5 * kTwoPi), 0.5 * kTwoPi, 1e-12);
+}
+
 TEST(AzimuthOfArm, IsCountedCounterClockwiseFromX) {
   EXPECT_EQ(azimuthOfArm(1.0, 0.0), 0.0);
   EXPECT_NEAR(azimuthOfArm(0.0, 2.0), 0.25 * kTwoPi, 1e-12);

@@ -35,6 +35,15 @@ TEST(BetweenCells, WhereOneIsMissingItIsTheNearestsWithinThree) {
   EXPECT_EQ(at(-3.75, {7.0}), 7.0);
 }
 
+TEST(RingCell, GoesRoundTheRing) {
+  EXPECT_EQ(ringCell(0.0, 36), 0U);
+  EXPECT_EQ(ringCell(toRadians(9.9), 36), 0U);
+  EXPECT_EQ(ringCell(toRadians(10.1), 36), 1U);
+  EXPECT_EQ(ringCell(toRadians(-0.1), 36), 35U);
+  EXPECT_EQ(ringCell(toRadians(370.1), 36), 1U);
+  EXPECT_EQ(ringCell(-1e-300, 36), 35U);
+}
+
 TEST(DensestOfCell, IsOfFiveAtLeast) {
   std::vector<double> values{3.0, 1.0, 2.9, 9.0};
   EXPECT_TRUE(std::isnan(densestOfCell(values)));
