@@ -6,9 +6,12 @@
 
 #include "core/units.h"
 #include "foot/refine.h"
+#include "support/made_rings.h"
 
 namespace tank_datum {
 namespace {
+
+using namespace made_rings;
 
 constexpr double kRadius = 5.0, kNoise = 0.0005;
 
@@ -16,29 +19,18 @@ double wave(double azimuth) { return 0.010 * std::cos(8.0 * azimuth); }
 
 /// A shell upon a pad that waves, of which each degree has few points.
 Ring wavingRing(int shell, int pad) {
-  std::mt19937_64 random(9);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> any;
-  Ring ring;
-  ring.reach = 0.5;
-  const auto add = [&](double r, double height) {
-    const double a = kTwoPi * any(random);
-    ring.points.push_back({r * std::cos(a), r * std::sin(a), wave(a) + height});
-  };
-  for (int i = 0; i < shell; ++i) add(kRadius + kNoise * normal(random), 0.5 * any(random));
-  for (int i = 0; i < pad; ++i) add(kRadius + 0.3 * any(random), kNoise * normal(random));
-  return ring;
+  MadeRing<wave> made(9);
+  for (int i = 0; i < shell; ++i) made.add(kRadius + made.noise(kNoise), 0.5 * made.any());
+  for (int i = 0; i < pad; ++i) made.add(kRadius + 0.3 * made.any(), made.noise(kNoise));
+  return made.ring;
 }
 
 TEST(RefineStations, TheSectionIsAsSharpAsItsPointsThoughTheFirstLookSmoothsTheDatum) {
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  const RefinedFoot found = refineStations(wavingRing(20'000, 1'400), tank, {}, {});
+  const RefinedFoot found = refineStations(wavingRing(20'000, 1'400), levelTank(kRadius), {}, {});
   EXPECT_NEAR(found.refined.profile.noise, kNoise, 0.2 * kNoise);
 }
 
-constexpr double kDipHalf = 7.0 * kDegree, kDipDepth = 0.012;
+constexpr double kWide = 18.6, kDipHalf = 7.0 * kDegree, kDipDepth = 0.012;
 
 double dip(double azimuth) {
   const double share = std::abs(azimuth - 0.5 * kTwoPi) / kDipHalf;
@@ -47,28 +39,17 @@ double dip(double azimuth) {
 
 /// A shell upon a lip 55 mm wide and 10 mm thick, three points of it to a degree, that dips by more than its thickness.
 Ring dippingRing() {
-  constexpr double kWide = 18.6, kLip = 0.055, kThickness = 0.010;
-  std::mt19937_64 random(4);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> any;
-  Ring ring;
-  ring.reach = 0.5;
-  const auto add = [&](double d, double height) {
-    const double a = kTwoPi * any(random), r = kWide + d;
-    ring.points.push_back({r * std::cos(a), r * std::sin(a), dip(a) + height});
-  };
-  for (int i = 0; i < 120'000; ++i) add(0.0015 * normal(random), 0.5 * any(random));
-  for (int i = 0; i < 1'200; ++i) add(kLip * any(random), kNoise * normal(random));
-  for (int i = 0; i < 2'000; ++i) add(kLip + 0.0015 * normal(random), -kThickness * any(random));
-  for (int i = 0; i < 20'000; ++i) add(kLip + 0.245 * any(random), -kThickness + kNoise * normal(random));
-  return ring;
+  constexpr double kLip = 0.055, kThickness = 0.010;
+  MadeRing<dip> made(4);
+  for (int i = 0; i < 120'000; ++i) made.add(kWide + made.noise(0.0015), 0.5 * made.any());
+  for (int i = 0; i < 1'200; ++i) made.add(kWide + kLip * made.any(), made.noise(kNoise));
+  for (int i = 0; i < 2'000; ++i) made.add(kWide + kLip + made.noise(0.0015), -kThickness * made.any());
+  for (int i = 0; i < 20'000; ++i) made.add(kWide + kLip + 0.245 * made.any(), -kThickness + made.noise(kNoise));
+  return made.ring;
 }
 
 TEST(RefineStations, ADipOfFewPointsIsMeasuredFromItsEdgesInwards) {
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, 18.6};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  const std::vector<StationDatum> stations = refineStations(dippingRing(), tank, {}, {}).stations;
+  const std::vector<StationDatum> stations = refineStations(dippingRing(), levelTank(kWide), {}, {}).stations;
   std::size_t measured = 0;
   for (const StationDatum& s : stations) {
     const double off = std::abs(s.direction - 0.5 * kTwoPi);
@@ -100,10 +81,7 @@ std::vector<StationDatum> measuredBesideBank(double pad) {
     if (i % 2 == 1 && height > std::max(0.0, bank + kSlope * d))
       ring.points.push_back({r * std::cos(a), r * std::sin(a), height});
   }
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  std::vector<StationDatum> measured = refineStations(ring, tank, {}, {}).stations;
+  std::vector<StationDatum> measured = refineStations(ring, levelTank(kRadius), {}, {}).stations;
   measured.erase(std::remove_if(measured.begin(), measured.end(),
                                 [](const StationDatum& s) { return s.flag != StationFlag::Measured; }),
                  measured.end());

@@ -5,38 +5,32 @@
 
 #include "core/units.h"
 #include "foot/refine.h"
+#include "support/made_rings.h"
 
 namespace tank_datum {
 namespace {
 
+using namespace made_rings;
+
 constexpr double kRadius = 5.0;
+
+double level(double) { return 0.0; }
 
 /// A shell upon a level pad, each with so many points and this noise.
 Ring ringOf(int count, double noise) {
-  std::mt19937_64 random(9);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> any;
-  Ring ring;
-  ring.reach = 0.5;
-  const auto add = [&](double r, double z) {
-    const double a = kTwoPi * any(random);
-    ring.points.push_back({r * std::cos(a), r * std::sin(a), z});
-  };
+  MadeRing<level> made(9);
   for (int i = 0; i < count; ++i) {
-    add(kRadius + noise * normal(random), 0.5 * any(random));
-    add(kRadius + 0.4 * any(random), noise * normal(random));
+    made.add(kRadius + made.noise(noise), 0.5 * made.any());
+    made.add(kRadius + 0.4 * made.any(), made.noise(noise));
   }
-  return ring;
+  return made.ring;
 }
 
 /// Median of the windows that the stations look at [deg].
 double windowOf(const Ring& ring, const RefineOptions& options, int count = 360) {
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
   StationOptions around;
   around.count = count;
-  const std::vector<StationDatum> stations = refineStations(ring, tank, options, around).stations;
+  const std::vector<StationDatum> stations = refineStations(ring, levelTank(kRadius), options, around).stations;
   std::vector<double> windows;
   for (const StationDatum& s : stations) {
     if (s.flag == StationFlag::Measured) windows.push_back(toDegrees(s.window));
@@ -72,10 +66,7 @@ TEST(RefineStations, WhatStandsUprightBeforeTheShellIsNoFoundation) {
   }
   RefineOptions options;
   options.wanted_sigma = 1.0;
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  const std::vector<StationDatum> stations = refineStations(ring, tank, options, {}).stations;
+  const std::vector<StationDatum> stations = refineStations(ring, levelTank(kRadius), options, {}).stations;
   EXPECT_LT(*stations[89].n_foundation, *stations[80].n_foundation * 8 / 10);
   EXPECT_NEAR(stations[89].z, 0.0, 0.0005);
 }
