@@ -17,9 +17,24 @@ namespace {
 /// one degree apart were found correlated by 0.2 to 0.25 [rad].
 constexpr double kLeastShared = 2.0 * kPi / 180.0;
 
+/// What all stations of a scan err by alike, however well its setups agree: how beams blend at the foot, the slope of a
+/// surface all round, a range that is 1 mm off. Datums of 60 simulated scans whose setups agree were 0.05 mm off in the
+/// mean (RMS; at most 0.10), of 24 of another simulator 0.10 (at most 0.26) [m].
+constexpr double kAllAlike = 0.1e-3;
+
+/// A station's elevation with what all of its survey err by alike; a levelling's errors are as stated.
+Elevation withCommonError(const Epoch& epoch, std::size_t station) {
+  Elevation e = epoch.stations[station];
+  if (epoch.levelled) return e;
+  e.sigma_z = std::hypot(e.sigma_z, kAllAlike);
+  e.shared.push_back(kAllAlike);
+  return e;
+}
+
 std::vector<Elevation> byDirection(const Epoch& epoch) {
   std::vector<Elevation> known;
-  for (Elevation e : epoch.stations) {
+  for (std::size_t i = 0; i < epoch.stations.size(); ++i) {
+    Elevation e = withCommonError(epoch, i);
     e.direction = withinTurn(e.direction);
     if (std::isfinite(e.z) && e.sigma_z > 0.0) known.push_back(e);
   }
@@ -74,7 +89,7 @@ std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elev
   std::vector<MatchedStation> matched;
   if (other.empty()) return matched;
   for (std::size_t i = 0; i < places.epoch.stations.size(); ++i) {
-    const Elevation& here = places.epoch.stations[i];
+    const Elevation here = withCommonError(places.epoch, i);
     if (!std::isfinite(here.z) || !(here.sigma_z > 0.0)) continue;
     MatchedStation m;
     m.station = i;
@@ -99,7 +114,9 @@ double misfitAt(const Epoch& baseline, const Epoch& current, double offset) {
   std::vector<MatchedStation>& matched = matching.stations;
   const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
   if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
-  CommonPart(matched, Removal::Tilt, false).removeFrom(matched);
+  const CommonPart rigid(matched, Removal::Tilt, false);
+  rigid.removeFrom(matched);
+  rigid.removeFromErrors(matched);
   double sum = 0;
   for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
   return sum / static_cast<double>(matched.size());

@@ -4,31 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/azimuth.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
+#include "movement/ring_pairs.h"
 
 namespace tank_datum {
 namespace {
-
-/// Robust autocorrelation of standardised values whose neighbours are `lag` places on, not over a gap. Values that
-/// stand out from the rest have moved and do not count.
-double correlationAt(const std::vector<double>& values, const std::vector<MatchedStation>& stations, std::size_t lag) {
-  constexpr double kStandsOut = 3.0;
-  const double step = kTwoPi / static_cast<double>(stations.size()), most = kStandsOut * robustSigma(values, 0.0);
-  std::vector<double> sums, differences;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t j = (i + lag) % values.size();
-    if (std::abs(values[i]) > most || std::abs(values[j]) > most) continue;
-    if (withinTurn(stations[j].direction - stations[i].direction) > (static_cast<double>(lag) + 0.5) * step) continue;
-    sums.push_back(values[i] + values[j]), differences.push_back(values[i] - values[j]);
-  }
-  const double s = square(robustSigma(sums, median(sums)));
-  const double d = square(robustSigma(differences, median(differences)));
-  return (s - d) / (s + d);
-}
 
 /// The part of two windows that they share, over the root of both: the correlation of means of white noise over them.
 double overlapOf(const MatchedStation& a, const MatchedStation& b) {
@@ -41,7 +24,8 @@ double overlapOf(const MatchedStation& a, const MatchedStation& b) {
 /// the waves above it. An error shared over 20 degrees has ten times the power at n = 2 that it has at n = 8, and
 /// chance adds five times. Of few stations fewer waves are there to compare with, three at least.
 /// @return how many
-int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedStation>& stations) {
+int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedStation>& stations,
+                        const RingPairs& pairs) {
   constexpr int kFewestOthers = 3;
   constexpr double kStands = 50.0, kDearest = 5.0;
   const auto count = static_cast<Eigen::Index>(values.size());
@@ -68,7 +52,7 @@ int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedSt
     for (Eigen::Index i = 0; i < count; ++i) rest[static_cast<std::size_t>(i)] -= wave[i];
   }
   // the waves of a sector that moved would move the others
-  if (robustSigma(rest, median(rest)) >= robustSigma(values, median(values))) return 0;
+  if (pairs.scatterOf(rest) >= pairs.scatterOf(values)) return 0;
   values = rest;
   return standing;
 }
@@ -76,12 +60,11 @@ int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedSt
 }  // namespace
 
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool declared) {
-  constexpr std::size_t kFewStations = 16, kDense = 32;
+  constexpr std::size_t kFewStations = 16;
   constexpr double kMismatch = 1.25;    // few stations exceed their sigma by less through chance
   constexpr double kEfficiency = 0.87;  // of biweightSigma
   constexpr double kNone = 0.35;        // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;    // an arc is known to about a quarter
-  constexpr double kWidest = 30.0 * kDegree;
   constexpr double kMisstated = 4.0;  // nobody states errors of a levelling by more too small: beyond, the tank moved
   MovementErrors errors;
   const std::size_t n = stations.size();
@@ -91,19 +74,20 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool dec
   plane.removeFromErrors(level);
   std::vector<double> values;
   for (const MatchedStation& m : level) values.push_back(m.dz / m.sigma);
-  const int waves = removeStandingWaves(values, stations);
-  const double step = kTwoPi / static_cast<double>(n);
+  const RingPairs pairs(stations);
+  const int waves = removeStandingWaves(values, stations, pairs);
+  const double scatter = pairs.scatterOf(values);
   double along = 0.0;
-  for (std::size_t lag = 1; n >= kDense && static_cast<double>(lag) * step <= kWidest; ++lag) {
-    const double correlation = correlationAt(values, stations, lag);
+  for (std::size_t lag = 1; lag <= pairs.widest(); ++lag) {
+    const double correlation = pairs.correlationAt(values, lag, scatter);
     if (!(correlation > kNone)) break;  // NaN too: no pairs are left
     along += correlation;
   }
-  if (along > 0.0) errors.shared = kCautious * step * (1.0 + 2.0 * along);
+  if (along > 0.0) errors.shared = kCautious * pairs.step() * (1.0 + 2.0 * along);
   // the plane took three degrees of freedom from as many values as are independent, and each wave two
-  const double independent = errors.shared > 0.0 ? std::max(6.0, kTwoPi / errors.shared) : static_cast<double>(n);
+  const double independent = errors.shared > 0.0 ? std::max(6.0, pairs.step() * static_cast<double>(n) / errors.shared) : static_cast<double>(n);
   const double taken = errors.shared > 0.0 ? 3.0 : 3.0 + 2.0 * waves;
-  errors.shown = biweightSigma(values) / std::sqrt(1.0 - taken / independent);
+  errors.shown = scatter / std::sqrt(1.0 - taken / independent);
   const double freedom = std::max(1.0, kEfficiency * (independent - taken));
   if (errors.shared > 0.0) errors.freedom_whole = freedom;  // the arc is known no better than a scale would be
   if (errors.shown <= (n < kFewStations ? kMismatch : 1.0)) return errors;

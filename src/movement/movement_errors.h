@@ -15,11 +15,10 @@ struct MovementErrors {
   double freedom_whole = 0.0;  ///< those of settlement and tilt of the whole, which scale and arc both carry; 0: none
 };
 
-/// Scatter and autocorrelation of dz about a robust plane, by biweight and medians: a movement of less than half of the
-/// ring hardly changes them, nor does a long wave of the whole ring that stands far above the waves shorter than it.
-/// Fewer than 16 stations must scatter by a quarter more than their sigmas; the waves need 11, the autocorrelation 32.
-/// Source of the robust autocovariance: Ma and Genton, J. Time Series Analysis 21, 2000, with the median absolute
-/// deviation as scale.
+/// Scatter and autocorrelation of dz about a robust plane, by biweight, medians and pairs of stations (RingPairs): a
+/// movement of less than half of the ring hardly changes them, nor does a long wave of the whole ring that stands far
+/// above the waves shorter than it. Fewer than 16 stations must scatter by a quarter more than their sigmas; the waves
+/// need 11, the autocorrelation 32.
 /// @param declared  whether people stated the sigmas, of levellings: what stations scatter beyond four times them is
 ///                  movement, not error
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool declared);

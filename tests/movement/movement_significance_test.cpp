@@ -172,7 +172,7 @@ TEST(CompareEpochs, SettlementAndTiltOfTheWholeHaveTestsOfTheirOwn) {
   after.lift = -0.002;
   const Movement dropped = compareEpochs(before.epoch(), after.epoch(), {});
   EXPECT_NEAR(dropped.mean, -0.002, 1e-12);
-  EXPECT_NEAR(dropped.mean / dropped.sigma_mean, -0.002 / (0.001 * std::sqrt(2.0 / 24.0)), 0.01);  // 7 sigma
+  EXPECT_NEAR(dropped.sigma_mean, std::hypot(0.001 * std::sqrt(2.0 / 24.0), made_epochs::kShared), 1e-6);
   EXPECT_TRUE(dropped.mean_significant);
   EXPECT_GT(dropped.tilt_p_value, 0.99);
   MovementOptions loose;
@@ -212,7 +212,7 @@ TEST(CompareEpochs, AWideMovementBesideADipIsFoundToo) {
   Survey before = with(&Survey::sigma, 0.0002, 1), after = with(&Survey::sigma, 0.0002, 2);
   after.dip = 0.004;
   Epoch later = after.epoch();
-  for (std::size_t i = 200; i < 260; ++i) later.stations[i].z -= 0.0004;
+  for (std::size_t i = 200; i < 260; ++i) later.stations[i].z -= 0.0016;
   const Movement m = compareEpochs(before.epoch(), later, {});
   std::size_t wide = 0, none = 0;
   for (std::size_t i = 0; i < 360; ++i) {

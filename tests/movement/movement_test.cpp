@@ -11,6 +11,7 @@
 namespace tank_datum {
 namespace {
 
+using made_epochs::kShared;
 using made_epochs::refusal;
 using made_epochs::Survey;
 using made_epochs::with;
@@ -19,7 +20,7 @@ TEST(CompareEpochs, KnowsAnExactMovementAndItsLevelOfDetection) {
   const Movement m = compareEpochs(Survey().epoch(), with(&Survey::dip, 0.002).epoch(), {});
   EXPECT_NEAR(m.stations[100].dz, -0.002, 1e-12);
   EXPECT_NEAR(m.stations[200].dz, 0.0, 1e-12);
-  EXPECT_NEAR(m.stations[0].lod95(), 1.96 * 0.0003 * std::sqrt(2.0), 1e-7);
+  EXPECT_NEAR(m.stations[0].lod95(), 1.96 * std::hypot(0.0003 * std::sqrt(2.0), kShared), 1e-7);
   EXPECT_EQ(m.matched, 360U);
   EXPECT_NEAR(m.max, -0.002, 1e-12);
   EXPECT_NEAR(m.max_azimuth, 100 * kDegree, 1e-9);
@@ -42,7 +43,7 @@ TEST(CompareEpochs, ARegistrationErrorWidensTheLevelOfDetection) {
   MovementOptions options;
   options.registration_error = 0.004;
   const Movement m = compareEpochs(Survey().epoch(), with(&Survey::lift, 0.002).epoch(), options);
-  EXPECT_NEAR(m.stations[0].sigma, std::hypot(0.004, 0.0003 * std::sqrt(2.0)), 1e-12);
+  EXPECT_NEAR(m.stations[0].sigma, std::hypot(0.004, 0.0003 * std::sqrt(2.0), kShared), 1e-12);
   EXPECT_EQ(m.significant, 0U);
   EXPECT_EQ(compareEpochs(Survey().epoch(), with(&Survey::lift, 0.002).epoch(), {}).significant, 360U);
 }
@@ -52,7 +53,7 @@ TEST(CompareEpochs, ARegistrationTiltWidensItByTheHeightAtTheShell) {
   MovementOptions options;
   options.registration_tilt = 0.0001;  // 3 mm at 30 m
   const Movement m = compareEpochs(Survey().epoch(), later.epoch(), options);
-  EXPECT_NEAR(m.stations[0].sigma, std::hypot(0.003, 0.0003 * std::sqrt(2.0)), 1e-12);
+  EXPECT_NEAR(m.stations[0].sigma, std::hypot(0.003, 0.0003 * std::sqrt(2.0), kShared), 1e-12);
   EXPECT_EQ(m.significant, 0U);
   EXPECT_GT(compareEpochs(Survey().epoch(), later.epoch(), {}).significant, 200U);
 }
@@ -62,7 +63,7 @@ TEST(CompareEpochs, NeighboursThatShareErrorsProveLess) {
   apart.correlation = 0.5 * kDegree;
   together.correlation = 20 * kDegree;
   const auto found = [](const MovementOptions& o) {
-    return compareEpochs(Survey().epoch(), with(&Survey::lift, 0.0006).epoch(), o).significant;
+    return compareEpochs(Survey().epoch(), with(&Survey::lift, 0.0008).epoch(), o).significant;
   };
   EXPECT_EQ(found(apart), 360U);
   EXPECT_EQ(found(together), 0U);

@@ -100,7 +100,7 @@ def test_dates_make_the_trend_one_per_year(tmp_path: Path) -> None:
     rates = result["trend"]["stations"]
     assert rates[96]["rate"] == pytest.approx(-0.0005, rel=1e-6)
     assert rates[100]["rate"] == pytest.approx(-0.0005, rel=1e-6)
-    sigma = 0.0002
+    sigma = math.hypot(0.0002, 0.0001)  # its own and what all stations of a scan share
     assert rates[96]["sigma"] == pytest.approx(sigma / math.sqrt(8), rel=0.01)
     assert rates[100]["sigma"] == pytest.approx(sigma * math.sqrt(2) / 4, rel=1e-6)
     assert rates[205]["rate"] == pytest.approx(0.0, abs=1e-9)

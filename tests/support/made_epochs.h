@@ -15,6 +15,9 @@
 /// Surveys whose shape and errors are known.
 namespace tank_datum::made_epochs {
 
+/// Standard error of the difference of two scans that all their stations share [m].
+inline const double kShared = 0.0001 * std::sqrt(2.0);
+
 /// A survey of a 30 m tank: its shape, errors of `sigma` that stations share within `window`, and a dip.
 struct Survey {
   std::size_t count = 360;
