@@ -34,6 +34,15 @@ std::vector<bool> seenIn(const ShellArcs& arcs) {
   return seen;
 }
 
+/// Points in a usual one of the arcs that are seen.
+double usualOf(const ShellArcs& arcs, const std::vector<bool>& seen) {
+  std::vector<double> counts;
+  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    if (seen[arc]) counts.push_back(static_cast<double>(arcs[arc]));
+  }
+  return median(std::move(counts));
+}
+
 }  // namespace
 
 ShellArcs shellArcs(const Ring& ring, const Tank& tank) {
@@ -68,16 +77,27 @@ bool isSeenBySeveral(const ShellArcs& arcs, const Tank& tank) {
 
 bool areTiles(const std::vector<ShellArcs>& parts) {
   constexpr std::size_t kBorders = 2;  // arcs that tiles share, for each of them
+  constexpr double kFull = 0.5;        // of what parts show elsewhere, they show together where tiles meet
   std::size_t shown = 0;
   std::vector<std::size_t> seen_by(SetupRing::kArcs, 0);
+  std::vector<double> fullness(SetupRing::kArcs, 0.0);
   for (const ShellArcs& arcs : parts) {
     const std::vector<bool> seen = seenIn(arcs);
+    const double usual = usualOf(arcs, seen);
     shown += std::count(seen.begin(), seen.end(), true) > 0;
-    for (std::size_t arc = 0; arc < seen.size(); ++arc) seen_by[arc] += seen[arc];
+    for (std::size_t arc = 0; arc < seen.size(); ++arc) {
+      seen_by[arc] += seen[arc];
+      if (seen[arc]) fullness[arc] += static_cast<double>(arcs[arc]) / usual;
+    }
   }
   std::size_t shared = 0;
-  for (const std::size_t by : seen_by) shared += std::max<std::size_t>(1, by) - 1;
-  return shared > 0 && shared <= kBorders * shown;
+  std::vector<double> where_shared;
+  for (std::size_t arc = 0; arc < seen_by.size(); ++arc) {
+    if (seen_by[arc] < 2) continue;
+    shared += seen_by[arc] - 1;
+    where_shared.push_back(fullness[arc]);
+  }
+  return shared > 0 && shared <= kBorders * shown && median(std::move(where_shared)) > kFull;
 }
 
 bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank) {

@@ -22,6 +22,7 @@ std::vector<ShellArcs> shellArcsOfSetups(const SetupRing& ring, const Tank& tank
 bool isSeenBySeveral(const ShellArcs& arcs, const Tank& tank);
 
 /// Whether parts meet at their borders only, as tiles of one cloud do; what none or one of them shows tells nothing.
+/// Setups that hardly overlap do it where both see the shell at a grazing angle, by few points.
 /// @param parts  each one's
 bool areTiles(const std::vector<ShellArcs>& parts);
 

@@ -46,6 +46,26 @@ TEST(AreNoSetups, PartsThatMeetAtTheirBordersOnly) {
   EXPECT_FALSE(areNone(tiles(6, 0))) << "each may be a setup that sees what no other does";
 }
 
+/// Points by arc of a setup so many arcs wide: fewer and fewer towards the ends, where beams graze the shell.
+ShellArcs setupAt(std::size_t middle, std::size_t width, double at_ends) {
+  ShellArcs arcs(SetupRing::kArcs, 0);
+  const double half = 0.5 * static_cast<double>(width);
+  for (std::size_t i = 0; i < width; ++i) {
+    const double off = std::abs(static_cast<double>(i) + 0.5 - half) / half;
+    arcs[(middle + SetupRing::kArcs - width / 2 + i) % arcs.size()] =
+        static_cast<std::size_t>(100.0 * (1.0 - (1.0 - at_ends) * off));
+  }
+  return arcs;
+}
+
+TEST(AreNoSetups, PartsThatThinOutWhereTheyMeetAreSetups) {
+  EXPECT_FALSE(areNone({setupAt(20, 40, 0.05), setupAt(58, 40, 0.05)}));
+  EXPECT_TRUE(areNone({setupAt(20, 40, 0.4), setupAt(58, 40, 0.4)}));
+  ShellArcs left = seen(0, 20), right = seen(19, 20);
+  left[19] = 55, right[19] = 35;
+  EXPECT_TRUE(areNone({left, right})) << "a cloud cut in two";
+}
+
 TEST(AreNoSetups, PartsWithoutAPointOfTheShellAreNotCounted) {
   std::vector<ShellArcs> parts = tiles(6, 3);
   for (int i = 0; i < 6; ++i) parts.push_back(seen(0, 0));
