@@ -78,20 +78,19 @@ void describeWhole(const CommonMotion& motion, double freedom, double radius, Mo
 }
 
 /// What is left of the movement without that of the tank as a rigid body, and its largest.
-void describeRest(std::vector<MatchedStation> matched, Movement& movement) {
+void describeRest(std::vector<MatchedStation> matched, const CommonErrors& common, const MovementOptions& options,
+                  Movement& movement) {
   const CommonPart rigid(matched, Removal::Tilt, true);
   rigid.removeFrom(matched);
   rigid.removeFromErrors(matched);
-  for (const MatchedStation& m : matched) {
-    StationMovement& s = movement.stations[m.station];
-    s.rest = m.dz;
-    if (std::abs(m.dz) <= std::abs(movement.max_rest)) continue;
-    movement.max_rest = m.dz, movement.sigma_rest = m.sigma, movement.rest_azimuth = s.azimuth;
-  }
+  for (const MatchedStation& m : matched) movement.stations[m.station].rest = m.dz;
+  const LargestRest largest = largestRest(matched, common, options);
+  movement.max_rest = largest.dz, movement.sigma_rest = largest.sigma, movement.rest_threshold = largest.threshold;
+  movement.rest_azimuth = movement.stations[matched[largest.station].station].azimuth;
+  movement.rest_significant = largest.moved;
 }
 
 void summarise(Movement& movement) {
-  movement.rest_significant = std::abs(movement.max_rest) > movement.threshold * movement.sigma_rest;
   double squares = 0.0;
   for (const StationMovement& s : movement.stations) {
     if (!std::isfinite(s.dz)) continue;
@@ -207,12 +206,12 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   const CommonMotion motion = commonMotion(matched, options.registration_error, rim);
   describeWhole(motion, errors.freedom_whole, current.circle.radius, movement);
   movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);
-  describeRest(matched, movement);
+  const CommonErrors common{options.registration_error, rim, offset.sigma, errors.freedom};
+  describeRest(matched, common, options, movement);
   const CommonPart part(matched, options.removal, true);
   part.removeFrom(matched);
   part.removeFromErrors(matched);
-  const Significance found =
-      findMoved(matched, {options.registration_error, rim, offset.sigma, errors.freedom}, options);
+  const Significance found = findMoved(matched, common, options);
   takeFound(found, matched, movement);
   summarise(movement);
   return movement;

@@ -65,7 +65,7 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool dec
   constexpr double kEfficiency = 0.87;  // of biweightSigma
   constexpr double kNone = 0.35;        // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;    // an arc is known to about a quarter
-  constexpr double kMisstated = 4.0;  // nobody states errors of a levelling by more too small: beyond, the tank moved
+  constexpr double kMisstated = 4.0;    // nobody states errors of a levelling by more too small: beyond, the tank moved
   MovementErrors errors;
   const std::size_t n = stations.size();
   std::vector<MatchedStation> level = stations;
@@ -85,7 +85,8 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool dec
   }
   if (along > 0.0) errors.shared = kCautious * pairs.step() * (1.0 + 2.0 * along);
   // the plane took three degrees of freedom from as many values as are independent, and each wave two
-  const double independent = errors.shared > 0.0 ? std::max(6.0, pairs.step() * static_cast<double>(n) / errors.shared) : static_cast<double>(n);
+  const double independent = errors.shared > 0.0 ? std::max(6.0, pairs.step() * static_cast<double>(n) / errors.shared)
+                                                 : static_cast<double>(n);
   const double taken = errors.shared > 0.0 ? 3.0 : 3.0 + 2.0 * waves;
   errors.shown = scatter / std::sqrt(1.0 - taken / independent);
   const double freedom = std::max(1.0, kEfficiency * (independent - taken));

@@ -193,7 +193,32 @@ bool isFlanked(const std::vector<MatchedStation>& stations, const std::vector<bo
   return before && after;
 }
 
+/// The largest dz in its standard errors.
+double largestOf(const std::vector<MatchedStation>& stations, const std::vector<double>& sigmas) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < stations.size(); ++i) largest = std::max(largest, std::abs(stations[i].dz) / sigmas[i]);
+  return largest;
+}
+
 }  // namespace
+
+LargestRest largestRest(const std::vector<MatchedStation>& stations, const CommonErrors& common,
+                        MovementOptions options) {
+  options.removal = Removal::Tilt;
+  Unmoved unmoved(stations, {0.0, 0.0, common.turn, common.freedom}, options);
+  Steadied steadied(stations);
+  LargestRest largest;
+  std::vector<double> sigmas, maxima;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    sigmas.push_back(std::hypot(stations[i].sigma, stations[i].slope * common.turn));
+    if (std::abs(stations[i].dz) > std::abs(stations[largest.station].dz)) largest.station = i;
+  }
+  largest.dz = stations[largest.station].dz, largest.sigma = sigmas[largest.station];
+  for (std::size_t draw = 0; draw < kDraws; ++draw) maxima.push_back(largestOf(steadied.of(unmoved.draw()), sigmas));
+  largest.threshold = quantile(maxima, 1.0 - kFalseAlarms);
+  largest.moved = largestOf(steadied.of(stations), sigmas) > largest.threshold;
+  return largest;
+}
 
 Significance findMoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
                        const MovementOptions& options) {

@@ -21,6 +21,20 @@ struct Significance {
   std::vector<double> sigmas;  ///< standard error of each dz [m]
 };
 
+/// The largest movement that is left without that of the tank as a rigid body.
+struct LargestRest {
+  std::size_t station = 0;  ///< its index among those given
+  double dz = 0.0;          ///< [m]
+  double sigma = 0.0;       ///< standard error of that [m]
+  double threshold = 0.0;   ///< of |dz| in its standard errors: the 97 % point of the largest of an unmoved tank
+  bool moved = false;       ///< beyond that, and not a single station that stands out from its neighbours
+};
+
+/// @param stations  by direction, a plane taken from dz and from what they share of their errors
+/// @param common    `turn` and `freedom` of it count: the plane takes the others
+LargestRest largestRest(const std::vector<MatchedStation>& stations, const CommonErrors& common,
+                        MovementOptions options);
+
 /// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
 /// standard deviation on an unmoved tank. The threshold is the 97 % point of the largest of them all in 2000 simulated
 /// comparisons with the stations' own sigmas, the correlation of stations that share points, the common errors and the

@@ -68,6 +68,7 @@ Json movementSection(const Movement& movement) {
           {"out_of_plane",
            {{"value", number(movement.max_rest)},
             {"sigma", number(movement.sigma_rest)},
+            {"threshold", number(movement.rest_threshold)},
             {"azimuth_deg", number(toDegrees(movement.rest_azimuth))},
             {"significant", movement.rest_significant}}},
           {"moved", movement.moved()},

@@ -32,7 +32,8 @@ TEST(RingPairs, ASectorThatMovedIsNoError) {
   for (const double width : {60.0, 90.0, 120.0}) {
     for (const double moved : {0.008, 0.010, 0.020}) {
       auto stations = differences(360, 1, 5);
-      for (std::size_t i = 0; i < 360; ++i) stations[i].dz -= moved * sectorAt(static_cast<double>(i) - 100.0, width, 5);
+      for (std::size_t i = 0; i < 360; ++i)
+        stations[i].dz -= moved * sectorAt(static_cast<double>(i) - 100.0, width, 5);
       const MovementErrors errors = shownErrors(stations, false);
       EXPECT_NEAR(errors.shown, 1.0, 0.2) << width << " " << moved;
       EXPECT_LT(errors.shared, 5.0 * kDegree) << width << " " << moved;

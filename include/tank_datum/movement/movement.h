@@ -111,7 +111,8 @@ struct Movement {
   double max_rest = kUnknown;      ///< the rest of the largest magnitude, out of plane [m]
   double sigma_rest = kUnknown;    ///< its standard error [m]
   double rest_azimuth = kUnknown;  ///< where [rad]
-  bool rest_significant = false;   ///< beyond `threshold` of its standard error
+  double rest_threshold = 0.0;     ///< of its magnitude in its standard errors: 97 % of unmoved tanks show less
+  bool rest_significant = false;   ///< whether some are beyond it, no single ones among others
   double threshold = kUnknown;     ///< of the largest standardised window mean on an unmoved tank, 97 %
   std::vector<StationMovement> stations;  ///< of one survey, in its order: the current one's, or the sparser baseline's
   std::size_t matched = 0;                ///< stations measured in both
