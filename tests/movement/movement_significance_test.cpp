@@ -133,22 +133,6 @@ TEST(CompareEpochs, ErrorsOfSetupsAreNoMovement) {
   EXPECT_GE(untold, 20) << "a mean over stations that share errors is not that of as many";
 }
 
-TEST(CompareEpochs, WhatIsOutOfPlaneIsHeldAgainstTheLargestOfAllStations) {
-  // all share a height of 2 mm, so that the stations' own threshold is that of a few; out of plane they are 360
-  int moved = 0;
-  for (unsigned run = 1; run <= 40; ++run) {
-    Epoch before = with(&Survey::sigma, 0.0003, 2 * run).epoch(),
-          after = with(&Survey::sigma, 0.0003, 2 * run + 1).epoch();
-    for (Epoch* epoch : {&before, &after}) {
-      for (Elevation& e : epoch->stations) e.shared = {0.002}, e.sigma_z = std::hypot(e.sigma_z, 0.002);
-    }
-    const Movement m = compareEpochs(before, after, {});
-    moved += m.rest_significant ? 1 : 0;
-    EXPECT_GT(m.rest_threshold, m.threshold + 0.5);
-  }
-  EXPECT_LE(moved, 6);  // binomial(40, 0.05) exceeds it once in 300
-}
-
 TEST(CompareEpochs, SigmasClaimedHalfRaiseNoAlarms) {
   int alarms = 0;
   for (unsigned run = 1; run <= 40; ++run) {
