@@ -20,15 +20,20 @@ struct Depths {
   const UsualSection& usual;
   double weights = 0.0, below = 0.0, spread = 0.0;
   std::size_t told = 0;
+  std::vector<WeightedValue> bins = {};
 
   Depths(const Section& of, const UsualSection& among) : section(of), usual(among) {}
   void add(std::size_t bin) {
     if (!usual.tells(section, bin)) return;
     const double usually = usual.spread[bin], weight = 1.0 / (usually * usually);
-    weights += weight, below += weight * (usual.height[bin] - section[bin]), spread += weight * usually;
+    const double deep = usual.height[bin] - section[bin];
+    weights += weight, below += weight * deep, spread += weight * usually;
+    bins.push_back({deep, weight});
     ++told;
   }
   double mean() const { return below / weights; }
+  /// The same of most bins: a few in which an edge comes nearer, with what is far lower behind it, do not count.
+  double ofMost() const { return std::min(mean(), weightedMedian(bins)); }
   /// In what sections usually scatter by, which is not less for many bins: they err together.
   double standOut() const { return below / spread; }
 };
@@ -165,8 +170,8 @@ Depth SectionSeen::depth(double least) const {
   Depth depth;
   if (all.told < kFewestBins) {
     depth.value = kUnknown;
-  } else if (all.standOut() > kStands && all.mean() > least) {
-    depth.value = all.mean();
+  } else if (all.standOut() > kStands && all.ofMost() > least) {
+    depth.value = all.ofMost();
   }
   const Section& own = shown_->own[station_];
   Depths part(own, shown_->usual);

@@ -66,6 +66,20 @@ TEST(FindFillets, AreNotSlopesNorBarePads) {
 
 TEST(FindFillets, BendUpwards) { EXPECT_EQ(countOf(Pad{}.fillets(soil(-0.012, 0.15))), 0); }
 
+/// A crown so high beyond 205 mm, where the outer part begins, with soil of so much at the shell.
+bool isFilletBesideCrown(double crown, double soil) {
+  return Pad{}.fillets([=](int station, double d) {
+    return isInArc(station) ? (d > 0.205 ? crown : 0.0) + (d < 0.1085 ? soil : 0.0) : 0.0;
+  })[120];
+}
+
+TEST(FindFillets, AreNotCrownsThatComeNearer) {
+  EXPECT_FALSE(isFilletBesideCrown(0.004, 0.0));
+  EXPECT_FALSE(isFilletBesideCrown(0.004, 0.002));
+  EXPECT_TRUE(isFilletBesideCrown(0.002, 0.004));
+  EXPECT_TRUE(isFilletBesideCrown(0.0, 0.004));
+}
+
 /// The first part ends at 109 mm: steps there are bends.
 TEST(FindFillets, BendByAHundredthOfAPartsWidth) {
   const auto stepped = [](double step) -> bool {
