@@ -36,6 +36,14 @@ void dropStrays(ShellCells& cells) {
   }
 }
 
+/// What the shell's points scatter by in a usual cell; where soil lies against most of it, in one of those without.
+double noiseOf(const std::vector<double>& spreads) {
+  constexpr double kBare = 0.25;  // of the cells
+  constexpr double kSoil = 4.0;   // times as much as those scatter
+  const double bare = quantile(spreads, kBare), usual = median(spreads);
+  return usual > kSoil * bare ? bare : usual;
+}
+
 template <typename Keep>
 ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep) {
   const PolarPoints& points = ring.points();
@@ -59,7 +67,7 @@ ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep
     spreads[cell] = std::isfinite(result.radius[cell]) ? robustSigma(radii, result.radius[cell]) : kUnknown;
   });
   spreads.erase(std::remove_if(spreads.begin(), spreads.end(), [](double s) { return std::isnan(s); }), spreads.end());
-  result.noise = std::max(median(spreads), 1e-6);  // points without noise are a shell too
+  result.noise = std::max(noiseOf(spreads), 1e-6);  // points without noise are a shell too
   ShellCells shell{std::move(result.radius), result.noise, kTwoPi * tank_radius / static_cast<double>(cells)};
   dropStrays(shell);
   result.radius = std::move(shell.radius);

@@ -40,6 +40,20 @@ Wall wallOf(const Ring& ring, const Tank& tank) {
   }));
 }
 
+/// Leaves of a sector what stands above a heap against the shell: nothing is seen at the shell's radius below its top.
+void leaveAboveHeap(Wall& sector, const Tank& tank, double reach) {
+  constexpr double kAtShell = 0.01, kHidden = 0.3;  // of the radius; of the reach: more of the shell is hidden
+  constexpr double kStrays = 0.05;                  // of the points
+  std::vector<double> heights;
+  for (const WallPoint& p : sector) {
+    if (std::abs(p.radius - tank.circle.radius) <= kAtShell * tank.circle.radius) heights.push_back(p.height);
+  }
+  const double top = quantile(heights, kStrays);
+  if (!(top > kHidden * reach)) return;
+  sector.erase(std::remove_if(sector.begin(), sector.end(), [top](const WallPoint& p) { return p.height < top; }),
+               sector.end());
+}
+
 std::vector<Wall> inSectors(const Wall& wall, std::size_t count) {
   std::vector<Wall> sectors(count);
   for (const WallPoint& p : wall)
@@ -111,11 +125,12 @@ std::vector<Middle> middlesOf(const Ring& ring, const Tank& tank, double& spacin
   spacing = spacingOf(inSectors(wall, kCoarse), round / double(kCoarse));
   if (!(spacing > 0.0)) return {};
   const auto count = static_cast<std::size_t>(std::clamp(round / (3.0 * spacing), 24.0, double(kFinest)));
-  const std::vector<Wall> sectors = inSectors(wall, count);
+  std::vector<Wall> sectors = inSectors(wall, count);
   const double width = kTwoPi / static_cast<double>(count);
   return concatenated(ofParts(count, 0, [&](std::size_t begin, std::size_t end) {
     std::vector<Middle> middles;
     for (std::size_t i = begin; i < end; ++i) {
+      leaveAboveHeap(sectors[i], tank, ring.reach);
       if (sectors[i].size() < kFewestOfSector) continue;
       middles.push_back(middleOf(sectors[i], (static_cast<double>(i) + 0.5) * width, 0.3 * ring.reach));
     }

@@ -116,5 +116,35 @@ TEST(ShellEvidence, HasADegreeASectorAtMost) {
   EXPECT_EQ(shell.sectors, 360U);
 }
 
+/// What the wall seems to open by where a heap lies against most of it: its top so high, its points up to 0.4 m outside
+/// of the shell, which stands so far outside of the circle there, and so many strays below.
+double coneBehindHeap(double top, double shell = 0.0, int strays = 0) {
+  Rows wall(10.0);
+  wall.addShell(40);
+  for (int k = 0; k < 80; ++k) {
+    const double at = 0.2 + 360.0 / 120.0 * k;
+    wall.add(at, 20, top, 0.5, shell);
+    for (int i = 0; i < 60; ++i) {  // it falls by as much as it is wide
+      const double off = 0.4 * (i + 0.5) / 60;
+      if (top - off > 0.08) wall.addPoint(at, top - off, shell + off);
+    }
+    for (int i = 0; i < strays; ++i) wall.addPoint(at, 0.08, 0.0);
+  }
+  return std::abs(wall.look().cone);
+}
+
+TEST(ShellEvidence, AHeapAgainstTheShellIsNoWall) {
+  EXPECT_LT(coneBehindHeap(0.3), 0.01);
+  EXPECT_LT(coneBehindHeap(0.3, 0.07), 0.01) << "of a shell out of round";
+  EXPECT_LT(coneBehindHeap(0.3, 0.0, 1), 0.01) << "a stray point below it";
+  EXPECT_GT(coneBehindHeap(0.3, 0.0, 3), 0.1) << "the shell below it";
+}
+
+TEST(ShellEvidence, AWallThatBeginsBelowThreeTenthsOfTheReachIsWhole) {
+  Rows wall(5.0);
+  for (int i = 0; i < 40; ++i) wall.add(0.2 + 9.0 * i, 40, 0.1, 0.257);  // tells its lean by all of its points only
+  EXPECT_TRUE(std::isfinite(wall.look().cone));
+}
+
 }  // namespace
 }  // namespace tank_datum
