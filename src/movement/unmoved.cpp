@@ -1,0 +1,86 @@
+#include "movement/unmoved.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/portable_math.h"
+#include "core/units.h"
+
+namespace tank_datum {
+namespace {
+
+constexpr double kOutlier = 2.5;  // sigmas
+
+}  // namespace
+
+Steadied::Steadied(const std::vector<MatchedStation>& stations) {
+  constexpr double kNear = 2.0 * kPi / 180.0 + 1e-6;
+  const std::size_t n = stations.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto near = [&](std::size_t j) {
+      return std::abs(std::remainder(stations[j].direction - stations[i].direction, kTwoPi)) <= kNear;
+    };
+    std::vector<std::size_t> beside = {i};
+    for (std::size_t k = 1; k < n && near((i + k) % n); ++k) beside.push_back((i + k) % n);
+    for (std::size_t k = 1; k < n && near((i + n - k) % n); ++k) beside.push_back((i + n - k) % n);
+    if (beside.size() < 5) beside.clear();
+    beside_.push_back(std::move(beside));
+    reach_.push_back(kOutlier * stations[i].own());
+  }
+}
+
+const std::vector<MatchedStation>& Steadied::of(const std::vector<MatchedStation>& stations) {
+  steadied_ = stations;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const double reach = reach_[i];
+    std::size_t far = 0;  // the median is no further off than half of the stations are
+    for (const std::size_t j : beside_[i]) far += std::abs(stations[j].dz - stations[i].dz) > reach ? 1 : 0;
+    if (2 * far < beside_[i].size() || beside_[i].empty()) continue;
+    around_.clear();
+    for (const std::size_t j : beside_[i]) around_.push_back(stations[j].dz);
+    const auto middle = around_.begin() + static_cast<std::ptrdiff_t>(around_.size() / 2);
+    std::nth_element(around_.begin(), middle, around_.end());
+    if (std::abs(stations[i].dz - *middle) > reach) steadied_[i].dz = *middle;
+  }
+  return steadied_;
+}
+
+Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
+                 const MovementOptions& options)
+    : stations_(stations), common_(common), part_(stations, options.removal, true) {
+  cells_ = std::max<std::size_t>(360, stations.size());
+  const double cell = kTwoPi / static_cast<double>(cells_);
+  for (const MatchedStation& m : stations) {
+    const double window = options.correlation > 0.0 ? options.correlation : m.window;
+    const double most = 0.5 * static_cast<double>(cells_);
+    const auto width = static_cast<std::size_t>(std::clamp(std::ceil(window / cell - 1e-6), 1.0, most));
+    const double start = std::round(m.direction / cell - 0.5 * static_cast<double>(width));
+    const auto first = static_cast<std::size_t>(start < 0.0 ? start + static_cast<double>(cells_) : start);
+    own_.push_back(m.own());
+    towards_.emplace_back(portable::cos(m.direction), portable::sin(m.direction));
+    shares_.push_back({first % cells_, width, 1.0 / std::sqrt(static_cast<double>(width))});
+  }
+}
+
+const std::vector<MatchedStation>& Unmoved::draw() {
+  std::vector<double> sums(2 * cells_ + 1, 0.0);
+  for (std::size_t i = 0; i < cells_; ++i) sums[i + 1] = sums[i] + normal_();
+  for (std::size_t i = 0; i < cells_; ++i) sums[cells_ + i + 1] = sums[cells_] + sums[i + 1];
+  Eigen::VectorXd common(stations_.front().shared.size());
+  for (double& error : common) error = normal_();
+  const double turn = common_.turn * normal_(), width = studentWidth(normal_, common_.freedom);
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    const Share& s = shares_[i];
+    const double error = (sums[s.first + s.width] - sums[s.first]) * s.scale;
+    stations_[i].dz = own_[i] * width * error + stations_[i].shared.dot(common) + stations_[i].slope * turn;
+  }
+  part_.removeFrom(stations_);
+  const double height = common_.height * normal_(), east = common_.rim * normal_(), north = common_.rim * normal_();
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    stations_[i].dz += height + east * towards_[i].x() + north * towards_[i].y();
+  }
+  return stations_;
+}
+
+}  // namespace tank_datum
