@@ -6,7 +6,8 @@
 
 namespace tank_datum {
 
-/// Points a degree that the ring has beside the foot of the shell, on the foundation's side, where the shell is seen.
+/// Points a degree that the ring has beside the foot of the shell, on the foundation's side, where the shell and any of
+/// them are seen: a foot that is hidden elsewhere is not sparse for that. NaN where none is seen.
 double footDensity(const Ring& ring, const Tank& tank);
 
 /// "1.2 foundation points a degree".
