@@ -47,17 +47,19 @@ TEST(RingSteepness, WhereNothingIsSeenBeyondIsTheLips) {
 
 /// What is learnt of a lip that beams have filled with points, with so many points a station on what it lies on, which
 /// is lifted beside the edge by as much as it is uneven.
-FootPriors learntBeside(int beyond) {
+/// @param points   of a station on the lip
+/// @param band_to  how far out that is plain [m]
+FootPriors learntBeside(int beyond, int points = 60, double band_to = 0.060) {
   made_feet::MadeFoot made;
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;
-  made.addAll(60, 0.0155, 0.0595, [&](double) { return 1e-4 * normal(random); });
+  made.addAll(points, 0.0155, 0.0595, [&](double) { return 1e-4 * normal(random); });
   made.addAll(beyond, kFrom, kTo, [](double) { return -0.010; });
   int shell = 0;
   made.addAll(60, -1e-4, 1e-4, [&](double) { return 0.051 + 0.198 * (shell++ % 60) / 60.0; });
   FootSections sections;
   FootProfile& whole = sections.whole = lip();
-  whole.bin = 0.003, whole.band_to = 0.060, whole.surface = Surface::AnnularPlate;
+  whole.bin = 0.003, whole.band_to = band_to, whole.surface = Surface::AnnularPlate;
   for (std::size_t bin = 0; bin < 100; ++bin) {
     const double d = 0.003 * (static_cast<double>(bin) + 0.5), uneven = bin % 2 == 0 ? 0.0006 : -0.0006;
     whole.height.push_back(d < whole.edge ? 0.0 : d < kFrom ? -0.0092 : -0.010 + uneven);
@@ -73,6 +75,11 @@ TEST(LearnPriors, OfALipThatBeamsFillRaysAreAsFlatAsWhatItLiesOnShows) {
   const double lift = 0.6 * 3.5 * 0.0008 / 0.06, hidden = 0.6 * 3.5 * 1.4826 * 0.0006 / 0.06;
   EXPECT_GT(learntBeside(1).sigma_slope[100], sigma(lift));
   EXPECT_LT(learntBeside(1).sigma_slope[100], sigma(lift + hidden));
+}
+
+TEST(LearnPriors, ALipIsAsWideAsItIsSeenForWhatBeamsFeign) {
+  EXPECT_LT(learntBeside(0, 3).sigma_slope[100], 0.005);
+  EXPECT_LT(learntBeside(0, 3, 0.045).sigma_slope[100], 0.008);  // 0.017 if it were as wide as it is plain
 }
 
 }  // namespace
