@@ -20,7 +20,9 @@ RingPairs::RingPairs(const std::vector<MatchedStation>& stations) : stations_(st
   std::vector<double> arcs;
   for (std::size_t i = 0; i < stations.size(); ++i) arcs.push_back(arc(i, 1));
   step_ = median(arcs);
-  if (stations.size() >= kDense) widest_ = static_cast<std::size_t>(kWidest / step_ + 1e-6);
+  if (stations.size() < kDense) return;
+  const auto most = static_cast<double>(stations.size() - 1);  // where they lie within less
+  widest_ = static_cast<std::size_t>(step_ > 0.0 ? std::min(kWidest / step_ + 1e-6, most) : most);
 }
 
 double RingPairs::arc(std::size_t at, std::size_t lag) const {

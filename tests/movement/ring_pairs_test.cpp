@@ -76,6 +76,10 @@ TEST(RingPairs, StepIsThatOfNeighboursWhateverTheGaps) {
   stations.resize(100);
   EXPECT_NEAR(RingPairs(stations).step(), 1.0 * kDegree, 1e-12);
   EXPECT_EQ(RingPairs(stations).widest(), 30U);
+  for (std::size_t i = 0; i < 100; ++i) stations[i].direction = 0.1 * kDegree * static_cast<double>(i);
+  EXPECT_EQ(RingPairs(stations).widest(), 99U) << "all within ten degrees";
+  for (MatchedStation& m : stations) m.direction = 0.0;
+  EXPECT_EQ(RingPairs(stations).widest(), 99U) << "all at one place";
   stations.resize(31);
   EXPECT_EQ(RingPairs(stations).widest(), 0U);
 }
