@@ -30,8 +30,9 @@ void warnOfSteps(Datum& datum) {
 }
 
 /// A datum that does not exist for want of a foot.
-Datum withoutCrease(Datum datum, std::string message) {
+Datum withoutCrease(Datum datum, std::string message, int stations) {
   addClause(message, sparseFoot(datum.foot_density));
+  addClause(message, fineStations(datum.foot_density, stations));
   return endDatum(std::move(datum), Status::NoCrease, message);
 }
 
@@ -124,16 +125,17 @@ Datum describeStations(Datum datum, const DatumOptions& options) {
     return endDatum(datum, Status::FitFailed, "too few edge points for a closed curve");
   }
   if (!refined && isElsewhere(datum.circle, datum.tank, options.crop.reach)) {
-    return withoutCrease(std::move(datum), candidate + "the edge points do not lie along the foot of the shell");
+    return withoutCrease(std::move(datum), candidate + "the edge points do not lie along the foot of the shell",
+                         options.stations.count);
   }
   if (refined && !datum.refined.valid()) {
     const std::string why = whyNoSurface(datum.refined.profile);
-    return withoutCrease(std::move(datum), candidate + why);
+    return withoutCrease(std::move(datum), candidate + why, options.stations.count);
   }
   datum.level = levelOf(datum.stations);
   if (datum.level.measured < 8) {
     const std::string why = whyNoStations(datum.stations, datum.refined.falls);
-    return withoutCrease(std::move(datum), candidate + why);
+    return withoutCrease(std::move(datum), candidate + why, options.stations.count);
   }
   blankMissing(datum);
   return finishDatum(std::move(datum), options);
@@ -164,6 +166,7 @@ Datum finishDatum(Datum datum, const DatumOptions& options) {
                     " stations are missing: the datum is not seen there";
     addClause(datum.message, sparseFoot(datum.foot_density));
   }
+  addClause(datum.message, fineStations(datum.foot_density, options.stations.count));
   addClause(datum.message, doubtfulUnits(datum.circle.radius));
   addClause(datum.message, setupMessage(datum.agreement, datum.stations));
   warnOfSteps(datum);

@@ -56,4 +56,10 @@ std::string sparseFoot(double per_degree) {
   return footDensityText(per_degree) + needed;
 }
 
+std::string fineStations(double per_degree, int stations) {
+  constexpr double kFewest = 2.0;  // points of a station: with fewer most have none, or one that tells no noise
+  if (!(per_degree * 360.0 / stations < kFewest) || stations <= 360) return {};
+  return std::to_string(stations) + " stations are finer than the points of the foot: ask for fewer (option stations)";
+}
+
 }  // namespace tank_datum

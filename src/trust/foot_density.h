@@ -18,4 +18,8 @@ std::string footDensityText(double per_degree);
 /// @param per_degree  points a degree
 std::string sparseFoot(double per_degree);
 
+/// What there is to say of stations so close that few have points of their own; nothing of others.
+/// @param stations  round the tank
+std::string fineStations(double per_degree, int stations);
+
 }  // namespace tank_datum

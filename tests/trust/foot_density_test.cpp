@@ -59,5 +59,14 @@ TEST(FootDensity, OfASparseFootAWordIsSaid) {
   EXPECT_EQ(sparseFoot(kUnknown), "");
 }
 
+TEST(FootDensity, OfStationsFinerThanThePointsAWordIsSaid) {
+  EXPECT_EQ(fineStations(26.0, 7200),
+            "7200 stations are finer than the points of the foot: ask for fewer (option stations)");
+  EXPECT_NE(fineStations(3.9, 720), "");
+  EXPECT_EQ(fineStations(4.1, 720), "");
+  EXPECT_EQ(fineStations(0.5, 360), "") << "the foot is sparse, then";
+  EXPECT_EQ(fineStations(kUnknown, 7200), "");
+}
+
 }  // namespace
 }  // namespace tank_datum
