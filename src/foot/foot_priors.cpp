@@ -157,9 +157,10 @@ LipSlopes lipSlopes(const Foot& foot, const FootElevations& elevations, const Fo
     lips.lean.push_back(beamLean(found.steepness[k], sections.whole.band_to));
     lips.series[k].sigma = std::hypot(lips.series[k].sigma, lips.lean.back());
   }
-  lips.ring_lean =
-      ringBeamLean(found.ring_steepness, std::max(sections.whole.band_to, seenTo(sections.whole) - sections.whole.blur),
-                   foot.scales.weld);
+  const FootProfile& whole = sections.whole;
+  const double width =
+      std::max(whole.band_to, seenTo(whole) - whole.blur);  // as it is seen: its plain band may be less
+  lips.ring_lean = ringBeamLean(found.ring_steepness, width, foot.scales.weld);
   lips.stride = found.stride;
   lips.steepness = found.pooled_steepness;
   lips.doubt = feignedSlopeOf(found, 0.25 * sections.whole.blur);

@@ -19,7 +19,6 @@ struct Depths {
   const Section& section;
   const UsualSection& usual;
   double weights = 0.0, below = 0.0, spread = 0.0;
-  std::size_t told = 0;
   std::vector<WeightedValue> bins = {};
 
   Depths(const Section& of, const UsualSection& among) : section(of), usual(among) {}
@@ -29,8 +28,8 @@ struct Depths {
     const double deep = usual.height[bin] - section[bin];
     weights += weight, below += weight * deep, spread += weight * usually;
     bins.push_back({deep, weight});
-    ++told;
   }
+  bool tell() const { return bins.size() >= kFewestBins; }
   double mean() const { return below / weights; }
   /// The same of most bins: a few in which an edge comes nearer, with what is far lower behind it, do not count.
   double ofMost() const { return std::min(mean(), weightedMedian(bins)); }
@@ -168,7 +167,7 @@ Depth SectionSeen::depth(double least) const {
   Depths all(whole, narrowest_->usual);
   for (std::size_t b = 0; b < whole.size(); ++b) all.add(b);
   Depth depth;
-  if (all.told < kFewestBins) {
+  if (!all.tell()) {
     depth.value = kUnknown;
   } else if (all.standOut() > kStands && all.ofMost() > least) {
     depth.value = all.ofMost();
@@ -178,7 +177,7 @@ Depth SectionSeen::depth(double least) const {
   double clearest = std::max(kStands, depth.value > 0.0 ? all.standOut() : 0.0);
   for (std::size_t b = std::min(own.size(), shown_->usual.end); b-- > 0;) {
     part.add(b);
-    if (part.told < kFewestBins || part.standOut() <= clearest || part.mean() <= least) continue;
+    if (!part.tell() || part.standOut() <= clearest || part.mean() <= least) continue;
     clearest = part.standOut();
     depth = {part.mean(), static_cast<double>(b) / static_cast<double>(own.size()), true};
   }

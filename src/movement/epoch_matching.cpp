@@ -25,7 +25,7 @@ constexpr double kAllAlike = 0.1e-3;
 /// A station's elevation with what all of its survey err by alike; a levelling's errors are as stated.
 Elevation withCommonError(const Epoch& epoch, std::size_t station) {
   Elevation e = epoch.stations[station];
-  if (epoch.levelled) return e;
+  if (epoch.levelled || !(e.sigma_z > 0.0)) return e;
   e.sigma_z = std::hypot(e.sigma_z, kAllAlike);
   e.shared.push_back(kAllAlike);
   return e;

@@ -52,7 +52,7 @@ int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedSt
     for (Eigen::Index i = 0; i < count; ++i) rest[static_cast<std::size_t>(i)] -= wave[i];
   }
   // the waves of a sector that moved would move the others
-  if (pairs.scatterOf(rest) >= pairs.scatterOf(values)) return 0;
+  if (standing == 0 || pairs.scatterOf(rest) >= pairs.scatterOf(values)) return 0;
   values = rest;
   return standing;
 }

@@ -41,8 +41,9 @@ std::vector<std::size_t> RingPairs::pairsAt(const std::vector<double>& values, s
 
 double RingPairs::scatterOf(const std::vector<double>& values) const {
   const double all = biweightSigma(values);
+  if (widest_ == 0) return all;
   std::vector<MatchedStation> pairs;
-  for (const std::size_t i : widest_ > 0 ? pairsAt(values, widest_) : std::vector<std::size_t>{}) {
+  for (const std::size_t i : pairsAt(values, widest_)) {
     MatchedStation pair;
     pair.direction = stations_[i].direction + 0.5 * arc(i, widest_);
     pair.dz = (values[(i + widest_) % values.size()] - values[i]) / std::sqrt(2.0);

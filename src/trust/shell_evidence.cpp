@@ -10,6 +10,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circle.h"
+#include "fit/ring_cells.h"
 
 namespace tank_datum {
 namespace {
@@ -56,8 +57,7 @@ void leaveAboveHeap(Wall& sector, const Tank& tank, double reach) {
 
 std::vector<Wall> inSectors(const Wall& wall, std::size_t count) {
   std::vector<Wall> sectors(count);
-  for (const WallPoint& p : wall)
-    sectors[static_cast<std::size_t>(p.azimuth / kTwoPi * static_cast<double>(count)) % count].push_back(p);
+  for (const WallPoint& p : wall) sectors[ringCell(p.azimuth, count)].push_back(p);
   return sectors;
 }
 

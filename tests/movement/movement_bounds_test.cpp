@@ -106,6 +106,13 @@ TEST(CompareEpochs, WhatIsOutOfPlaneIsHeldAgainstTheLargestOfAllStations) {
   EXPECT_LE(moved, 6);  // binomial(40, 0.05) exceeds it once in 300
 }
 
+TEST(CompareEpochs, StationsWithoutAStandardErrorAreNotCompared) {
+  Epoch unknown = Survey().epoch();
+  unknown.stations[7].sigma_z = 0.0;
+  EXPECT_EQ(compareEpochs(Survey().epoch(), unknown, {}).matched, 359U);
+  EXPECT_EQ(compareEpochs(unknown, unknown, {}).matched, 359U);
+}
+
 TEST(CompareEpochs, NeedsEightStationsInCommon) {
   EXPECT_EQ(compareEpochs(surveyOf(8), surveyOf(8), {}).message, "");
   EXPECT_EQ(compareEpochs(surveyOf(7), surveyOf(7), {}).message,
