@@ -65,10 +65,12 @@ struct Cover {
 
 /// Whether what covers the surface comes down to it as a fillet does: below a level points lie over a width, where an
 /// edge's face is upright but for what noise and wide beams make of it.
-bool comesDown(const ShellStrip& strip, const std::vector<Beside>& level) {
+/// @param height  of the level
+bool comesDown(const ShellStrip& strip, const std::vector<Beside>& level, double height) {
   constexpr double kFewest = 0.2;   // of the level's points
   constexpr double kUpright = 0.5;  // what falls more steeply is a face [m/m]
-  const double least = 2.0 * strip.noise, most = level.front().height;
+  constexpr double kNoise = 2.0;    // standard deviations: nearer to either surface points may be of it
+  const double least = kNoise * strip.noise, most = std::min(level.front().height, height - kNoise * strip.noise);
   std::vector<double> distances;
   for (const Beside& p : strip.points) {
     if (p.height > least && p.height < most) distances.push_back(p.d);
@@ -83,7 +85,7 @@ bool comesDown(const ShellStrip& strip, const std::vector<Beside>& level) {
 bool isLip(const ShellStrip& strip, const std::vector<Beside>& level, const std::vector<double>& distances,
            double width, double height) {
   constexpr double kRound = 2.0;  // times its height: what is round is seen no wider
-  if (comesDown(strip, level)) return false;
+  if (comesDown(strip, level, height)) return false;
   const bool level_out = slopeWithin(level, median(distances), strip.to) >= -kSteepestLip;
   if (level_out && !strip.on_plate) return true;
   return width > kRound * height && (level_out || slopeBetween(level, distances) >= -kSteepestLip);

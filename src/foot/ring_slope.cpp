@@ -40,16 +40,16 @@ MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
           withPrior(std::hypot(std::sqrt(variance), kBeams * expected.more))};
 }
 
-/// Slopes that are known, and the variances of their errors.
+/// Slopes that are known, and the variances of the errors of what is seen.
 struct KnownSlopes {
   std::vector<double> values, variances;
 
-  /// Those with a standard error no larger than that.
-  KnownSlopes(const std::vector<SeriesValue>& series, double largest) {
-    for (const SeriesValue& v : series) {
-      if (!std::isfinite(v.value) || v.sigma > largest) continue;
-      values.push_back(v.value);
-      variances.push_back(v.sigma * v.sigma);
+  /// Those with a standard error no larger than that, what beams may feign in it.
+  KnownSlopes(const std::vector<SeriesValue>& seen, const std::vector<SeriesValue>& series, double largest) {
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      if (!std::isfinite(seen[k].value) || series[k].sigma > largest) continue;
+      values.push_back(seen[k].value);
+      variances.push_back(square(seen[k].sigma));
     }
   }
 
@@ -143,12 +143,12 @@ RingSlopes drawTogether(const std::vector<SeriesValue>& seen, const std::vector<
   for (const SeriesValue& v : series) {
     if (std::isfinite(v.value)) sigmas.push_back(v.sigma);
   }
-  const KnownSlopes best(series, 2.0 * quantile(sigmas, kBest));
+  const KnownSlopes best(seen, series, 2.0 * quantile(sigmas, kBest));
   RingSlopes slopes{{expected.parallel, expected.parallel, withPrior(kLipSlope)}, {}};
   if (best.values.size() < kFewest) {
     slopes.windows = eachOffRing(series, expected.parallel);
   } else {
-    const KnownSlopes all(seen, std::numeric_limits<double>::infinity());
+    const KnownSlopes all(seen, series, std::numeric_limits<double>::infinity());
     const double own = std::clamp(std::min(best.amongThem(), all.amongThem()), 1e-12, square(kLipSlope));
     const auto count = static_cast<double>(best.values.size());
     const double mean = kMedianOverMean * std::sqrt((own + median(best.variances)) / count);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "support/made_narrow_lips.h"
 
@@ -32,6 +33,26 @@ TEST(NarrowLips, DoNotComeDown) {
   EXPECT_NEAR(lipsOf(mastic)[100].sigma, 0.003, 0.0002);
   mastic.add = falling(0.009);
   EXPECT_TRUE(isRaised(mastic)) << "steeper than 0.5 m/m: what wide beams make of an edge";
+}
+
+TEST(NarrowLips, DoNotComeDownOverWhatNoiseLeavesBetweenTheSurfaces) {
+  Scene mastic;
+  mastic.has_lip = [](int) { return false; };
+  mastic.noise = 0.0009;
+  mastic.add = [](MadeFoot& made) {
+    made.addAll(40, 0.004, 0.016, [](double) { return 0.006; });
+    made.addAll(30, 0.016, 0.030, [](double d) { return 0.006 * (1.0 - (d - 0.016) / 0.014); });
+  };
+  EXPECT_FALSE(isRaised(mastic));
+  Scene rough = mastic;
+  rough.noise = 0.0017;
+  rough.add = [](MadeFoot& made) {
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> noise(0.0, 0.0017);
+    made.addAll(32, 0.003, 0.0186, [&](double) { return 0.0072 + noise(random); });
+    made.addAll(23, 0.0186, 0.030, [&](double) { return noise(random); });
+  };
+  EXPECT_TRUE(isRaised(rough));
 }
 
 /// A lip with one point at every so many stations, anywhere on it.

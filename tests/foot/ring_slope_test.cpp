@@ -108,6 +108,13 @@ TEST(DrawTogether, WhatTheLipsLieOnTellsTheirSlopeAsFarAsItIsKnown) {
   EXPECT_GT(ringOnLevel(0.01).sigma, ringOnLevel(0.0).sigma);
 }
 
+TEST(DrawTogether, WhatBeamsMayFeignOfEachWindowIsNoErrorOfAllTogether) {
+  const std::vector<SeriesValue> seen(72, {-0.0135, 0.0045, 1.0}), series(72, {-0.0135, 0.05, 1.0});
+  const MeanSlope ring = drawTogether(seen, series, 0.0, {0.0, 1e-4, 0.001}).ring;
+  EXPECT_NEAR(ring.slope, -0.0135, 0.0010) << "their edges show that beams feign 0.001 at most";
+  EXPECT_LT(ring.sigma, 0.0015);
+}
+
 TEST(DrawTogether, OfWhatBeamsMayFeignBesidesSixTenthsAreDoubted) {
   const std::vector<SeriesValue> seen(72, {0.0, 1e-5, 1.0});
   const double sigma = drawTogether(seen, seen, 0.0, {0.0, 1e-4, 0.0, 0.02}).ring.sigma;
