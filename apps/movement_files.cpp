@@ -10,6 +10,7 @@
 #include "io/json_file.h"
 #include "movement/movement.h"
 #include "movement/trend.h"
+#include "options/option_json.h"
 #include "report/datum_record.h"
 #include "report/json_number.h"
 #include "report/movement_json.h"
@@ -82,7 +83,7 @@ Json surveysSection(const Comparison& comparison) {
 std::string movementsJson(const Comparison& comparison) {
   Json surveys = Json::array(), stations = Json::array();
   for (std::size_t i = 0; i < comparison.movements.size(); ++i) {
-    auto movement = Json::parse(movementJson(comparison.movements[i]));
+    Json movement = movementSection(comparison.movements[i]);
     movement["survey"] = comparison.names[i + 1];
     movement["date"] = comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates[i + 1]);
     surveys.push_back(movement);
@@ -97,7 +98,7 @@ std::string movementsJson(const Comparison& comparison) {
   Json json = {{"schema", kSchema},
                {"version", kVersion},
                {"surveys", surveysSection(comparison)},
-               {"options", Json::parse(movementOptionsJson(comparison.options))},
+               {"options", movementValues(comparison.options)},
                {"baseline", comparison.names.front()},
                {"baseline_date", comparison.dates.empty() ? Json(nullptr) : Json(comparison.dates.front())},
                {"movements", surveys},

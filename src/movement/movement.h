@@ -18,10 +18,4 @@ void requireSameTank(const Epoch& baseline, const std::string& name, const Circl
 /// @throws Error (Option) naming it and, of a levelling, the column that its table lacks
 void requireErrors(const Epoch& epoch);
 
-/// The `movement` of datum.json by itself. Metres, degrees; unknown values null.
-std::string movementJson(const Movement& movement);
-
-/// The `movement` of datum.json's options by itself, without the baseline's name. Metres, degrees.
-std::string movementOptionsJson(const MovementOptions& options);
-
 }  // namespace tank_datum

@@ -5,8 +5,6 @@
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "movement/limit_rates.h"
-#include "movement/movement.h"
-#include "options/option_json.h"
 #include "report/json_number.h"
 #include "report/movement_text.h"
 #include "tank_datum/stations/stations.h"
@@ -97,12 +95,6 @@ Json limitRatesSection(const LimitRates& rates) {
                    {"latest", month(r.latest)}});
   }
   return {{"rates", all}, {"none", rates.none.empty() ? Json(nullptr) : Json(rates.none)}};
-}
-
-std::string movementOptionsJson(const MovementOptions& options) { return movementValues(options).dump(2) + "\n"; }
-
-std::string movementJson(const Movement& movement) {
-  return movementSection(movement).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tank_datum

@@ -154,7 +154,8 @@ void lookForCone(const std::vector<Middle>& middles, ShellEvidence& evidence) {
   }
   if (leans.size() < 8) return;
   evidence.cone = median(leans);
-  evidence.sigma_cone = 1.25 * robustSigma(leans, evidence.cone) / std::sqrt(static_cast<double>(leans.size()));
+  evidence.sigma_cone =
+      kMedianOverMean * robustSigma(leans, evidence.cone) / std::sqrt(static_cast<double>(leans.size()));
 }
 
 /// The lean of each sector is a cone's and what the axis' lean makes of it: cone + slope . direction.
