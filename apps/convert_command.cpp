@@ -1,6 +1,7 @@
 #include "convert_command.h"
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -110,10 +111,13 @@ int run(const Command& command) {
 }  // namespace
 
 int convertCommand(int argc, char** argv, const OpenForeign& foreign) {
-  Command command;
-  command.reading.foreign = foreign;
-  int status = kUsable;
-  return runMain(kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; });
+  const auto work = [&] {
+    Command command;
+    command.reading.foreign = foreign;
+    int status = kUsable;
+    return parseCommandLine(argc, argv, command, status) ? run(command) : status;
+  };
+  return runMain(kProgram, std::cref(work));
 }
 
 }  // namespace tank_datum

@@ -1,7 +1,9 @@
 #include "datum_command.h"
 
 #include <exception>
+#include <functional>
 #include <iostream>
+#include <optional>
 
 #include "background_records.h"
 #include "command_line.h"
@@ -121,11 +123,6 @@ int announce(const std::vector<Datum>& datums, const std::vector<Provenance>& pr
   }
   if (command.all && !command.quiet && command.json != "-")
     std::cout << "index          " << printable(command.output) << "/index.html\n";
-  std::cout.flush();
-  if (!std::cout) {
-    throw Error(Error::Kind::File, "report", "standard output", "not written",
-                "room for the summary; the results of this run are in " + command.output);
-  }
   return usable ? kUsable : kNoDatum;
 }
 
@@ -180,13 +177,16 @@ int run(const Command& command, bool& written) {
 }  // namespace
 
 int datumCommand(int argc, char** argv, const OpenForeign& foreign) {
-  Command command;
-  command.reading.foreign = foreign;
-  int status = kUsable;
+  std::optional<Command> command;
   bool written = false;
-  return runMain(
-      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command, written) : status; },
-      [&] { return written ? std::string() : earlierResults(command.output, kProgram); });
+  const auto work = [&] {
+    command.emplace();
+    command->reading.foreign = foreign;
+    int status = kUsable;
+    return parseCommandLine(argc, argv, *command, status) ? run(*command, written) : status;
+  };
+  const auto left = [&] { return command ? resultsLeft(command->output, kProgram, written) : std::string(); };
+  return runMain(kProgram, std::cref(work), std::cref(left));
 }
 
 }  // namespace tank_datum

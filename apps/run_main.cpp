@@ -26,10 +26,7 @@ namespace {
 
 constexpr const char* kNoMemory = "memory: more than there is, expected a machine with more memory, or fewer points";
 
-std::string& nameOfProgram() {
-  static std::string name;
-  return name;
-}
+const char* name_of_program = "";
 
 /// Of what ends the process, without asking for memory.
 const char* reasonToEnd() {
@@ -48,11 +45,14 @@ const char* reasonToEnd() {
   static std::atomic<pthread_t> ending{0};
   pthread_t nobody = 0;
   if (ending.compare_exchange_strong(nobody, pthread_self())) {
-    const char* parts[] = {nameOfProgram().c_str(), ": ", reasonToEnd(), "\n"};
+    const char* parts[] = {name_of_program, ": ", reasonToEnd(), "\n"};
     for (const char* part : parts) {
       if (::write(STDERR_FILENO, part, std::strlen(part)) < 0) break;  // nobody is left to be told
     }
-    results::cleanUpForGood();
+    try {
+      results::cleanUpForGood();
+    } catch (...) {  // without memory the next run removes what is left
+    }
   } else if (nobody != pthread_self()) {
     while (true) ::pause();  // another thread cleans up and ends the process
   }
@@ -92,14 +92,15 @@ class AtWork {
 
 }  // namespace
 
-int runMain(const std::string& program, const std::function<int()>& work,
-            const std::function<std::string()>& after_failure) {
+int runMain(const char* program, const std::function<int()>& work, const std::function<std::string()>& after_failure) {
   const auto failed = [&](const std::string& reason, int status) {
-    std::cerr << program << ": " << printable(reason) << printable(after_failure ? after_failure() : "") << "\n";
+    const std::string more = after_failure ? after_failure() : "";
+    const std::string line = std::string(program) + ": " + printable(reason + more) + "\n";
+    std::cerr << line;  // all of it or, where memory ends here, nothing
     return status;
   };
   try {
-    nameOfProgram() = program;
+    name_of_program = program;
     openStandardStreams();
     std::set_terminate(endAtOnce);
     std::signal(SIGXFSZ, SIG_IGN);  // a file beyond what is allowed is a write that fails, as on a full disk
@@ -114,7 +115,11 @@ int runMain(const std::string& program, const std::function<int()>& work,
   } catch (const Error& error) {
     return failed(lineOf(error), error.kind() == Error::Kind::Option ? kWrongUse : kFileFailed);
   } catch (const std::bad_alloc&) {
-    return failed(kNoMemory, kFileFailed);
+    try {
+      return failed(kNoMemory, kFileFailed);
+    } catch (const std::bad_alloc&) {
+      endAtOnce();
+    }
   } catch (const std::filesystem::filesystem_error& error) {
     return failed("files: " + error.path1().string() + ", " + error.code().message() +
                       ", expected a path that can be read and written",

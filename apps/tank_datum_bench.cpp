@@ -74,8 +74,9 @@ int run(const Command& command) {
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
-  bench::Command command;
-  int status = kUsable;
-  return runMain("tank_datum_bench",
-                 [&] { return bench::parseCommandLine(argc, argv, command, status) ? bench::run(command) : status; });
+  return runMain("tank_datum_bench", [&] {
+    bench::Command command;
+    int status = kUsable;
+    return bench::parseCommandLine(argc, argv, command, status) ? bench::run(command) : status;
+  });
 }

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <iostream>
+#include <optional>
 
 #include "core/printable.h"
 #include "core/units.h"
@@ -92,7 +94,8 @@ void print(const Comparison& comparison) {
               fastest->azimuth / kDegree);
 }
 
-int run(const CompareCommand& command) {
+/// @param written  set when the results are
+int run(const CompareCommand& command, bool& written) {
   std::vector<NamedPath> inputs;
   for (const std::string& epoch : command.epochs) {
     for (const NamedPath& input : inputsOf("survey", epoch)) inputs.push_back(input);
@@ -116,12 +119,13 @@ int run(const CompareCommand& command) {
     const Movement& m = comparison.movements.back();
     if (m.valid()) continue;
     std::cerr << "tank_datum_compare: movement: "
-              << printable(withFlags(m.message) + earlierResults(command.output, kProgram)) << "\n";
+              << printable(withFlags(m.message) + resultsLeft(command.output, kProgram, false)) << "\n";
     return kNoDatum;
   }
   followOverTime(comparison, std::move(epochs));
   writeMovement(folder, comparison);
   folder.commit();
+  written = true;
   print(comparison);
   return kUsable;
 }
@@ -131,9 +135,13 @@ int run(const CompareCommand& command) {
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
-  CompareCommand command;
-  int status = kUsable;
-  return runMain(
-      kProgram, [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; },
-      [&] { return earlierResults(command.output, kProgram); });
+  std::optional<CompareCommand> command;
+  bool written = false;
+  const auto work = [&] {
+    command.emplace();
+    int status = kUsable;
+    return parseCommandLine(argc, argv, *command, status) ? run(*command, written) : status;
+  };
+  const auto left = [&] { return command ? resultsLeft(command->output, kProgram, written) : std::string(); };
+  return runMain(kProgram, std::cref(work), std::cref(left));
 }

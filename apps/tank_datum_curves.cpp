@@ -93,8 +93,9 @@ int run(const CurvesCommand& command) {
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
-  CurvesCommand command;
-  int status = kUsable;
-  return runMain("tank_datum_curves",
-                 [&] { return parseCommandLine(argc, argv, command, status) ? run(command) : status; });
+  return runMain("tank_datum_curves", [&] {
+    CurvesCommand command;
+    int status = kUsable;
+    return parseCommandLine(argc, argv, command, status) ? run(command) : status;
+  });
 }

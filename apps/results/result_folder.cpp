@@ -92,7 +92,8 @@ void ResultFolder::commit() {
   for (const std::string& line : plan.said) sayLines(program_, line);
 }
 
-std::string earlierResults(const std::string& folder, const std::string& program) {
+std::string resultsLeft(const std::string& folder, const std::string& program, bool written) {
+  if (written) return "; the results of this run are in " + folder;
   try {
     return holdsResult(folder, program) ? "; " + folder + " holds the results of an earlier run, unchanged" : "";
   } catch (const Error&) {

@@ -41,8 +41,9 @@ class ResultFolder {
   std::unique_ptr<results::OnStop> on_stop_;
 };
 
-/// For the end of a line about a run that failed: "; DIR holds the results of an earlier run, unchanged", or nothing.
-std::string earlierResults(const std::string& folder, const std::string& program);
+/// For the end of a line about a run that failed: "; the results of this run are in DIR" where it had written them,
+/// else "; DIR holds the results of an earlier run, unchanged", or nothing.
+std::string resultsLeft(const std::string& folder, const std::string& program, bool written);
 
 /// Puts right what a killed run left in a folder that is about to be read, with a line on stderr.
 /// @param path  a folder of results, or a file in one

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <exception>
 #include <regex>
 #include <thread>
 #include <utility>
@@ -175,7 +176,7 @@ void Staging::remove() noexcept {
     try {
       removeOwn(path_);
       if (!exists(path_)) path_.clear();
-    } catch (const Error&) {
+    } catch (const std::exception&) {
       if (lock_ >= 0) ::close(lock_);  // what is being removed needs no owner, and to look into it a descriptor
       lock_ = -1;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -64,13 +64,15 @@ struct Cover {
 };
 
 /// Whether what covers the surface comes down to it as a fillet does: below a level points lie over a width, where an
-/// edge's face is upright but for what noise and wide beams make of it.
+/// edge's face is upright but for what noise and wide beams make of it. Upon a plate, where a weld is more likely than
+/// a lip, what noise may make of either surface counts too.
 /// @param height  of the level
 bool comesDown(const ShellStrip& strip, const std::vector<Beside>& level, double height) {
   constexpr double kFewest = 0.2;   // of the level's points
   constexpr double kUpright = 0.5;  // what falls more steeply is a face [m/m]
   constexpr double kNoise = 2.0;    // standard deviations: nearer to either surface points may be of it
-  const double least = kNoise * strip.noise, most = std::min(level.front().height, height - kNoise * strip.noise);
+  const double least = kNoise * strip.noise, lowest = level.front().height,
+               most = strip.on_plate ? lowest : std::min(lowest, height - kNoise * strip.noise);
   std::vector<double> distances;
   for (const Beside& p : strip.points) {
     if (p.height > least && p.height < most) distances.push_back(p.d);

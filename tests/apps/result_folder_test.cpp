@@ -132,8 +132,9 @@ TEST_F(ResultFolderTest, WithoutCommitNothingHappens) {
   }
   EXPECT_EQ(entries("out"), 2U);
   EXPECT_EQ(read("out/datum.json"), "1");
-  EXPECT_NE(earlierResults(path("out"), "tank_datum").find("holds the results of an earlier run"), std::string::npos);
-  EXPECT_EQ(earlierResults(path("out"), "tank_datum_compare"), "");
+  EXPECT_NE(resultsLeft(path("out"), "tank_datum", false).find("holds the results of an earlier run"),
+            std::string::npos);
+  EXPECT_EQ(resultsLeft(path("out"), "tank_datum_compare", false), "");
   { const ResultFolder folder(path("new/and/deep"), "tank_datum"); }
   EXPECT_FALSE(has("new"));
 }

@@ -45,14 +45,30 @@ TEST(NarrowLips, DoNotComeDownOverWhatNoiseLeavesBetweenTheSurfaces) {
   };
   EXPECT_FALSE(isRaised(mastic));
   Scene rough = mastic;
-  rough.noise = 0.0017;
-  rough.add = [](MadeFoot& made) {
-    std::mt19937_64 random(4);
-    std::normal_distribution<double> noise(0.0, 0.0017);
-    made.addAll(32, 0.003, 0.0186, [&](double) { return 0.0072 + noise(random); });
-    made.addAll(23, 0.0186, 0.030, [&](double) { return noise(random); });
+  const auto roughly = [](double height, double scatter) {
+    return [=](MadeFoot& made) {
+      std::mt19937_64 random(4);
+      std::normal_distribution<double> noise(0.0, scatter);
+      made.addAll(32, 0.003, 0.0186, [&](double) { return height + noise(random); });
+      made.addAll(23, 0.0186, 0.030, [&](double) { return noise(random); });
+    };
   };
+  rough.noise = 0.0017;
+  rough.add = roughly(0.0072, rough.noise);
   EXPECT_TRUE(isRaised(rough));
+}
+
+/// A weld's face before points that beams leave between lip and crown, and some below.
+TEST(NarrowLips, UponAPlateAreNoWelds) {
+  Scene weld;
+  weld.has_lip = [](int) { return false; };
+  weld.noise = 0.0009;
+  weld.add = [](MadeFoot& made) {
+    made.addAll(14, 0.004, 0.011, [](double d) { return 0.0063 - 0.4 * (d - 0.004); });
+    made.addAll(8, 0.012, 0.029, [](double d) { return 0.003 + 0.09 * (d - 0.012); });
+    made.addAll(7, 0.011, 0.030, [](double) { return 0.0026; });
+  };
+  EXPECT_EQ(lipsOf(weld, true)[100].height, 0.0);
 }
 
 /// A lip with one point at every so many stations, anywhere on it.
