@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "movement/movement.h"
+#include "movement/same_tank.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/fit/curves.h"
 #include "tank_datum/locate/tank.h"

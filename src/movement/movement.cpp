@@ -6,7 +6,6 @@
 
 #include "core/azimuth.h"
 #include "core/normal95.h"
-#include "core/plain_text.h"
 #include "core/portable_math.h"
 #include "core/refusal.h"
 #include "core/statistics.h"
@@ -14,6 +13,7 @@
 #include "movement/epoch_matching.h"
 #include "movement/movement_errors.h"
 #include "movement/movement_significance.h"
+#include "movement/same_tank.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/datum.h"
 #include "tank_datum/fit/curves.h"
@@ -22,34 +22,6 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kFewestStations = 8;  ///< stations in common
-
-[[noreturn]] void refuse(const std::string& what, const std::string& value, const std::string& expected) {
-  throw Error(Error::Kind::Option, "movement", what, value, expected);
-}
-
-/// What one survey's lengths must be multiplied by, if a wrong unit explains the ratio; or nothing.
-std::string unitBehind(double ratio) {
-  if (ratio < 1.0) ratio = 1.0 / ratio;
-  for (const auto& [factor, name] :
-       {std::pair{1000.0, "mm and m"}, {1000.0 * kMetresPerFoot, "mm and ft"}, {1.0 / kMetresPerFoot, "ft and m"}}) {
-    if (std::abs(ratio / factor - 1.0) < 0.01) return std::string(" (as ") + name + " taken for each other)";
-  }
-  return {};
-}
-
-void requireSameKind(const Epoch& baseline, const Epoch& current) {
-  for (const Epoch* epoch : {&baseline, &current}) {
-    if (epoch->method == nameOf(Method::Paper)) {
-      refuse("method of " + epoch->name, epoch->method, "refined: the paper's elevations have no standard errors");
-    }
-  }
-  if (baseline.method != current.method) {
-    refuse("method of " + current.name, current.method, "the baseline's, " + baseline.method);
-  }
-  if (!baseline.levelled && !current.levelled && baseline.surface != current.surface) {
-    refuse("foundation surface of " + current.name, current.surface, "the baseline's, " + baseline.surface);
-  }
-}
 
 /// The stations that a matching is of, without their movement.
 std::vector<StationMovement> stationsOf(const Epoch& baseline, const Epoch& current, const Matching& matching,
@@ -69,8 +41,9 @@ std::vector<StationMovement> stationsOf(const Epoch& baseline, const Epoch& curr
 void describeWhole(const CommonMotion& motion, double freedom, double radius, Movement& movement) {
   movement.mean = motion.mean, movement.sigma_mean = motion.sigma_mean;
   movement.mean_significant = std::abs(motion.mean) > student95(freedom) * motion.sigma_mean;
-  movement.tilt_change = motion.rim.norm() / radius;
-  const Eigen::Vector2d along = motion.rim.normalized();
+  const double rim = motion.rim.norm();
+  movement.tilt_change = rim / radius;
+  const Eigen::Vector2d along = rim > 0.0 ? motion.rim.normalized() : Eigen::Vector2d(1.0, 0.0);
   movement.sigma_tilt_change = std::sqrt(along.dot(motion.covariance * along)) / radius;
   movement.tilt_direction = withinTurn(portable::atan2(motion.rim.y(), motion.rim.x()));
   movement.tilt_p_value = tiltPValue(motion, freedom);
@@ -116,47 +89,7 @@ const char* nameOf(Removal removal) {
 
 void requireValid(const MovementOptions& options) { refuseFirst(firstError(options)); }
 
-void requireErrors(const Epoch& epoch) {
-  if (epoch.judgeable() > 0) return;
-  refuse("standard errors of " + epoch.name, "none",
-         epoch.levelled ? "a sigma column in the levelling's table: the standard error of each elevation"
-                        : "sigma_z of its measured stations");
-}
-
 namespace {
-
-/// Whether centres say whether it is the same tank: in a frame that both surveys share.
-bool shareFrame(const Epoch& baseline, const MovementOptions& options) {
-  return !baseline.levelled && !options.estimate_offset && options.azimuth_offset == 0.0;
-}
-
-}  // namespace
-
-void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
-                     const MovementOptions& options) {
-  const double from = baseline.circle.radius, to = circle.radius;
-  if (!(std::abs(to - from) <= options.radius_difference)) {
-    refuse("radius of " + name, generalText(to) + " m",
-           "within " + generalText(options.radius_difference) + " m of the baseline's " + generalText(from) +
-               unitBehind(to / from));
-  }
-  const double apart = (circle.center - baseline.circle.center).norm();
-  if (shareFrame(baseline, options) && !(apart <= options.centre_distance)) {
-    refuse("centre of " + name, generalText(apart) + " m from the baseline's",
-           "within " + generalText(options.centre_distance) + " m, the same tank in the same frame");
-  }
-}
-
-namespace {
-
-/// Refuses surveys of different tanks, kinds or without errors.
-void requireComparable(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
-  const Eigen::Vector2d center = current.levelled ? baseline.circle.center : current.circle.center;
-  requireSameTank(baseline, current.name, {center, current.circle.radius}, options);
-  requireSameKind(baseline, current);
-  requireErrors(baseline);
-  requireErrors(current);
-}
 
 /// The stations' movements with what is significant of them.
 void takeFound(const Significance& found, const std::vector<MatchedStation>& matched, Movement& movement) {
@@ -205,6 +138,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   movement.shared_arc = errors.shared;
   const CommonMotion motion = commonMotion(matched, options.registration_error, rim);
   describeWhole(motion, errors.freedom_whole, current.circle.radius, movement);
+  requireSameSurface(baseline, current, movement);
   movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);
   const CommonErrors common{options.registration_error, rim, offset.sigma, errors.freedom};
   describeRest(matched, common, options, movement);

@@ -17,7 +17,7 @@ namespace {
 double overlapOf(const MatchedStation& a, const MatchedStation& b) {
   const double apart = std::abs(std::remainder(a.direction - b.direction, kTwoPi));
   const double shared = std::min({a.window, b.window, 0.5 * (a.window + b.window) - apart});
-  return shared > 0.0 ? shared / std::sqrt(a.window * b.window) : 0.0;
+  return shared > 0.0 ? shared / (std::sqrt(a.window) * std::sqrt(b.window)) : 0.0;
 }
 
 /// Takes from the values each of the waves n = 2 to 5 that no error of neighbours makes: with a power far above that of

@@ -13,21 +13,22 @@ std::vector<Option> movementOptionsOf(MovementOptions& movement) {
   t.add("registration_error", "movement.registration_error", &movement.registration_error,
         "1 sigma of the height left between the surveys")
       .in(Unit::Metres)
-      .within(atLeast(0));
+      .within(within(0, 1000));
   t.add("registration_tilt_arcsec", "movement.registration_tilt_arcsec", &movement.registration_tilt,
         "1 sigma of the tilt left between them, about either level axis")
       .in(Unit::ArcSeconds)
-      .within(atLeast(0));
+      .within(within(0, 324'000));
   t.add("azimuth_offset_deg", "movement.azimuth_offset_deg", &movement.azimuth_offset,
         "turn of the later survey's frame, counter-clockwise")
-      .in(Unit::Degrees);
+      .in(Unit::Degrees)
+      .within(within(-360, 360));
   t.add("estimate_azimuth_offset", "movement.estimate_azimuth_offset", &movement.estimate_offset,
         "find that turn by the datum's shape out of plane")
       .withNo();
   t.add("correlation_deg", "movement.correlation_deg", &movement.correlation,
         "arc within which stations share errors; 0: as the surveys say themselves")
       .in(Unit::Degrees)
-      .within(atLeast(0));
+      .within(within(0, 360));
   t.add("radius_difference", "movement.radius_difference", &movement.radius_difference,
         "surveys whose radii differ by more are of different tanks")
       .in(Unit::Metres)

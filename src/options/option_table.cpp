@@ -44,6 +44,7 @@ void addStations(Table& t, DatumOptions& o) {
   t.add("zero_azimuth_deg", "stations.zero_azimuth_deg", &o.stations.zero_azimuth,
         "where station 0 is, counter-clockwise from +x")
       .in(Unit::Degrees)
+      .within(within(-360, 360))
       .ofLevellingsToo();
   t.add("clockwise", "stations.clockwise", &o.stations.clockwise, "stations run clockwise seen from above")
       .withNo()

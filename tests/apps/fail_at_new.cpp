@@ -1,9 +1,9 @@
-// A library for LD_PRELOAD: the N-th operator new of a process throws std::bad_alloc. Calls are counted from the first
-// of sigaction() on, with which runMain begins: what libraries make before main() cannot be caught.
+// A library for LD_PRELOAD: the N-th operator new of a process throws std::bad_alloc. Calls are counted from main() on:
+// what libraries make before cannot be caught.
 //   TANK_DATUM_FAIL_NEW_AT     N, from 1
+//   TANK_DATUM_FAIL_NEW_ON     set: all later ones throw too
 //   TANK_DATUM_NEW_COUNT_FILE  where the number of calls is written at the end of the process
 #include <dlfcn.h>
-#include <signal.h>
 
 #include <atomic>
 #include <cstddef>
@@ -16,6 +16,22 @@ namespace {
 std::atomic<bool> counting{false};
 std::atomic<long> calls{0};
 long fail_at = 0;
+bool and_on = false;
+int (*program)(int, char**, char**) = nullptr;
+
+int countedProgram(int argc, char** argv, char** environment) {
+  const char* text = std::getenv("TANK_DATUM_FAIL_NEW_AT");
+  fail_at = text ? std::atol(text) : 0;
+  and_on = std::getenv("TANK_DATUM_FAIL_NEW_ON") != nullptr;
+  counting = true;
+  return program(argc, argv, environment);
+}
+
+bool fails() {
+  if (!counting) return false;
+  const long call = ++calls;
+  return call == fail_at || (and_on && fail_at > 0 && call > fail_at);
+}
 
 __attribute__((destructor)) void writeCount() {
   const char* path = std::getenv("TANK_DATUM_NEW_COUNT_FILE");
@@ -26,7 +42,7 @@ __attribute__((destructor)) void writeCount() {
 }
 
 void* made(std::size_t size, std::size_t alignment) {
-  if (counting && ++calls == fail_at) return nullptr;
+  if (fails()) return nullptr;
   if (alignment <= alignof(std::max_align_t)) return std::malloc(size > 0 ? size : 1);
   return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
@@ -38,12 +54,13 @@ void* madeOrThrown(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
-extern "C" int sigaction(int number, const struct sigaction* action, struct sigaction* old) noexcept {
-  if (!counting.exchange(true)) {
-    const char* text = std::getenv("TANK_DATUM_FAIL_NEW_AT");
-    fail_at = text ? std::atol(text) : 0;
-  }
-  return reinterpret_cast<decltype(&::sigaction)>(::dlsym(RTLD_NEXT, "sigaction"))(number, action, old);
+/// The C library's, which calls main().
+extern "C" int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, void (*init)(), void (*end)(),
+                                 void (*end_of_loader)(), void* stack_end) {
+  program = main;
+  using Start = decltype(&__libc_start_main);
+  const auto start = reinterpret_cast<Start>(::dlsym(RTLD_NEXT, "__libc_start_main"));
+  return start(countedProgram, argc, argv, init, end, end_of_loader, stack_end);
 }
 
 void* operator new(std::size_t size) { return madeOrThrown(size, 1); }

@@ -158,8 +158,37 @@ TEST(CompareEpochs, RefusesOtherTanksUnitsMethodsAndSurfaces) {
   EXPECT_EQ(refusal(one, other, wide), "");
   other = one, other.method = "paper";
   EXPECT_NE(refusal(one, other).find("no standard errors"), std::string::npos);
-  other = one, other.surface = "ringwall";
-  EXPECT_NE(refusal(one, other).find("ringwall"), std::string::npos);
+}
+
+TEST(CompareEpochs, RefusesAPlateAndWhatItLiesOnWhereTheyMayLieAPlateApart) {
+  const Survey survey = with(&Survey::sigma, 0.0003, 2);
+  Epoch plate = survey.epoch();
+  plate.surface = "annular_plate";
+  const auto refused = [&](const char* surface, double lower, double registration = 0.0) {
+    Epoch other = plate;
+    other.surface = surface;
+    for (Elevation& e : other.stations) e.z -= lower;
+    MovementOptions options;
+    options.registration_error = registration;
+    return refusal(plate, other, options) != "" && refusal(other, plate, options) != "";
+  };
+  EXPECT_TRUE(refused("ringwall", 0.006));
+  EXPECT_TRUE(refused("foundation", 0.0031));
+  EXPECT_FALSE(refused("ringwall", 0.0029)) << "half of the thinnest plate: one surface";
+  EXPECT_TRUE(refused("ringwall", 0.0, 0.0016)) << "not known well enough";
+  EXPECT_FALSE(refused("ringwall", 0.0, 0.0014));
+  EXPECT_FALSE(refused("annular_plate", 0.006));
+  plate.surface = "foundation";
+  EXPECT_FALSE(refused("ringwall", 0.006)) << "one surface, whether its edge is seen or not";
+}
+
+TEST(CompareEpochs, OfASurveyWithItselfKnowsTheTiltNoBetter) {
+  const Epoch survey = with(&Survey::sigma, 0.0003, 2).epoch();
+  const Movement itself = compareEpochs(survey, survey, {}), twin = compareEpochs(survey, Survey().epoch(), {});
+  EXPECT_NEAR(itself.sigma_tilt_change, twin.sigma_tilt_change, 0.2 * twin.sigma_tilt_change);
+  MovementOptions options;
+  options.correlation = 1e-322;
+  EXPECT_NEAR(compareEpochs(survey, survey, options).sigma_mean, kShared, 0.5 * kShared) << "no number too small";
 }
 
 TEST(MovementOptions, AreRefusedByName) {
@@ -172,6 +201,10 @@ TEST(MovementOptions, AreRefusedByName) {
   EXPECT_NE(refused(&MovementOptions::registration_error, -1).find("registration_error"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::registration_tilt, -1).find("registration_tilt"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::correlation, NAN).find("correlation"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::correlation, 6.3).find("correlation"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::azimuth_offset, -6.3).find("azimuth_offset"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::registration_error, 1e160).find("registration_error"), std::string::npos);
+  EXPECT_NE(refused(&MovementOptions::registration_tilt, 1.58).find("registration_tilt"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::radius_difference, 0).find("radius_difference"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::centre_distance, 0).find("centre_distance"), std::string::npos);
   EXPECT_NE(refused(&MovementOptions::azimuth_offset, INFINITY).find("azimuth_offset"), std::string::npos);

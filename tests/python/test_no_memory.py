@@ -36,12 +36,13 @@ def words_of(name: str, result: Path, out: Path) -> list[str]:
     return [str(executable(name.split()[0])), *words]
 
 
-def run_failing(words: list[str], at: int, count: Path) -> Run:
+def run_failing(words: list[str], at: int, count: Path, on: bool = False) -> Run:
     environment = {
         **os.environ,
         "LD_PRELOAD": str(executable("fail_at_new.so")),
         "TANK_DATUM_FAIL_NEW_AT": str(at),
         "TANK_DATUM_NEW_COUNT_FILE": str(count),
+        **({"TANK_DATUM_FAIL_NEW_ON": "1"} if on else {}),
     }
     return subprocess.run(words, env=environment, capture_output=True, text=True, timeout=120)
 
@@ -52,8 +53,9 @@ def chosen(calls: int) -> list[int]:
     return sorted(by_size | {1 + calls * i // half for i in range(half)})
 
 
+@pytest.mark.parametrize("on", [False, True], ids=["once", "from there on"])
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_any_call_for_memory_may_fail(command: Path, tmp_path: Path, name: str) -> None:
+def test_any_call_for_memory_may_fail(command: Path, tmp_path: Path, name: str, on: bool) -> None:
     out, count = tmp_path / "out", tmp_path / "count"
     words = words_of(name, command, out)
     assert run_failing(words, 0, count).returncode == 0
@@ -62,7 +64,7 @@ def test_any_call_for_memory_may_fail(command: Path, tmp_path: Path, name: str) 
     before = {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file() and p != count}
     failed = 0
     for at in chosen(calls):
-        done = run_failing(words, at, count)
+        done = run_failing(words, at, count, on)
         assert done.returncode in (0, FILE_FAILED), f"call {at}: {done.stderr}"
         if done.returncode == 0:
             continue  # who asked did without
@@ -71,6 +73,9 @@ def test_any_call_for_memory_may_fail(command: Path, tmp_path: Path, name: str) 
         assert done.stderr.startswith(name.split()[0] + ": "), f"call {at}: {done.stderr}"
         assert ", expected " in done.stderr, f"call {at}: {done.stderr}"
         count.unlink(missing_ok=True)
+        if on:  # what is being made stays, and the next run removes it
+            for left in list(tmp_path.rglob(".tank_datum-*")):
+                shutil.rmtree(left)
         after = {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()}
         assert after.keys() == before.keys(), f"call {at}"
         assert after == before, f"call {at}"

@@ -23,11 +23,13 @@ PRINTED = {
 }
 
 
-def run_into(place: str, words: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+def run_into(
+    place: str, words: list[str], folder: Path, program: str = "tank_datum"
+) -> subprocess.CompletedProcess[str]:
     """With a full standard output, or a closed one."""
     with Path("/dev/full").open("w") as full:
         return subprocess.run(
-            [str(executable("tank_datum")), *words],
+            [str(executable(program)), *words],
             cwd=folder,
             stdout=full if place == "full" else None,
             stderr=subprocess.PIPE,
@@ -49,6 +51,16 @@ def test_what_cannot_be_printed_is_said(place: str, words: list[str], tmp_path: 
     assert sorted(p.name for p in (tmp_path / "out").iterdir()) == sorted(FOLDER)
     assert "the results of this run are in out" in done.stderr
     assert "earlier run" not in done.stderr
+
+
+def test_a_comparison_that_cannot_be_printed_is_there(command: Path, tmp_path: Path) -> None:
+    for _ in range(2):
+        words = [str(command), str(command), "-o", "out"]
+        done = run_into("full", words, tmp_path, "tank_datum_compare")
+        assert done.returncode == FILE_FAILED
+        assert done.stderr.count("\n") == 1, done.stderr
+        assert done.stderr.endswith("; the results of this run are in out\n"), "not: an earlier run's, unchanged"
+        assert (tmp_path / "out" / "movement.json").exists()
 
 
 def test_nothing_is_printed_where_nothing_is_to_be(tmp_path: Path) -> None:

@@ -1,0 +1,85 @@
+#include "movement/same_tank.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "core/plain_text.h"
+#include "core/units.h"
+#include "tank_datum/core/error.h"
+#include "tank_datum/datum.h"
+
+namespace tank_datum {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& value, const std::string& expected) {
+  throw Error(Error::Kind::Option, "movement", what, value, expected);
+}
+
+/// What one survey's lengths must be multiplied by, if a wrong unit explains the ratio; or nothing.
+std::string unitBehind(double ratio) {
+  if (ratio < 1.0) ratio = 1.0 / ratio;
+  for (const auto& [factor, name] :
+       {std::pair{1000.0, "mm and m"}, {1000.0 * kMetresPerFoot, "mm and ft"}, {1.0 / kMetresPerFoot, "ft and m"}}) {
+    if (std::abs(ratio / factor - 1.0) < 0.01) return std::string(" (as ") + name + " taken for each other)";
+  }
+  return {};
+}
+
+void requireSameKind(const Epoch& baseline, const Epoch& current) {
+  for (const Epoch* epoch : {&baseline, &current}) {
+    if (epoch->method == nameOf(Method::Paper)) {
+      refuse("method of " + epoch->name, epoch->method, "refined: the paper's elevations have no standard errors");
+    }
+  }
+  if (baseline.method != current.method) {
+    refuse("method of " + current.name, current.method, "the baseline's, " + baseline.method);
+  }
+}
+
+}  // namespace
+
+bool shareFrame(const Epoch& baseline, const MovementOptions& options) {
+  return !baseline.levelled && !options.estimate_offset && options.azimuth_offset == 0.0;
+}
+
+void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,
+                     const MovementOptions& options) {
+  const double from = baseline.circle.radius, to = circle.radius;
+  if (!(std::abs(to - from) <= options.radius_difference)) {
+    refuse("radius of " + name, generalText(to) + " m",
+           "within " + generalText(options.radius_difference) + " m of the baseline's " + generalText(from) +
+               unitBehind(to / from));
+  }
+  const double apart = (circle.center - baseline.circle.center).norm();
+  if (shareFrame(baseline, options) && !(apart <= options.centre_distance)) {
+    refuse("centre of " + name, generalText(apart) + " m from the baseline's",
+           "within " + generalText(options.centre_distance) + " m, the same tank in the same frame");
+  }
+}
+
+void requireErrors(const Epoch& epoch) {
+  if (epoch.judgeable() > 0) return;
+  refuse("standard errors of " + epoch.name, "none",
+         epoch.levelled ? "a sigma column in the levelling's table: the standard error of each elevation"
+                        : "sigma_z of its measured stations");
+}
+
+void requireComparable(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  const Eigen::Vector2d center = current.levelled ? baseline.circle.center : current.circle.center;
+  requireSameTank(baseline, current.name, {center, current.circle.radius}, options);
+  requireSameKind(baseline, current);
+  requireErrors(baseline);
+  requireErrors(current);
+}
+
+void requireSameSurface(const Epoch& baseline, const Epoch& current, const Movement& movement) {
+  constexpr double kThinnest = 0.006;  // annular plates [m]
+  constexpr double kKnown = 0.5;       // of the half: a standard error
+  const std::string plate = nameOf(Surface::AnnularPlate);
+  if (baseline.levelled || current.levelled || (baseline.surface == plate) == (current.surface == plate)) return;
+  const double half = 0.5 * kThinnest;
+  if (std::abs(movement.mean) < half && movement.sigma_mean < kKnown * half) return;
+  refuse("foundation surface of " + current.name, current.surface, "the baseline's, " + baseline.surface);
+}
+
+}  // namespace tank_datum
