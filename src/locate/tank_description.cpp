@@ -58,8 +58,10 @@ std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& 
     const auto is_high = [&](double z) { return z > view.top - 2.0 * voxel; };
     const auto is_behind = [&](const Hit& hit) { return hit.off < -thickness && is_high(hit.z); };
     const std::vector<double>& farther = sectors[i].farther_in;  // upon a roof; the shell upon a ringwall hides it
-    view.behind_top = std::any_of(sectors[i].around.begin(), sectors[i].around.end(), is_behind) &&
-                      std::none_of(farther.begin(), farther.end(), is_high);
+    const auto goes_on = [&](const Hit& hit) { return hit.z > view.top + 2.0 * voxel; };  // a shell that few rays meet
+    const auto behind = std::count_if(sectors[i].around.begin(), sectors[i].around.end(), is_behind),
+               above = std::count_if(sectors[i].shell.begin(), sectors[i].shell.end(), goes_on);
+    view.behind_top = behind > above && std::none_of(farther.begin(), farther.end(), is_high);
     view.outside = hasFoundation(sectors[i].outside, view.bottom, voxel, circle.radius);
     view.inside = hasFoundation(sectors[i].inside, view.bottom, voxel, circle.radius);
   }

@@ -118,9 +118,11 @@ TEST(Describe, AGivenCircleIsNotLeftForAnother) {
 
 /// What a wall so high says, behind which something lies so high over a half of it, as far in, by a circle seen from
 /// outside.
-double lowWallOf(double high, double behind, double far_in = 0.3) {
+/// @param rows_above  of the wall, a metre apart
+double lowWallOf(double high, double behind, double far_in = 0.3, int rows_above = 0) {
   Sample sample{{}, 0.1, false};
   addFace(sample.points, 0.0, 0.0, high);
+  for (int row = 1; row <= rows_above; ++row) addFace(sample.points, 0.0, high + row, high + row);
   addGround(sample.points, 0.0);
   for (double a = 0.0; a < 0.5 * kTwoPi; a += 0.006)
     for (double in = 0.3; in <= far_in; in += 0.1)
@@ -133,6 +135,11 @@ TEST(Describe, BehindTheTopOfALowWallSomethingMayLie) {
   EXPECT_NEAR(lowWallOf(1.9, 1.9), 0.5, 0.02);
   EXPECT_EQ(lowWallOf(1.5, 1.2), 0.0);
   EXPECT_TRUE(std::isnan(lowWallOf(2.2, 2.2)));
+}
+
+TEST(Describe, AWallThatGoesOnAboveInSparseRowsIsNotLow) {
+  EXPECT_NEAR(lowWallOf(1.5, 1.5, 0.45, 1), 0.5, 0.02) << "two rows lie behind, as a ringwall's top";
+  EXPECT_EQ(lowWallOf(1.5, 1.5, 0.45, 2), 0.0);
 }
 
 TEST(Describe, WhatGoesOnFartherInThanARingwallIsWideIsARoof) {
