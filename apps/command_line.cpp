@@ -13,6 +13,7 @@
 #include "option_flags.h"
 #include "options/option_json.h"
 #include "options/option_table.h"
+#include "parsed.h"
 #include "report/identity.h"
 #include "report/section_json.h"
 #include "results/manifest.h"
@@ -90,6 +91,7 @@ void warnOfScans(const CLI::App& app, const Command& command) {
 
 /// False with the status to leave with when there is nothing more to do.
 bool parse(CLI::App& app, int argc, char** argv, const Command& command, int& status) {
+  refuseEmptyValues(argc, argv);
   try {
     app.parse(argc, argv);
     const bool prints = command.print_limits || command.print_options || command.print_config;

@@ -2,15 +2,31 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <string>
 
 #include "core/printable.h"
 #include "exit_status.h"
+#include "tank_datum/core/error.h"
 
 namespace tank_datum {
+
+/// Refuses an option whose value is empty, as an unset variable of a shell leaves it.
+/// @throws Error (Option) naming it
+inline void refuseEmptyValues(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i], before = argv[i - 1];
+    const bool is_empty = word.empty() && i > 1 && before.size() > 1 && before.front() == '-';
+    const bool ends_empty = word.size() > 3 && word.front() == '-' && word.back() == '=';
+    if (!is_empty && !ends_empty) continue;
+    const std::string flag = is_empty ? before : word.substr(0, word.size() - 1);
+    throw Error(Error::Kind::Option, "command line", {flag, "an empty value", "a value, or no " + flag});
+  }
+}
 
 /// Parses the command line of a program that has a name. Help and version are printed, a wrong line is refused in one.
 /// @return false with `status` the exit status to leave with
 inline bool parsed(CLI::App& app, int argc, char** argv, int& status) {
+  refuseEmptyValues(argc, argv);
   try {
     app.parse(argc, argv);
     return true;

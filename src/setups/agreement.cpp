@@ -8,7 +8,6 @@
 #include "core/parallel.h"
 #include "core/plain_text.h"
 #include "locate/foot_unit.h"
-#include "setups/labelled_tiles.h"
 #include "setups/parts_by_order.h"
 #include "setups/rounded_points.h"
 #include "setups/setup_adjustment.h"
@@ -16,6 +15,7 @@
 #include "setups/setup_verdicts.h"
 #include "setups/setup_views.h"
 #include "setups/shell_arcs.h"
+#include "setups/split_setups.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -38,7 +38,7 @@ std::vector<Setup> countSetups(const Ring& ring) {
 /// The setups of a ring, their names, and where they stood as the options say, or the files.
 /// @throws Error{Option} when a place given by the options is too far from the setup's points to be true
 std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, double radius, const SetupOptions& options,
-                            bool tiles_joined) {
+                            SplitSetups split) {
   constexpr double kFarthest = 100.0;  // radii: a beam of 0.3 milliradians is 3 % of the radius wide there
   std::vector<Setup> setups = countSetups(ring);
   if (setups.size() < ring.setups.size()) {
@@ -47,7 +47,7 @@ std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, double radius, c
   }
   for (std::size_t s = 0; s < ring.setups.size(); ++s) {
     Setup& setup = setups[s];
-    if (tiles_joined) setup.name = scan.setupLabel(ring.setups[s]);
+    if (split == SplitSetups::ByLabel) setup.name = scan.setupLabel(ring.setups[s]);
     if (setup.name.empty()) setup.name = scan.setupName(ring.setups[s]);
     const auto given = options.origins.find(setup.name);
     const bool is_given = given != options.origins.end();
@@ -197,16 +197,17 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   agreement.given = {options.error, options.tilt, options.error};
   std::optional<SetupRing> polar;
   if (!ring.point_setups.empty()) polar.emplace(ring, tank, threads);
-  agreement.tiles_joined = polar && joinLabelledTiles(ring, *polar, scan, tank);
-  if (agreement.tiles_joined) polar.emplace(ring, tank, threads);
-  agreement.setups = setupsOf(ring, scan, tank.circle.radius, options, agreement.tiles_joined);
+  if (polar) agreement.split = joinSplitSetups(ring, *polar, scan, tank);
+  const bool joined = agreement.split != SplitSetups::None;
+  if (joined) polar.emplace(ring, tank, threads);
+  agreement.setups = setupsOf(ring, scan, tank.circle.radius, options, agreement.split);
   agreement.too_many = agreement.setups.size() < ring.setups.size();
   requireKnown(scan, agreement.setups, options);
   const auto has_points = [](const Setup& setup) { return setup.points > 0; };
   if (std::count_if(agreement.setups.begin(), agreement.setups.end(), has_points) < 2) {
-    if (!agreement.tiles_joined) markDuplicates(agreement.setups, repeated);
+    if (!joined) markDuplicates(agreement.setups, repeated);
     ring.point_setups.clear();
-    agreement.by_order = partByOrder(ring, tank, agreement, threads);
+    agreement.by_order = !joined && partByOrder(ring, tank, agreement, threads);  // parts would come again and again
     if (!agreement.by_order) return agreement;
     polar.emplace(ring, tank, threads);
   }
@@ -219,7 +220,7 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
   const auto views = viewArcs(*polar, tank, ring.reach, origins, threads);
   fill(agreement, adjustSetups(views, agreement.setups.size(), options));
-  if (!agreement.by_order && !agreement.tiles_joined) markDuplicates(agreement.setups, repeated);
+  if (!agreement.by_order && !joined) markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);
   return agreement;

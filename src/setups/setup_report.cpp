@@ -91,8 +91,10 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
   }
   if (agreement.too_many)
     addClause(text, "more than " + std::to_string(kMostSetups) + " files or labels are not told apart");
-  if (agreement.tiles_joined)
-    addClause(text, "files are tiles of one cloud: points of equal labels are taken to be of one setup");
+  if (agreement.split == SplitSetups::ByLabel)
+    addClause(text, "files are parts of one cloud: points of equal labels are taken to be of one setup");
+  if (agreement.split == SplitSetups::ByDensity)
+    addClause(text, "files or labels that show the same of the shell are taken to be parts of one setup");
   if (agreement.no_setups) addClause(text, "files or labels are no setups, as tiles are none, and were taken together");
   if (agreement.adjusted()) addClause(text, refusedOrigins(agreement));
   const std::size_t alone = seenByBadAlone(agreement, stations);

@@ -51,10 +51,12 @@ TEST(SetupMessage, SeparateFilesAreAskedForWhereTheyHelp) {
   EXPECT_FALSE(says(agreement, "give them as separate files"));
 }
 
-TEST(SetupMessage, TilesAreTold) {
+TEST(SetupMessage, PartsOfSetupsAreTold) {
   SetupAgreement agreement;
-  agreement.tiles_joined = true;
-  EXPECT_TRUE(says(agreement, "files are tiles of one cloud: points of equal labels are taken to be of one setup"));
+  agreement.split = SplitSetups::ByLabel;
+  EXPECT_TRUE(says(agreement, "files are parts of one cloud: points of equal labels are taken to be of one setup"));
+  agreement.split = SplitSetups::ByDensity;
+  EXPECT_TRUE(says(agreement, "show the same of the shell are taken to be parts of one setup"));
 }
 
 }  // namespace

@@ -86,6 +86,10 @@ struct SetupSpread {
   double height = 0.0, tilt = 0.0, plan = 0.0;  ///< of dz [m], of a tilt [rad], of dx and of dy [m]
 };
 
+/// Files or labels that are parts of one setup: tiles or shares of a cloud whose labels name the setups, or shares that
+/// show the same of the shell.
+enum class SplitSetups { None, ByLabel, ByDensity };
+
 /// How the setups of a scan agree.
 struct SetupAgreement {
   std::vector<Setup> setups;
@@ -95,8 +99,8 @@ struct SetupAgreement {
   bool plan_estimated = false;    ///< whether spread.plan does
   bool no_setups = false;         ///< files or labels can be none and were taken together: wholes, or tiles of one
   bool too_many = false;          ///< more files or labels than are told apart, and were taken together
-  bool tiles_joined = false;      ///< files are tiles of one cloud whose labels name the setups
-  bool by_order = false;          ///< told apart by the order of the points, not by files or labels
+  SplitSetups split = SplitSetups::None;  ///< whether files or labels that are parts of one setup were joined
+  bool by_order = false;                  ///< told apart by the order of the points, not by files or labels
   double rms_before = kUnknown, rms_after = kUnknown;  ///< over all [m]
   Eigen::MatrixXd covariance;       ///< of all setups' motions, in order, that are left unknown; empty for one setup
   std::size_t repeated_points = 0;  ///< points of the ring left out because they were there already
