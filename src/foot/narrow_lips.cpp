@@ -60,8 +60,12 @@ double slopeBetween(const std::vector<Beside>& level, const std::vector<double>&
 /// What hides the surface beside the shell.
 struct Cover {
   Lift lift;
+  double most = 0.0;    ///< that it may be high: its level's upper end [m]
   bool is_lip = false;  ///< else it may be a cable, or a fillet that slopes
 };
+
+/// A cover that may be so high.
+Cover mayBe(double height) { return {{height, 0.0}, height, false}; }
 
 /// Whether what covers the surface comes down to it as a fillet does: below a level points lie over a width, where an
 /// edge's face is upright but for what noise and wide beams make of it. Upon a plate, where a weld is more likely than
@@ -95,7 +99,7 @@ bool isLip(const ShellStrip& strip, const std::vector<Beside>& level, const std:
 
 /// What may be where a strip shows nothing at all.
 Cover unseenIn(const ShellStrip& strip, double reach) {
-  return {{std::min(unseenHeight(strip, reach), kHighestLip * reach), 0.0}, false};
+  return mayBe(std::min(unseenHeight(strip, reach), kHighestLip * reach));
 }
 
 /// What a strip shows; of no height where that is the surface.
@@ -123,6 +127,7 @@ Cover coverIn(const ShellStrip& strip, double reach) {
                                    [&](const Beside& p) { return p.d < middle && std::abs(p.height) < 0.5 * thick; });
   if (static_cast<double>(below) > kUnder * count) return {};
   return {{height, std::hypot(kLean * middle, strip.noise / std::sqrt(count))},
+          level.back().height,
           isLip(strip, level, distances, width, height)};
 }
 
@@ -166,19 +171,19 @@ double blurredLip(const ShellStrip& strip, double reach) {
 Cover coverOf(const ShellStrip& strip, double reach) {
   const Cover cover = coverIn(strip, reach);
   if (cover.lift.height > 0.0) return cover;
-  return {{std::max(edgeBeside(strip, reach), blurredLip(strip, reach)), 0.0}, false};
+  return mayBe(std::max(edgeBeside(strip, reach), blurredLip(strip, reach)));
 }
 
 /// The cover of the station of a run that has one nearest to one.
 /// @param lips  whether only lips count
-Lift nearestLift(const std::vector<Cover>& found, const RingRun& run, std::size_t station, bool lips) {
+Cover nearestCover(const std::vector<Cover>& found, const RingRun& run, std::size_t station, bool lips) {
   const auto counts = [&](std::size_t k) {
     const Cover& cover = found[k % found.size()];
     return lips ? cover.is_lip : cover.lift.height > 0.0;
   };
   for (std::size_t away = 0; away <= run.last - run.first; ++away) {
-    if (station + away <= run.last && counts(station + away)) return found[(station + away) % found.size()].lift;
-    if (station >= run.first + away && counts(station - away)) return found[(station - away) % found.size()].lift;
+    if (station + away <= run.last && counts(station + away)) return found[(station + away) % found.size()];
+    if (station >= run.first + away && counts(station - away)) return found[(station - away) % found.size()];
   }
   return {};
 }
@@ -220,9 +225,9 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
     if (2 * covered <= stand) continue;
     const bool raised = 2 * lips > stand;
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      const Lift lift = nearestLift(found, run, k, raised);
-      const bool sure = raised && found[k % count].is_lip;
-      lifts[k % count] = {raised ? lift.height : 0.0, std::hypot(lift.sigma, sure ? 0.0 : kHolds * lift.height)};
+      const Cover cover = nearestCover(found, run, k, raised);
+      const double doubted = !raised ? cover.most : found[k % count].is_lip ? 0.0 : cover.lift.height;
+      lifts[k % count] = {raised ? cover.lift.height : 0.0, std::hypot(cover.lift.sigma, kHolds * doubted)};
     }
   }
   for (const RingRun& gap : runsRound(between)) liftBetween(gap, lifts);

@@ -84,7 +84,7 @@ def extract_datum(
     search: Literal["flann", "buckets"] = "flann",
     # stations round the tank (8 to 36000)
     stations: int = 360,
-    # where station 0 is, counter-clockwise from +x (finite)
+    # where station 0 is, counter-clockwise from +x (-360 to 360 deg)
     zero_azimuth_deg: float = 0.0,
     # stations run clockwise seen from above
     clockwise: bool = False,
@@ -138,16 +138,17 @@ def extract_datum(
     # levelling and scan the mean, since the rod does not stand where the scan's
     # datum is
     remove: Literal["none", "mean", "tilt"] = "none",
-    # 1 sigma of the height left between the surveys [m] (>= 0 m)
+    # 1 sigma of the height left between the surveys [m] (0 to 1000 m)
     registration_error: float = 0.0,
-    # 1 sigma of the tilt left between them, about either level axis (>= 0 arcsec)
+    # 1 sigma of the tilt left between them, about either level axis (0 to 324000
+    # arcsec)
     registration_tilt_arcsec: float = 0.0,
-    # turn of the later survey's frame, counter-clockwise (finite)
+    # turn of the later survey's frame, counter-clockwise (-360 to 360 deg)
     azimuth_offset_deg: float = 0.0,
     # find that turn by the datum's shape out of plane
     estimate_azimuth_offset: bool = False,
-    # arc within which stations share errors; 0: as the surveys say themselves (>= 0
-    # deg)
+    # arc within which stations share errors; 0: as the surveys say themselves (0 to
+    # 360 deg)
     correlation_deg: float = 0.0,
     # surveys whose radii differ by more are of different tanks [m] (> 0 m)
     radius_difference: float = 0.05,
