@@ -197,9 +197,11 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   agreement.given = {options.error, options.tilt, options.error};
   std::optional<SetupRing> polar;
   if (!ring.point_setups.empty()) polar.emplace(ring, tank, threads);
-  if (polar) agreement.split = joinSplitSetups(ring, *polar, scan, tank);
+  std::vector<ShellArcs> shown;
+  const auto look = [&] { shown = shellArcsOfSetups(*polar, tank, ring.reach, ring.setups.size()); };
+  if (polar) look(), agreement.split = joinSplitSetups(ring, shown, scan);
   const bool joined = agreement.split != SplitSetups::None;
-  if (joined) polar.emplace(ring, tank, threads);
+  if (joined) polar.emplace(ring, tank, threads), look();
   agreement.setups = setupsOf(ring, scan, tank.circle.radius, options, agreement.split);
   agreement.too_many = agreement.setups.size() < ring.setups.size();
   requireKnown(scan, agreement.setups, options);
@@ -211,7 +213,7 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     if (!agreement.by_order) return agreement;
     polar.emplace(ring, tank, threads);
   }
-  if (!agreement.by_order && areNoSetups(shellArcsOfSetups(*polar, tank, ring.reach, agreement.setups.size()), tank)) {
+  if (!agreement.by_order && areNoSetups(shown, tank)) {
     agreement.no_setups = true;
     takeTogether(ring, agreement.setups);  // each may hold pieces of several: their order says nothing
     return agreement;

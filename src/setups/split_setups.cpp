@@ -1,6 +1,7 @@
 #include "setups/split_setups.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <numeric>
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include "core/portable_math.h"
-#include "setups/shell_arcs.h"
 
 namespace tank_datum {
 namespace {
@@ -41,9 +41,12 @@ std::vector<ShellArcs> sumOf(const std::vector<ShellArcs>& setups, const std::ve
 double total(const ShellArcs& arcs) { return std::accumulate(arcs.begin(), arcs.end(), 0.0); }
 
 /// How far what setups show of a shell is from shares of what they show together, by chi squared over what chance makes
-/// of it. Setups that stand elsewhere show it more densely elsewhere.
+/// of it; any distance where they show too little. Setups that stand elsewhere show it more densely elsewhere.
 double overChance(const std::vector<ShellArcs>& setups) {
+  constexpr double kFewest = 20.0;  // points of an arc that is seen
   const ShellArcs sum = sumOf(setups, std::vector<std::uint16_t>(setups.size(), 0)).front();
+  const auto seen = std::count_if(sum.begin(), sum.end(), [](std::size_t points) { return points > 0; });
+  if (total(sum) < kFewest * static_cast<double>(seen)) return HUGE_VAL;
   double squares = 0.0, freedom = 0.0;
   for (const ShellArcs& setup : setups) {
     const double share = total(setup) / total(sum);
@@ -72,9 +75,8 @@ bool mayBeShares(const std::vector<ShellArcs>& setups, const std::vector<std::op
 /// Setups by what they show, and where they stood.
 class Shown {
  public:
-  Shown(const Ring& ring, const SetupRing& polar, const Scan& scan, const Tank& tank)
-      : arcs_(shellArcsOfSetups(polar, tank, ring.reach, ring.setups.size())) {
-    for (const SetupKey& setup : ring.setups) origins_.push_back(scan.setupOrigin(setup));
+  Shown(const std::vector<ShellArcs>& arcs, const std::vector<SetupKey>& setups, const Scan& scan) : arcs_(arcs) {
+    for (const SetupKey& setup : setups) origins_.push_back(scan.setupOrigin(setup));
   }
 
   bool areTilesBy(const std::vector<std::uint16_t>& files) const { return areTiles(sumOf(arcs_, files)); }
@@ -86,7 +88,7 @@ class Shown {
       for (std::size_t s = 0; s < groups.size(); ++s) {
         if (groups[s] == group) members.push_back(s);
       }
-      if (!areShares(members)) return false;
+      if (members.size() > 1 && !areShares(members)) return false;
     }
     return true;
   }
@@ -118,7 +120,7 @@ class Shown {
     return total(arcs_[setup]) > kFewest;
   }
 
-  std::vector<ShellArcs> arcs_;
+  const std::vector<ShellArcs>& arcs_;
   std::vector<std::optional<Eigen::Vector3d>> origins_;
 };
 
@@ -132,20 +134,20 @@ void join(Ring& ring, const std::vector<std::uint16_t>& groups) {
 
 }  // namespace
 
-SplitSetups joinSplitSetups(Ring& ring, const SetupRing& polar, const Scan& scan, const Tank& tank) {
+SplitSetups joinSplitSetups(Ring& ring, const std::vector<ShellArcs>& shown, const Scan& scan) {
   const std::size_t setups = ring.setups.size();
   if (setups < 2) return SplitSetups::None;
   const auto files = numberGroups(ring.setups, [](SetupKey setup) { return setup.source; });
   const auto labels = numberGroups(ring.setups, [&](SetupKey setup) { return scan.setupLabel(setup); });
-  const auto tell = [&](const std::vector<std::uint16_t>& groups) {
+  const auto tells = [&](const std::vector<std::uint16_t>& groups) {
     return countOf(groups) > 1 && countOf(groups) < setups;
   };
-  const Shown shown(ring, polar, scan, tank);
-  if (tell(files) && tell(labels) && (shown.areTilesBy(files) || shown.areSharesBy(labels))) {
+  const Shown setups_shown(shown, ring.setups, scan);
+  if (tells(files) && tells(labels) && (setups_shown.areTilesBy(files) || setups_shown.areSharesBy(labels))) {
     join(ring, labels);
     return SplitSetups::ByLabel;
   }
-  const std::vector<std::uint16_t> shares = shown.groupsOfShares();
+  const std::vector<std::uint16_t> shares = setups_shown.groupsOfShares();
   if (countOf(shares) == setups) return SplitSetups::None;
   join(ring, shares);
   return SplitSetups::ByDensity;

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "setups/setup_ring.h"
+#include <vector>
+
+#include "setups/shell_arcs.h"
 #include "tank_datum/io/scan.h"
-#include "tank_datum/locate/tank.h"
 #include "tank_datum/setups/setups.h"
 
 namespace tank_datum {
@@ -12,7 +13,7 @@ namespace tank_datum {
 /// holds shares of the setups, as of points that were dealt out; and by what they show of the shell where that is the
 /// same but for chance, and dense enough to tell setups that stand a few degrees apart.
 /// @param ring   whose points' setups are known
-/// @param polar  the same points, with the setups that they have yet
-SplitSetups joinSplitSetups(Ring& ring, const SetupRing& polar, const Scan& scan, const Tank& tank);
+/// @param shown  what each of them shows of the shell
+SplitSetups joinSplitSetups(Ring& ring, const std::vector<ShellArcs>& shown, const Scan& scan);
 
 }  // namespace tank_datum

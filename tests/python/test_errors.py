@@ -200,7 +200,14 @@ def test_bad_value(run: Runner, tmp_path: Path, option: str, value: str, word: s
 
 @pytest.mark.parametrize(
     "args",
-    [["--frobnicate"], ["--k"], ["-x", "1"], ["--height-steps", "10"], ["--baseline", ""], ["--limits="]],
+    [
+        ["--frobnicate"],
+        ["--k"],
+        ["-x", "1"],
+        ["--height-steps", "10"],
+        ["--baseline", ""],
+        ["--limits="],
+    ],
 )
 def test_bad_option(run: Runner, tmp_path: Path, args: list[str]) -> None:
     scan = write_xyz(tmp_path / "scan.pcd", clouds.tank(spacing=0.05))

@@ -97,7 +97,10 @@ struct Cropped {
     tank.foot.coefficients = Eigen::Vector3d(-scan.origin().z(), 0.0, 0.0);
     ring = cropRing(scan, tank, {});
   }
-  SplitSetups join() { return joinSplitSetups(ring, SetupRing(ring, tank, 1), scan, tank); }
+  SplitSetups join() {
+    return joinSplitSetups(ring, shellArcsOfSetups(SetupRing(ring, tank, 1), tank, ring.reach, ring.setups.size()),
+                           scan);
+  }
 
   const Scan& scan;
   Tank tank;
@@ -138,6 +141,8 @@ TEST_F(SplitSetupsTest, PointsDealtOutToFilesAreOfTheSetupsThatLabelsName) {
   ASSERT_EQ(cropped.ring.setups.size(), 4U);
   EXPECT_EQ(cropped.join(), SplitSetups::ByLabel);
   EXPECT_EQ(cropped.ring.setups.size(), 2U);
+  const Scan sparse = dealt(6, byChance, likeTheOther);
+  EXPECT_EQ(Cropped(sparse).join(), SplitSetups::None) << "15 points to an arc tell no setups apart";
 }
 
 /// Ten thousand points of the shell to each.
