@@ -22,9 +22,10 @@ nlohmann::json readJson(const std::string& path, const std::string& stage, const
   if (!json.is_object()) throw refused("no JSON object", expected);
   const auto schema = json.find("schema");
   if (schema == json.end() || !schema->is_number_integer()) throw refused("without a schema", expected);
-  if (*schema > kSchema) {
-    throw refused("schema " + schema->dump(),
-                  "schema " + std::to_string(kSchema) + " or older: a newer version wrote it");
+  const bool newer = *schema > kSchema;
+  if (newer || *schema < kFirstSchema) {
+    throw refused("schema " + schema->dump(), "schema " + std::to_string(kSchema) + " or older" +
+                                                  (newer ? ": a newer version wrote it" : ", from 1 on"));
   }
   return json;
 }

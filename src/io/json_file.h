@@ -7,6 +7,7 @@ namespace tank_datum {
 
 /// The schema of datum.json and movement.json that this version writes; raised when a name or a unit changes.
 constexpr int kSchema = 1;
+constexpr int kFirstSchema = 1;  ///< that there was
 
 /// A JSON file that a run of this project wrote.
 /// @param stage     of the message when it is refused

@@ -75,10 +75,15 @@ void requireComparable(const Epoch& baseline, const Epoch& current, const Moveme
 void requireSameSurface(const Epoch& baseline, const Epoch& current, const Movement& movement) {
   constexpr double kThinnest = 0.006;  // annular plates [m]
   constexpr double kKnown = 0.5;       // of the half: a standard error
-  const std::string plate = nameOf(Surface::AnnularPlate);
-  if (baseline.levelled || current.levelled || (baseline.surface == plate) == (current.surface == plate)) return;
+  if (baseline.levelled || current.levelled || baseline.surface == current.surface) return;
+  const auto is_plate = [](const Epoch& e) { return e.surface == nameOf(Surface::AnnularPlate); };
+  const auto lies_below = [](const Epoch& e) {
+    return e.surface == nameOf(Surface::Foundation) || e.surface == nameOf(Surface::Ringwall);
+  };
+  if (lies_below(baseline) && lies_below(current)) return;
+  const bool are_known = (is_plate(baseline) && lies_below(current)) || (lies_below(baseline) && is_plate(current));
   const double half = 0.5 * kThinnest;
-  if (std::abs(movement.mean) < half && movement.sigma_mean < kKnown * half) return;
+  if (are_known && std::abs(movement.mean) < half && movement.sigma_mean < kKnown * half) return;
   refuse("foundation surface of " + current.name, current.surface, "the baseline's, " + baseline.surface);
 }
 

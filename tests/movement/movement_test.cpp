@@ -180,6 +180,7 @@ TEST(CompareEpochs, RefusesAPlateAndWhatItLiesOnWhereTheyMayLieAPlateApart) {
   EXPECT_FALSE(refused("annular_plate", 0.006));
   plate.surface = "foundation";
   EXPECT_FALSE(refused("ringwall", 0.006)) << "one surface, whether its edge is seen or not";
+  EXPECT_TRUE(refused("moss", 0.0)) << "no surface that there is";
 }
 
 TEST(CompareEpochs, OfASurveyWithItselfKnowsTheTiltNoBetter) {

@@ -219,6 +219,7 @@ def test_file_errors_carry_number_and_name(tmp_path: Path) -> None:
         ("[", "Expecting value"),
         ("{}", "other JSON"),
         ('{"schema": 2, "status": "ok", "input": {}}', "schema 2"),
+        ('{"schema": 0, "status": "ok", "input": {}}', "schema 0"),
     ],
 )
 def test_loading_other_files_is_refused(tmp_path: Path, text: str, said: str) -> None:

@@ -223,14 +223,16 @@ def test_on_paper_it_is_light_and_of_the_tank_alone(
         (["--keys", "?"], 2, "--keys, ?"),
         (["--scan", "/none.pcd"], 3, "/none.pcd"),
         (["--screenshot", "a.jpg"], 2, "--screenshot, a.jpg"),
-        (["--paper", "--screenshot", ""], 2, "--paper, given"),
+        (["--paper"], 2, "--paper, given"),
+        (["--screenshot", ""], 2, "--screenshot, an empty value"),
         (["--screenshot", "/none/a.png"], 3, "/none/a.png"),
     ],
 )
 def test_refused(
     display: str, folder: Path, tmp_path: Path, args: list[object], status: int, part: str
 ) -> None:
-    shot = [] if "--screenshot" in args else ["--screenshot", tmp_path / "a.png"]
+    alone = "--screenshot" in args or args == ["--paper"]
+    shot = [] if alone else ["--screenshot", tmp_path / "a.png"]
     result = view(display, folder, *args, *shot)
     assert result.returncode == status
     assert part in result.stderr

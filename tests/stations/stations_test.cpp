@@ -207,7 +207,7 @@ TEST(StationOptions, AreRefusedByName) {
   EXPECT_NE(said(firstError(options)), "");
   options = {};
   options.zero_azimuth = INFINITY;
-  EXPECT_EQ(said(firstError(options)), "zero_azimuth_deg, inf, expected finite");
+  EXPECT_EQ(said(firstError(options)), "zero_azimuth_deg, inf, expected -360 to 360 deg");
   options = {};
   options.longest_bridge = -0.5;
   EXPECT_EQ(said(firstError(options)), "longest_bridge_deg, -28.6479, expected >= 0 and < 360 deg");
