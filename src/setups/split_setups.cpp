@@ -116,7 +116,7 @@ class Shown {
   }
 
   bool isDense(std::size_t setup) const {
-    constexpr double kFewest = 10'000.0;  // points on the shell
+    constexpr double kFewest = 4000.0;  // points on the shell
     return total(arcs_[setup]) > kFewest;
   }
 

@@ -145,9 +145,9 @@ TEST_F(SplitSetupsTest, PointsDealtOutToFilesAreOfTheSetupsThatLabelsName) {
   EXPECT_EQ(Cropped(sparse).join(), SplitSetups::None) << "15 points to an arc tell no setups apart";
 }
 
-/// Ten thousand points of the shell to each.
+/// Four thousand points of the shell to each.
 TEST_F(SplitSetupsTest, PointsDealtOutToFilesAreOfOneSetupWhereTheyAreDense) {
-  const Scan sparse = dealt(90, byChance, unlikeTheOther), dense = dealt(130, byChance, unlikeTheOther);
+  const Scan sparse = dealt(40, byChance, unlikeTheOther), dense = dealt(55, byChance, unlikeTheOther);
   EXPECT_EQ(Cropped(sparse).join(), SplitSetups::None);
   Cropped cropped(dense);
   EXPECT_EQ(cropped.join(), SplitSetups::ByDensity);
