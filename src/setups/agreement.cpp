@@ -199,7 +199,13 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   if (!ring.point_setups.empty()) polar.emplace(ring, tank, threads);
   std::vector<ShellArcs> shown;
   const auto look = [&] { shown = shellArcsOfSetups(*polar, tank, ring.reach, ring.setups.size()); };
-  if (polar) look(), agreement.split = joinSplitSetups(ring, shown, scan);
+  const auto views_of = [&](const std::vector<Eigen::Vector3d>& origins) {
+    return viewArcs(*polar, tank, ring.reach, origins, threads);
+  };
+  const auto views_from_nowhere = [&] {
+    return views_of(std::vector<Eigen::Vector3d>(ring.setups.size(), Eigen::Vector3d::Zero()));
+  };
+  if (polar) look(), agreement.split = joinSplitSetups(ring, shown, scan, views_from_nowhere);
   const bool joined = agreement.split != SplitSetups::None;
   if (joined) polar.emplace(ring, tank, threads), look();
   agreement.setups = setupsOf(ring, scan, tank.circle.radius, options, agreement.split);
@@ -220,8 +226,7 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   }
   std::vector<Eigen::Vector3d> origins;
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
-  const auto views = viewArcs(*polar, tank, ring.reach, origins, threads);
-  fill(agreement, adjustSetups(views, agreement.setups.size(), options));
+  fill(agreement, adjustSetups(views_of(origins), agreement.setups.size(), options));
   if (!agreement.by_order && !joined) markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);

@@ -1,5 +1,6 @@
 #include "setups/split_setups.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -72,10 +73,27 @@ bool mayBeShares(const std::vector<ShellArcs>& setups, const std::vector<std::op
   return overChance(setups) < kChance;
 }
 
+/// By how many standard errors two setups differ in height where both see the foundation; 0 where they never do.
+double heightsApart(const std::vector<ArcView>& views, std::size_t a, std::size_t b) {
+  double weights = 0.0, sum = 0.0;
+  for (const ArcView& view : views) {
+    const std::vector<std::size_t>& setups = view.seen.setups;
+    const auto i = std::find(setups.begin(), setups.end(), a) - setups.begin();
+    const auto j = std::find(setups.begin(), setups.end(), b) - setups.begin();
+    if (view.shell || std::max(i, j) == view.seen.offsets.size()) continue;
+    const Eigen::MatrixXd covariance = view.seen.information.completeOrthogonalDecomposition().pseudoInverse();
+    const double weight = 1.0 / (covariance(i, i) + covariance(j, j) - 2.0 * covariance(i, j));
+    weights += weight, sum += weight * (view.seen.offsets[i] - view.seen.offsets[j]);
+  }
+  return weights > 0.0 ? std::abs(sum) / std::sqrt(weights) : 0.0;
+}
+
 /// Setups by what they show, and where they stood.
 class Shown {
  public:
-  Shown(const std::vector<ShellArcs>& arcs, const std::vector<SetupKey>& setups, const Scan& scan) : arcs_(arcs) {
+  Shown(const std::vector<ShellArcs>& arcs, const std::vector<SetupKey>& setups, const Scan& scan,
+        const std::function<std::vector<ArcView>()>& views)
+      : arcs_(arcs), look_(views) {
     for (const SetupKey& setup : setups) origins_.push_back(scan.setupOrigin(setup));
   }
 
@@ -112,7 +130,14 @@ class Shown {
     std::vector<ShellArcs> arcs;
     std::vector<std::optional<Eigen::Vector3d>> origins;
     for (const std::size_t s : members) arcs.push_back(arcs_[s]), origins.push_back(origins_[s]);
-    return mayBeShares(arcs, origins);
+    return mayBeShares(arcs, origins) && areAtOneHeight(members);
+  }
+
+  bool areAtOneHeight(const std::vector<std::size_t>& members) const {
+    constexpr double kSure = 5.0;  // standard errors
+    if (!views_) views_ = look_();
+    return std::all_of(members.begin() + 1, members.end(),
+                       [&](std::size_t s) { return heightsApart(*views_, members.front(), s) < kSure; });
   }
 
   bool isDense(std::size_t setup) const {
@@ -122,6 +147,8 @@ class Shown {
 
   const std::vector<ShellArcs>& arcs_;
   std::vector<std::optional<Eigen::Vector3d>> origins_;
+  std::function<std::vector<ArcView>()> look_;
+  mutable std::optional<std::vector<ArcView>> views_;
 };
 
 /// Makes one setup of each group's, which has the key of its first.
@@ -134,7 +161,8 @@ void join(Ring& ring, const std::vector<std::uint16_t>& groups) {
 
 }  // namespace
 
-SplitSetups joinSplitSetups(Ring& ring, const std::vector<ShellArcs>& shown, const Scan& scan) {
+SplitSetups joinSplitSetups(Ring& ring, const std::vector<ShellArcs>& shown, const Scan& scan,
+                            const std::function<std::vector<ArcView>()>& views) {
   const std::size_t setups = ring.setups.size();
   if (setups < 2) return SplitSetups::None;
   const auto files = numberGroups(ring.setups, [](SetupKey setup) { return setup.source; });
@@ -142,7 +170,7 @@ SplitSetups joinSplitSetups(Ring& ring, const std::vector<ShellArcs>& shown, con
   const auto tells = [&](const std::vector<std::uint16_t>& groups) {
     return countOf(groups) > 1 && countOf(groups) < setups;
   };
-  const Shown setups_shown(shown, ring.setups, scan);
+  const Shown setups_shown(shown, ring.setups, scan, views);
   if (tells(files) && tells(labels) && (setups_shown.areTilesBy(files) || setups_shown.areSharesBy(labels))) {
     join(ring, labels);
     return SplitSetups::ByLabel;

@@ -58,18 +58,25 @@ class SplitSetupsTest : public testing::Test {
   /// @param file_of   of the n-th point
   /// @param label_of  of a file's point; below 0 there is none
   /// @param apart     of the places where the files say that they were scanned from [m]
+  /// @param raised    the second file's foundation, rough by 1 mm [m]
   template <typename FileOf, typename LabelOf>
-  Scan dealt(int of_degree, const FileOf& file_of, const LabelOf& label_of, double apart = 0.0) {
+  Scan dealt(int of_degree, const FileOf& file_of, const LabelOf& label_of, double apart = 0.0, double raised = 0.0) {
     std::string rows[2];
     int counts[2] = {0, 0};
     const bool labelled = label_of(0, 0) >= 0;
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> rough(0.0, 0.001);
     for (int n = 0; n < kDegrees * of_degree; ++n) {
       const int setup = n / (kDegrees / 2 * of_degree), file = file_of(n);
-      const double degree = static_cast<double>(n) / of_degree, height = 0.3 + 0.001 * (n % 50);
-      rows[file] += std::to_string(kRadius * std::cos(toRadians(degree))) + ' ' +
-                    std::to_string(kRadius * std::sin(toRadians(degree))) + ' ' + std::to_string(height);
-      rows[file] += labelled ? ' ' + std::to_string(label_of(setup, file)) + '\n' : "\n";
-      ++counts[file];
+      const double degree = static_cast<double>(n) / of_degree;
+      const auto add = [&](double radius, double z) {
+        rows[file] += std::to_string(radius * std::cos(toRadians(degree))) + ' ' +
+                      std::to_string(radius * std::sin(toRadians(degree))) + ' ' + std::to_string(z);
+        rows[file] += labelled ? ' ' + std::to_string(label_of(setup, file)) + '\n' : "\n";
+        ++counts[file];
+      };
+      add(kRadius, 0.3 + 0.001 * (n % 50));
+      if (n % 4 == 0) add(kRadius + 0.05 + 0.3 * std::fmod(0.618034 * n, 1.0), rough(random) + file * raised);
     }
     std::vector<std::string> paths;
     for (int file = 0; file < 2; ++file) {
@@ -98,8 +105,12 @@ struct Cropped {
     ring = cropRing(scan, tank, {});
   }
   SplitSetups join() {
-    return joinSplitSetups(ring, shellArcsOfSetups(SetupRing(ring, tank, 1), tank, ring.reach, ring.setups.size()),
-                           scan);
+    const SetupRing polar(ring, tank, 1);
+    const auto views = [&] {
+      return viewArcs(polar, tank, ring.reach,
+                      std::vector<Eigen::Vector3d>(ring.setups.size(), Eigen::Vector3d::Zero()), 1);
+    };
+    return joinSplitSetups(ring, shellArcsOfSetups(polar, tank, ring.reach, ring.setups.size()), scan, views);
   }
 
   const Scan& scan;
@@ -172,6 +183,15 @@ TEST_F(SplitSetupsTest, FilesThatShowMoreHereAndLessThereAreSetupsOfTheirOwn) {
   const Scan chance = dealt(130, unevenly(0.015), unlikeTheOther), other = dealt(130, unevenly(0.04), unlikeTheOther);
   EXPECT_EQ(Cropped(chance).join(), SplitSetups::ByDensity);
   EXPECT_EQ(Cropped(other).join(), SplitSetups::None);
+}
+
+TEST_F(SplitSetupsTest, SetupsAtOnePlaceThatDifferInHeightAreTwo) {
+  const auto none = [](int, int) { return -1; };
+  const Scan chance = dealt(70, byChance, none, 0.0, 0.00009), other = dealt(70, byChance, none, 0.0, 0.0002);
+  EXPECT_EQ(Cropped(chance).join(), SplitSetups::ByDensity) << "some standard errors";
+  EXPECT_EQ(Cropped(other).join(), SplitSetups::None);
+  const Scan labelled = dealt(70, byChance, likeTheOther, 0.0, 0.0006);
+  EXPECT_EQ(Cropped(labelled).join(), SplitSetups::None);
 }
 
 TEST_F(SplitSetupsTest, FilesScannedFromOtherPlacesAreSetupsOfTheirOwn) {
