@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -138,11 +139,15 @@ TEST_F(SplitSetupsTest, FilesThatSeeTheSameAreNoTiles) {
   EXPECT_EQ(Cropped(scan).join(), SplitSetups::None) << "a day's setups each, say";
 }
 
-int byChance(int) {
-  static std::mt19937_64 random(4);
-  return static_cast<int>(random() % 2);
+/// Between 0 and 1, by a hash of a number (SplitMix64): the same whatever ran before.
+double chance(int n) {
+  std::uint64_t x = static_cast<std::uint64_t>(n + 1) * 0x9E3779B97F4A7C15U;
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+  return static_cast<double>((x ^ (x >> 31U)) >> 11U) / static_cast<double>(1ULL << 53U);
 }
 
+int byChance(int n) { return chance(n) < 0.5 ? 0 : 1; }
 int likeTheOther(int setup, int) { return setup; }
 int unlikeTheOther(int setup, int file) { return 10 * file + setup; }
 
@@ -175,9 +180,8 @@ TEST_F(SplitSetupsTest, PointsDealtOutToFilesAreOfOneSetupWhereTheyAreDense) {
 TEST_F(SplitSetupsTest, FilesThatShowMoreHereAndLessThereAreSetupsOfTheirOwn) {
   const auto unevenly = [](double more) {
     return [more](int n) {
-      static std::mt19937_64 random(4);
       const bool here = n / (130 * 5) % 2 == 0;  // five degrees here, five there
-      return std::uniform_real_distribution<double>()(random) < (here ? 0.5 + more : 0.5 - more) ? 1 : 0;
+      return chance(n) < (here ? 0.5 + more : 0.5 - more) ? 1 : 0;
     };
   };
   const Scan chance = dealt(130, unevenly(0.015), unlikeTheOther), other = dealt(130, unevenly(0.04), unlikeTheOther);
