@@ -8,15 +8,14 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circle.h"
-#include "fit/harmonics.h"
 #include "locate/filled_wall.h"
+#include "locate/foot_heights.h"
+#include "locate/foot_unit.h"
 #include "locate/step_back.h"
 #include "locate/wall_sector.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kFoundationArc = 30.0 * kDegree;  // in one piece: a foot that is hidden elsewhere is one
 
 /// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
 /// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
@@ -170,35 +169,19 @@ double lowWall(const Tank& tank, const std::vector<WallView>& views, const Point
 
 /// The feet of the walls; a shell that ends above a shadow says nothing of the foot.
 PeriodicFit footOf(const Tank& tank, const std::vector<WallView>& views) {
-  std::vector<double> azimuths, feet;
+  std::vector<double> feet;
   for (const WallView& view : views) {
     const bool foundation = tank.side == Side::Inside ? view.inside : view.outside;
-    if (!view.stands || (tank.has_foundation && !foundation)) continue;
-    azimuths.push_back(view.azimuth);
-    feet.push_back(view.bottom);
+    feet.push_back(view.stands && (!tank.has_foundation || foundation) ? view.bottom : kUnknown);
   }
-  if (feet.empty()) return {};
-  return fitFootHeights(azimuths, feet, 4.0 * tank.resolution + 0.02 * tank.circle.radius);
+  constexpr double kWithinReach = 0.6;  // of what is cropped above and below the foot
+  const double unit = footUnit(tank.circle.radius, tank.resolution);
+  const double reach = std::min(CropOptions().reach * unit, 0.5 * tank.circle.radius);
+  return fitFootHeights(feet, tank.resolution,
+                        {4.0 * tank.resolution + 0.02 * tank.circle.radius, kWithinReach * reach});
 }
 
 }  // namespace
-
-PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window) {
-  constexpr double kQuiet = 0.02;  // with a short arc the slope is what little data say, not an extrapolation
-  PeriodicFit fit;
-  fit.coefficients = Eigen::Vector3d(quantile(feet, 0.2), 0, 0);
-  for (int iteration = 0; iteration < 5; ++iteration) {
-    std::vector<double> near_azimuths, near_feet;
-    for (std::size_t i = 0; i < feet.size(); ++i) {
-      if (std::abs(feet[i] - fit(azimuths[i])) > window) continue;
-      near_azimuths.push_back(azimuths[i]);
-      near_feet.push_back(feet[i]);
-    }
-    if (near_feet.empty()) break;
-    fit = fitHarmonics(near_azimuths, near_feet, {}, {1, true, kQuiet});
-  }
-  return fit;
-}
 
 Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least, bool given) {
   Tank tank;

@@ -1,16 +1,9 @@
 #pragma once
 
-#include <vector>
-
 #include "locate/sample_ladder.h"
 #include "tank_datum/locate/tank.h"
 
 namespace tank_datum {
-
-/// The foot against azimuth. Shells that end above a shadow outnumber, at times, those seen to their foot, but nothing
-/// of a shell lies below it: the fit starts from the lowest fifth, and takes what agrees with it.
-/// @param window  how far from the fit a foot may lie [m]
-PeriodicFit fitFootHeights(const std::vector<double>& azimuths, const std::vector<double>& feet, double window);
 
 constexpr double kLeastFoundation = 0.25;  ///< share of the shell's azimuths at which one is seen beside it
 

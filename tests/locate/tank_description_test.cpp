@@ -214,30 +214,22 @@ TEST(Describe, AFoundationIsSeenInOneArc) {
   EXPECT_FALSE(hasFoundation(55.0, 0.5, 1));
 }
 
-/// Feet over an arc of 40 degrees about azimuth 0, risen by `slope` per radian.
-double slopeOfArc(double slope) {
-  std::vector<double> azimuths, feet;
-  for (int i = -20; i <= 20; ++i) {
-    azimuths.push_back(toRadians(i));
-    feet.push_back(slope * std::sin(toRadians(i)));
+/// The foot in the middle of 40 degrees on which a shell of 4 m is seen down to height 0; elsewhere from `from` on.
+double footOfArc(double from) {
+  Sample sample{{}, 0.1, false};
+  Points shell;
+  addFace(shell, 0.0, 0.0, 4.0);
+  for (const auto& p : shell) {
+    if (p.z() > from || std::abs(std::atan2(p.y(), p.x())) < 20.0 * kDegree) sample.points.push_back(p);
   }
-  return fitFootHeights(azimuths, feet, 1.0).coefficients[2] / slope;
+  addGround(sample.points, 0.0);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002).foot(0.0);
 }
 
-/// The ridge of 0.02 of the data's weight stands against the mean of sin^2 over the arc, 0.0404.
-TEST(FitFootHeights, OfAShortArcTheSlopeIsDrawnToLevel) {
-  double squares = 0.0;
-  for (int i = -20; i <= 20; ++i) squares += std::pow(std::sin(toRadians(i)), 2) / 41.0;
-  EXPECT_NEAR(slopeOfArc(0.1), squares / (squares + 0.02), 0.04);  // the ends of the arc have less weight
-}
-
-TEST(FitFootHeights, ShellsThatEndAboveAShadowDoNotLiftTheFoot) {
-  std::vector<double> azimuths, feet;
-  for (int i = 0; i < 60; ++i) {
-    azimuths.push_back(kTwoPi * i / 60.0);
-    feet.push_back(i % 3 == 0 ? 0.0 : 2.0);
-  }
-  EXPECT_NEAR(fitFootHeights(azimuths, feet, 0.5)(1.0), 0.0, 1e-12);
+TEST(Describe, TheFootIsNoFartherAboveALowArcThanIsCroppedBelowIt) {
+  EXPECT_NEAR(footOfArc(0.15), 0.16, 0.03);
+  EXPECT_NEAR(footOfArc(0.5), 0.3, 0.03);
+  EXPECT_NEAR(footOfArc(0.8), 0.3, 0.03);
 }
 
 }  // namespace
