@@ -79,19 +79,30 @@ bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, dou
   constexpr double kLeastDrop = 0.003;  // of that step [m]
   constexpr std::size_t kFewestBeside = 6;
   constexpr double kSection = 0.010;  // how far the section beyond may differ in height [m]
+  constexpr double kHangs = 0.05;     // so far above what is seen below it: a drip ring, a pipe [m]
   if (std::abs(fit.slope - prior_slope) > kSlopeVaries + 3.0 * fit.sigma_slope) return false;
   if (fit.noise > kNoise * profile.noise) return false;
-  std::vector<double> off, beside, drops;
+  struct Beyond {
+    double d, off, drop;
+  };
+  std::vector<Beyond> beyond;
   for (const FootPoint& p : points) {
     const auto bin = static_cast<std::size_t>(std::max(0.0, p.d) / profile.bin);
     if (p.d < profile.edge + profile.blur || bin >= profile.height.size()) continue;
     if (!(profile.spread[bin] <= 2.0 * profile.noise)) continue;  // an upright face has no height of its own
     const double expected = fit.z - profile.offset + profile.height[bin];
     if (!std::isfinite(expected)) continue;
-    off.push_back(p.z - expected);
+    beyond.push_back({p.d, p.z - expected, profile.offset + profile.slope * p.d - profile.height[bin]});
+  }
+  const auto in_place = std::count_if(beyond.begin(), beyond.end(),
+                                      [&](const Beyond& p) { return std::abs(p.off) <= kSection + 2.0 * fit.sigma; });
+  std::vector<double> off, beside, drops;
+  for (const Beyond& p : beyond) {
+    if (static_cast<std::size_t>(in_place) >= kFewestBeside && p.off > kHangs) continue;
+    off.push_back(p.off);
     if (p.d > profile.edge + profile.blur + kBeside) continue;
-    beside.push_back(off.back());
-    drops.push_back(profile.offset + profile.slope * p.d - profile.height[bin]);
+    beside.push_back(p.off);
+    drops.push_back(p.drop);
   }
   const bool ends = beside.size() >= kFewestBeside && median(drops) > kLeastDrop;
   if (ends && median(beside) > 0.5 * median(drops) + 2.0 * fit.sigma) return false;  // soil goes on over the edge

@@ -7,7 +7,7 @@
 #include "fit/circular_series.h"
 #include "foot/hidden_strip.h"
 #include "foot/rough_arcs.h"
-#include "foot/shell_below.h"
+#include "foot/under_shell.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {

@@ -16,10 +16,11 @@ struct FootPoint {
 
 /// Scales that the section is read with, all from the data or the object's size.
 struct FootScales {
-  double reach;        ///< how far out the section goes [m]
-  double shell_noise;  ///< of points about the shell [m]
-  double weld;         ///< the largest fillet weld to expect in the corner [m]
-  bool arc = false;    ///< of an arc, which goes by the whole ring's section where its own does not show a lip's edge
+  double reach;         ///< how far out the section goes [m]
+  double shell_noise;   ///< of points about the shell [m]
+  double weld;          ///< the largest fillet weld to expect in the corner [m]
+  bool arc = false;     ///< of an arc, which goes by the whole ring's section where its own does not show a lip's edge
+  double overhang = 0;  ///< to where the whole ring's lip stands over what carries it [m]
 
   /// Width over which an edge may be blurred [m].
   double blur() const { return 4.0 * shell_noise; }

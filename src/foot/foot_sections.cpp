@@ -31,7 +31,8 @@ std::vector<std::size_t> arcAround(const Foot& foot, std::size_t middle, const s
   return points >= kFewestPoints ? members : std::vector<std::size_t>{};
 }
 
-FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members, const std::vector<double>& datum) {
+FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members, const std::vector<double>& datum,
+                      const FootProfile& whole) {
   std::size_t total = 0;
   for (const std::size_t i : members) total += foot.points[i].size();
   const std::size_t every = std::max<std::size_t>(1, total / kMostPoints);
@@ -44,6 +45,7 @@ FootProfile sectionOf(const Foot& foot, const std::vector<std::size_t>& members,
   }
   FootScales scales = foot.scales;
   scales.arc = true;
+  scales.overhang = whole.overhang;
   return stackProfile(points, levels, scales);
 }
 
@@ -122,7 +124,7 @@ FootSections stackSections(const Foot& foot, const std::vector<double>& elevatio
     const std::size_t middle = std::min(sections.stations - 1, (2 * k + 1) * sections.stations / (2 * kArcs));
     const std::vector<std::size_t> members = arcAround(foot, middle, elevations);
     FootProfile& arc = sections.arcs[k];
-    arc = members.empty() ? whole : sectionOf(foot, members, elevations);
+    arc = members.empty() ? whole : sectionOf(foot, members, elevations, whole);
     if (!isAlike(arc, whole, foot.reach)) arc = whole;
     arc.band_from = std::max(arc.band_from, whole.band_from);
     if (arc.band_to <= arc.band_from) arc = whole;

@@ -14,6 +14,7 @@
 #include "foot/foot_shadows.h"
 #include "foot/foot_state.h"
 #include "foot/narrow_lips.h"
+#include "foot/other_walls.h"
 #include "foot/polar_ring.h"
 #include "foot/raised_foot.h"
 #include "foot/section_end.h"
@@ -124,6 +125,17 @@ std::vector<StationDatum> withReasons(std::vector<StationDatum> stations, const 
   return stations;
 }
 
+/// The stations without a datum at which another wall stands, cladding on a part of the ring.
+std::vector<StationDatum> withoutOtherWalls(std::vector<StationDatum> stations, const std::vector<ShellLine>& lines,
+                                            const std::vector<bool>& strays, double arc) {
+  if (strays.empty()) return stations;
+  const std::vector<bool> other = findOtherWalls(lines, strays, arc);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (other[i] && stations[i].flag == StationFlag::Missing) stations[i].reason = Unmeasured::OffCircle;
+  }
+  return stations;
+}
+
 /// The stations on what they lie above their fits by.
 std::vector<StationDatum> onLips(std::vector<StationDatum> stations, const std::vector<Lift>& lifts) {
   for (std::size_t i = 0; i < stations.size(); ++i) {
@@ -173,7 +185,10 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   found.refined.above_shell = shareAboveShell(foot, levels.fits);
   found.refined.raised = raisedAboveRest(foot, levels.fits);
   const ProfileBand band{found.refined.profile.band_to, tank.side == Side::Outside ? 1.0 : -1.0};
-  const ShellCircle round = fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank));
+  std::vector<bool> stand;
+  for (const FootFit& fit : levels.fits) stand.push_back(fit.valid());
+  const ShellCircle round =
+      fitShellCircle(shell.lines, foot.directions, shell.heights, tank.circle, priorOf(tank), stand);
   found.refined.circle = round.circle;
   found.refined.sigma_radius = round.sigma_radius;
   const auto stations = withReasons(stationsOf(foot, levels.fits, shell.lines, tank.circle.center, round.circle.center),
@@ -182,6 +197,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
   if (isResolved(foot)) bridged = withShadowsDoubted(std::move(bridged), foot, pass);
   bridged = withRefusedDoubted(std::move(bridged), pass.outliers.refused, foot);
+  bridged = withoutOtherWalls(std::move(bridged), shell.lines, round.strays, foot.arc());
   const std::vector<Lift> lifts = findNarrowLips(foot, levels.fits, pass.sections);
   found.refined.narrow_lip = usualLip(lifts, levels.fits);
   if (found.refined.narrow_lip > 0.0) found.refined.profile.surface = Surface::AnnularPlate;

@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "foot/lowest_layer.h"
+#include "foot/overhang.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t kFewestPoints = 10;  // points that make a bin's median worth looking at
 constexpr double kWidestBin = 0.04;        // of the reach, so that a section has some twenty
+constexpr double kDeepest = 0.2;           // of the reach, what is seen below a lip's edge
 
 /// The heights above their station's datum of all points, by bins of d, with several threads.
 std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<FootPoint>>& stations,
@@ -65,9 +67,22 @@ void stackBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& 
     heights = heightsByBin(stations, datum, scales.reach, profile.bin);
   }
   for (auto* column : {&profile.height, &profile.spread, &profile.error}) column->assign(heights.size(), kUnknown);
+  const auto first = static_cast<std::size_t>(scales.nearest() / profile.bin) + 1;
+  const OverhangScales of{first, static_cast<std::size_t>(scales.overhang / profile.bin), layer,
+                          kDeepest * scales.reach};
+  std::vector<double> overhang = overhangOf(heights, of);
+  if (!isSetBack(stations, datum, overhang, of, profile.bin, scales.blur())) overhang.assign(heights.size(), kUnknown);
+  for (std::size_t i = 0; i < overhang.size(); ++i) {
+    if (std::isfinite(overhang[i])) profile.overhang = static_cast<double>(i + 1) * profile.bin;
+  }
   forEachIndex(heights.size(), 0, [&](std::size_t i) {
     std::vector<double>& values = heights[i];
-    if (!values.empty()) keepLowestLayer(values, layer);
+    if (std::isfinite(overhang[i])) {
+      const auto is_off = [&](double z) { return std::abs(z - overhang[i]) > layer; };
+      values.erase(std::remove_if(values.begin(), values.end(), is_off), values.end());
+    } else if (!values.empty()) {
+      keepLowestLayer(values, layer);
+    }
     if (values.size() < kFewestPoints) return;
     profile.height[i] = median(values);
     profile.spread[i] = robustSigma(values, profile.height[i]);

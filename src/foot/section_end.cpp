@@ -147,6 +147,7 @@ SlopeBeyond slopeBeyond(const FootProfile& profile, std::size_t plate_end, doubl
 
 double heightOfPipe(const FootProfile& profile, double reach) {
   constexpr double kRound = 1.5;            // times its height: lips stand out farther
+  constexpr double kFlat = 0.5;             // of what stands out, if that is set back: a lip, and no pipe
   constexpr double kFrom = 1.5, kTo = 2.5;  // times the edge's distance, where what lies beyond is looked at
   constexpr double kHighest = 0.12;         // of the reach
   if (profile.surface != Surface::AnnularPlate) return 0.0;
@@ -158,7 +159,8 @@ double heightOfPipe(const FootProfile& profile, double reach) {
   }
   if (beyond.empty()) return 0.0;
   const double height = median(beyond);
-  return height < kHighest * reach && profile.edge < kRound * height ? height : 0.0;
+  const bool on_grout = profile.overhang > 0.0 && profile.band_to - profile.band_from > kFlat * profile.edge;
+  return height < kHighest * reach && profile.edge < kRound * height && !on_grout ? height : 0.0;
 }
 
 }  // namespace tank_datum

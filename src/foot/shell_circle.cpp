@@ -33,6 +33,8 @@ constexpr double kOutOfRound = 3e-4;
 struct Observations {
   std::vector<Row> rows;
   std::vector<double> azimuths, radii;  ///< [rad], less that of the circle they are measured from [m]
+  std::vector<double> weights;          ///< to begin with
+  std::vector<std::size_t> lines;       ///< of which each is
 };
 
 /// A radius that was observed, and what the circle's moves by with it.
@@ -74,8 +76,14 @@ std::vector<Gain> gainsOver(double arc) {
 }
 
 Observations observationsOf(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
-                            const ShellHeights& heights, double radius) {
+                            const ShellHeights& heights, double radius, const std::vector<bool>& sure) {
   Observations all;
+  std::size_t seen = 0, known = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    seen += lines[i].seen() ? 1 : 0;
+    known += lines[i].seen() && sure[i] ? 1 : 0;
+  }
+  const bool begin_with_sure = 2 * known > seen;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].seen()) continue;
     const double c = portable::cos(azimuths[i]), s = portable::sin(azimuths[i]);
@@ -84,6 +92,8 @@ Observations observationsOf(const std::vector<ShellLine>& lines, const std::vect
       all.azimuths.push_back(azimuths[i]);
       all.rows.push_back((Row() << 1.0, c, s, at * c, at * s).finished());
       all.radii.push_back(lines[i].at(0.0, at) - radius);
+      all.lines.push_back(i);
+      all.weights.push_back(begin_with_sure && !sure[i] ? 0.0 : 1.0);
     }
   }
   return all;
@@ -125,16 +135,18 @@ CirclePrior priorOf(const Tank& tank) {
 }
 
 ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
-                           const ShellHeights& heights, const Circle& start, const CirclePrior& prior) {
-  const auto [rows, azimuths_of, radii] = observationsOf(lines, azimuths, heights, start.radius);
+                           const ShellHeights& heights, const Circle& start, const CirclePrior& prior,
+                           const std::vector<bool>& sure) {
+  const auto [rows, azimuths_of, radii, weights_of, lines_of] =
+      observationsOf(lines, azimuths, heights, start.radius, sure);
   ShellCircle result;
   result.circle = start;
   if (rows.size() < 10) return result;
-  std::vector<double> weights(rows.size(), 1.0), left = radii;
+  std::vector<double> weights = weights_of, left = radii;
   Row solution = Row::Zero(), of_radius = Row::Zero();
-  double sigma = 0.0;
+  const auto sigmaOf = [](const std::vector<double>& off) { return std::max(robustSigma(off, median(off)), 1e-7); };
+  double sigma = sigmaOf(left);
   for (int iteration = 0; iteration < 20; ++iteration) {
-    sigma = std::max(robustSigma(left, median(left)), 1e-7);
     Normal normal = Normal::Zero();
     Row rhs = Row::Zero();
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -145,8 +157,9 @@ ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vecto
     const Normal inverse = normal.inverse();
     solution = inverse * rhs;
     of_radius = inverse.row(0);
+    for (std::size_t i = 0; i < rows.size(); ++i) left[i] = radii[i] - rows[i].dot(solution);
+    sigma = sigmaOf(left);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      left[i] = radii[i] - rows[i].dot(solution);
       weights[i] = std::abs(left[i]) < kStray * sigma ? 1.0 : 0.0;
     }
   }
@@ -155,6 +168,10 @@ ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vecto
   const double out_of_round = std::hypot(kOutOfRound * start.radius, seenOutOfRound(azimuths_of, left, weights));
   const double lobes = out_of_round * sharedWithLobes(gains);
   result.sigma_radius = std::hypot(sigma * std::sqrt(2.0 * of_radius[0]), lobes);
+  result.strays.assign(lines.size(), false);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (weights[i] == 0.0) result.strays[lines_of[i]] = true;
+  }
   result.circle = {start.center + solution.segment<2>(1), start.radius + solution[0]};
   return result;
 }

@@ -13,6 +13,7 @@ namespace tank_datum {
 struct ShellCircle {
   Circle circle;                   ///< at the datum [m]
   double sigma_radius = kUnknown;  ///< standard error, out-of-roundness included [m]
+  std::vector<bool> strays;        ///< lines so far off it that they do not count; empty where none was fitted
 };
 
 /// How well the circle is known before the lines are looked at, from the shell over all of its height [m].
@@ -31,7 +32,10 @@ CirclePrior priorOf(const Tank& tank);
 /// @param heights   above the datum between which the lines were fitted
 /// @param start     the circle that the lines' radii are measured from the centre of
 /// @param prior     of that circle
+/// @param sure      lines that are the shell's; where they are most of those seen the fit begins with them, for what
+///                  stands elsewhere, cladding on a part of the ring, may be off by more than it bears
 ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,
-                           const ShellHeights& heights, const Circle& start, const CirclePrior& prior);
+                           const ShellHeights& heights, const Circle& start, const CirclePrior& prior,
+                           const std::vector<bool>& sure);
 
 }  // namespace tank_datum

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -41,6 +42,10 @@ struct ShellOutline {
 
   double at(double azimuth) const;  ///< [m], between the two cells beside it, NaN where none is within three cells
 };
+
+/// What a shell's radius may change by along an arc [m]: a lobe of +-50 mm over 3 m turns it by 0.1; an oval by a few
+/// thousandths over any arc.
+inline double bendAlong(double arc) { return 0.15 * std::min(arc, 0.5) + 0.005 * arc; }
 
 /// From the points that are surely above the foot, without objects before the shell.
 ShellOutline outlineShell(const PolarRing& ring, const Tank& tank, double reach);

@@ -74,9 +74,6 @@ double mayDiffer(const ShellCell& a, const ShellCell& b, double bend) {
   return bend + 4.0 * std::hypot(a.sigma, b.sigma);
 }
 
-/// Along the shell: a lobe of +-50 mm over 3 m turns it by 0.1; an oval by a few thousandths over any arc.
-double bendAlong(double arc) { return 0.15 * std::min(arc, 0.5) + 0.005 * arc; }
-
 /// With height: plates are bent by some centimetres within a course.
 double bendUp(double rise) { return 0.02 + 0.02 * std::min(rise, 2.0); }
 
@@ -141,6 +138,7 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
     const ShellOutline outline = outlineBand(ring, circle.radius);
     rows[k].resize(stations.size());
     for (std::size_t i = 0; i < stations.size(); ++i) {
+      if (stations[i].reason == Unmeasured::OffCircle) continue;  // another wall
       rows[k][i] = fitCell(ring, outline, {stations[i].direction, elevations[i] + bands.heights()[k], circle.radius},
                            step, options.half_band);
     }

@@ -96,6 +96,23 @@ TEST(IsSameSurface, TheStepIsLookedForThreeCentimetresBesideTheEdge) {
   EXPECT_FALSE(isSameSurface(raised, fitOf(2.0), 0.0, plateProfile()));
 }
 
+/// A station of which so many points lie on the ringwall beyond, and three times as many hang over it.
+bool isSameUnder(std::size_t in_place, double height) {
+  std::vector<FootPoint> points = stationWith(0.010);
+  points.resize(36 + in_place);
+  for (std::size_t i = 0; i < 3 * in_place; ++i)
+    points.push_back({0.0, 0.075 + 0.0005 * static_cast<double>(i), 2.0 + height});
+  return isSameSurface(points, fitOf(2.0), 0.0, plateProfile());
+}
+
+TEST(IsSameSurface, WhatHangsOverWhatIsSeenBelowSaysNothing) {
+  EXPECT_TRUE(isSameUnder(12, 0.15));
+  EXPECT_TRUE(isSameUnder(12, 0.055 - 0.010));
+  EXPECT_FALSE(isSameUnder(12, 0.045 - 0.010)) << "may be soil that goes on over the edge";
+  EXPECT_TRUE(isSameUnder(6, 0.15));
+  EXPECT_FALSE(isSameUnder(5, 0.15));
+}
+
 TEST(IsSameSurface, AStepOfThreeMillimetresIsOne) {
   const auto over = [](double drop) {
     FootProfile profile = plateProfile();

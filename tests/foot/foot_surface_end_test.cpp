@@ -204,6 +204,17 @@ TEST(HeightOfPipe, IsOfWhatStandsOutLessThanOnceAndAHalfItsHeight) {
   EXPECT_EQ(heightOfPipe(foundation, kFootReach), 0.0);
 }
 
+TEST(HeightOfPipe, AFlatLipOverGroutThatIsSetBackIsNone) {
+  const auto with = [](double band_to, double overhang) {
+    FootProfile lip = lipAbove(0.030, -0.030, -0.030);
+    lip.band_from = 0.010, lip.band_to = band_to, lip.overhang = overhang;
+    return heightOfPipe(lip, kFootReach);
+  };
+  EXPECT_EQ(with(0.029, 0.036), 0.0);
+  EXPECT_NEAR(with(0.027, 0.036), 0.030, 1e-12);
+  EXPECT_NEAR(with(0.029, 0.0), 0.030, 1e-12);
+}
+
 TEST(HeightOfPipe, IsOverWhatLiesClearOfItsFaceAndNearby) {
   EXPECT_NEAR(heightOfPipe(lipAbove(0.030, -0.010, -0.2), kFootReach), 0.030, 1e-12);
   EXPECT_EQ(heightOfPipe(lipAbove(kUnknown, -0.030, -0.030), kFootReach), 0.0) << "hidden there";

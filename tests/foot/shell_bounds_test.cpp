@@ -105,7 +105,9 @@ TEST(ShellCircle, LinesSixSigmasOffAreNoShell) {
       lines[i].points = 10;
       azimuths.push_back(toRadians(static_cast<double>(i)));
     }
-    return fitShellCircle(lines, azimuths, {0.05, 0.5}, {{0.0, 0.0}, kRadius}, {}).circle.radius;
+    return fitShellCircle(lines, azimuths, {0.05, 0.5}, {{0.0, 0.0}, kRadius}, {},
+                          std::vector<bool>(lines.size(), true))
+        .circle.radius;
   };
   const double without = radius(0.0);
   EXPECT_GT(radius(0.0065) - without, 0.0002);

@@ -33,7 +33,25 @@ std::vector<double> degrees() {
 }
 
 ShellCircle fitted(const std::vector<ShellLine>& lines, const CirclePrior& prior = {}) {
-  return fitShellCircle(lines, degrees(), {0.05, 0.5}, {{0, 0}, kRadius}, prior);
+  return fitShellCircle(lines, degrees(), {0.05, 0.5}, {{0, 0}, kRadius}, prior, std::vector<bool>(lines.size(), true));
+}
+
+/// The radius where 60 mm of cladding stand out over so many degrees, of which none is known to be the shell, nor of
+/// so many others.
+ShellCircle withCladding(std::size_t clad, std::size_t unknown) {
+  std::vector<ShellLine> lines = linesOf(360, kRadius);
+  std::vector<bool> sure(360, true);
+  for (std::size_t i = 0; i < clad + unknown; ++i) sure[i] = false;
+  for (std::size_t i = 0; i < clad; ++i) lines[i].radius += 0.06;
+  return fitShellCircle(lines, degrees(), {0.05, 0.5}, {{0, 0}, kRadius}, {}, sure);
+}
+
+TEST(ShellCircle, BeginsWithWhatIsSurelyTheShell) {
+  EXPECT_NEAR(withCladding(85, 0).circle.radius, kRadius, 1e-5);
+  EXPECT_NEAR(withCladding(85, 90).circle.radius, kRadius, 1e-5);
+  EXPECT_GT(withCladding(85, 100).circle.radius, kRadius + 0.01) << "most of it is not known";
+  EXPECT_TRUE(withCladding(85, 0).strays[84]);
+  EXPECT_FALSE(withCladding(85, 0).strays[85]);
 }
 
 TEST(ShellCircle, OfExactLinesIsExact) {

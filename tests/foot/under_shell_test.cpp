@@ -1,9 +1,10 @@
+#include "foot/under_shell.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "foot/shell_below.h"
 #include "support/made_feet.h"
 
 namespace tank_datum {
@@ -17,6 +18,7 @@ struct Seen {
   double at = 0.030;           ///< distance of the points before the shell [m]
   double height = 0.0;         ///< of those behind it
   double through_from = 0.15;  ///< height of those that are seen through it
+  double through_at = -0.060;  ///< and where
 };
 
 FootFit standing() {
@@ -33,7 +35,8 @@ UnderShell under(const Seen& these, int first = 0, int last = 359, const Seen& o
     const Seen& seen = s >= first && s <= last ? these : others;
     made.addStation(s, seen.before, seen.at - 0.001, seen.at + 0.001, [](double) { return 0.0; });
     made.addStation(s, seen.behind, -0.031, -0.029, [&](double) { return seen.height; });
-    made.addStation(s, seen.through, -0.031, -0.029, [&](double) { return seen.through_from; });
+    made.addStation(s, seen.through, seen.through_at - 0.001, seen.through_at + 0.001,
+                    [&](double) { return seen.through_from; });
   }
   return findUnderShell(made.foot(), std::vector<FootFit>(360, standing()), std::vector<double>(360, 0.0));
 }
@@ -62,6 +65,41 @@ TEST(UnderShell, IsLookedForFourHundredthsOfTheReachAboutTheFoundation) {
 TEST(UnderShell, WhatIsSeenThroughAWallFromAFifthOfTheReachOnTellsNothing) {
   EXPECT_EQ(under({20, 20, 20, 0.030, 0.0, 0.085}).share, 1.0);
   EXPECT_TRUE(std::isnan(under({20, 20, 20, 0.030, 0.0, 0.115}).share));
+}
+
+TEST(UnderShell, WhatIsFartherBehindAWallThanATenthOfTheReachIsNoPartOfIt) {
+  EXPECT_EQ(under({20, 20, 20, 0.030, 0.0, 0.150, -0.045}).share, 1.0);
+  EXPECT_TRUE(std::isnan(under({20, 20, 20, 0.030, 0.0, 0.150, -0.055}).share));
+}
+
+/// A wall that begins at 0.2 m above the edge of a plate, 0.03 m high, that stands out as far; behind it, in the middle
+/// of the hole and higher up, so many points.
+double shareUnderHole(double wall_from, int in_hole, int above, int strays = 0) {
+  MadeFoot made;
+  made.addAll(20, 0.029, 0.031, [](double) { return 0.0; });
+  for (double z = 0.005; z < 0.5; z += 0.01) {
+    const int points = z < 0.03 || z > wall_from ? 20 : strays;
+    made.addAll(points, -0.002, 0.002, [&](double) { return z; });
+  }
+  made.addAll(in_hole, -0.061, -0.059, [](double) { return 0.06; });
+  made.addAll(above, -0.061, -0.059, [](double) { return 0.3; });
+  return findUnderShell(made.foot(), std::vector<FootFit>(360, standing()), std::vector<double>(360, 0.0)).share;
+}
+
+TEST(UnderShell, WhatIsSeenThroughAHoleBelowAWallIsOfItsFoot) {
+  EXPECT_EQ(shareUnderHole(0.2, 20, 0), 1.0);
+  EXPECT_EQ(shareUnderHole(0.2, 0, 0), 0.0);
+  EXPECT_TRUE(std::isnan(shareUnderHole(0.2, 20, 20)));
+}
+
+TEST(UnderShell, AHoleIsATenthOfTheReachHigh) {
+  EXPECT_EQ(shareUnderHole(0.09, 20, 0), 1.0);
+  EXPECT_EQ(shareUnderHole(0.06, 20, 0), 0.0);
+}
+
+TEST(UnderShell, AHoleHoldsStrayPoints) {
+  EXPECT_EQ(shareUnderHole(0.2, 20, 0, 1), 1.0);
+  EXPECT_EQ(shareUnderHole(0.2, 20, 0, 2), 0.0);
 }
 
 TEST(UnderShell, AFloorFartherInThanCladdingIsThickTellsNothing) {

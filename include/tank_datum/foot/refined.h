@@ -39,6 +39,7 @@ struct FootProfile {
   /// The part of the section that is one surface with the shell's foot.
   double band_from = 0, band_to = 0;  ///< [m]; band_to = 0 when there is none
   double edge = 0;                    ///< where that surface ends, or the section does [m]
+  double overhang = 0;                ///< to where it stands over what carries it; 0: nowhere [m]
   double blur = 0;                    ///< distance from an edge within which range noise, which moves a point along its
                                       ///< slanting ray, shows in the elevations [m]
   double slope = 0;                   ///< of that surface, positive rising outwards [m/m]
