@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/statistics.h"
-#include "foot/lowest_layer.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -13,12 +12,6 @@ namespace {
 std::size_t countBetween(const std::vector<double>& values, double from, double to) {
   return static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [&](double z) { return z >= from && z <= to; }));
-}
-
-double heightOfLowest(std::vector<double> values, double layer) {
-  if (values.empty()) return kUnknown;
-  keepLowestLayer(values, layer);
-  return median(values);
 }
 
 /// Whether the shell is seen below a surface, as under a drip ring.
@@ -32,29 +25,28 @@ bool hasShellBelow(const std::vector<double>& shell, double level, const Overhan
 
 }  // namespace
 
-std::vector<double> overhangOf(const std::vector<std::vector<double>>& heights, const OverhangScales& scales) {
+std::vector<double> overhangOf(const std::vector<std::vector<double>>& heights, const std::vector<double>& lowest,
+                               const OverhangScales& scales) {
   constexpr std::size_t kStart = 3;  // bins beside the shell
   constexpr double kPart = 0.1;      // of a bin's points that lie on it
   constexpr double kFewest = 10.0;   // of them
   constexpr std::size_t kGap = 3;    // bins that rows of points pass over
-  std::vector<double> over(heights.size(), kUnknown);
-  std::vector<double> beside;
-  for (std::size_t i = scales.first; i < std::min(heights.size(), scales.first + kStart); ++i)
-    beside.push_back(heightOfLowest(heights[i], scales.layer));
+  const std::size_t count = heights.size();
+  std::vector<double> over(count, kUnknown), beside;
+  for (std::size_t i = scales.first; i < std::min(count, scales.first + kStart); ++i) beside.push_back(lowest[i]);
   double level = median(beside);
   if (finiteOf(beside).size() < kStart || hasShellBelow(heights.front(), level, scales)) return over;
-  for (std::size_t i = scales.first, last = i; i < std::min(heights.size(), std::max(last + kGap + 2, scales.known));
-       ++i) {
-    const double lowest = heightOfLowest(heights[i], scales.layer);
-    if (lowest > level + scales.layer || lowest < level - scales.deepest) break;
-    const auto on = static_cast<double>(countBetween(heights[i], level - scales.layer, level + scales.layer));
-    if (!(on >= kFewest && on >= kPart * static_cast<double>(heights[i].size()))) continue;
-    if (lowest >= level - scales.layer) {
-      level = lowest;
-    } else {
-      std::fill(over.begin() + static_cast<std::ptrdiff_t>(last) + 1, over.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                level);
+  for (std::size_t i = scales.first, last = i; i < std::min(count, std::max(last + kGap + 2, scales.known)); ++i) {
+    const double off = lowest[i] - level;
+    if (off > scales.layer || off < -scales.deepest) break;
+    if (off >= -scales.layer) {
+      level = lowest[i], last = i;
+      continue;
     }
+    const auto on = static_cast<double>(countBetween(heights[i], level - scales.layer, level + scales.layer));
+    if (on < kFewest || on < kPart * static_cast<double>(heights[i].size())) continue;
+    std::fill(over.begin() + static_cast<std::ptrdiff_t>(last) + 1, over.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+              level);
     last = i;
   }
   return over;
@@ -64,6 +56,7 @@ bool isSetBack(const std::vector<std::vector<FootPoint>>& stations, const std::v
                const std::vector<double>& over, const OverhangScales& scales, double bin, double blur) {
   constexpr std::size_t kFewest = 3;  // points of a station that tell
   constexpr double kFrom = 0.1;       // of the lower ones begin nearer, of the lip's end farther out
+  if (finiteOf(over).empty()) return false;
   std::size_t told = 0, set_back = 0;
   for (std::size_t s = 0; s < stations.size(); ++s) {
     if (!std::isfinite(datum[s])) continue;

@@ -18,7 +18,9 @@ struct OverhangScales {
 /// The height of a lip that stands over what carries it, grout that is set back or broken away: a surface that is the
 /// lowest beside the shell, with no shell below it, and goes on over a lower one. By bin; unknown where it does not.
 /// @param heights  of the points of each bin [m], the first one's those at the shell
-std::vector<double> overhangOf(const std::vector<std::vector<double>>& heights, const OverhangScales& scales);
+/// @param lowest   of the lowest layer in each; unknown where too few points are
+std::vector<double> overhangOf(const std::vector<std::vector<double>>& heights, const std::vector<double>& lowest,
+                               const OverhangScales& scales);
 
 /// Whether most stations see it: what is lower begins nearer to the shell than the lip ends, by more than an edge is
 /// blurred. (Where some stations lie on a lip and others on what is lower, as at an edge that does not follow the

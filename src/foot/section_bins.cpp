@@ -67,27 +67,30 @@ void stackBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& 
     heights = heightsByBin(stations, datum, scales.reach, profile.bin);
   }
   for (auto* column : {&profile.height, &profile.spread, &profile.error}) column->assign(heights.size(), kUnknown);
+  const auto read = [&profile](std::size_t i, const std::vector<double>& values) {
+    const bool few = values.size() < kFewestPoints;
+    profile.height[i] = few ? kUnknown : median(values);
+    profile.spread[i] = few ? kUnknown : robustSigma(values, profile.height[i]);
+    profile.error[i] = few ? kUnknown : kMedianOverMean * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
+  };
+  forEachIndex(heights.size(), 0, [&](std::size_t i) {
+    std::vector<double> values = heights[i];
+    if (!values.empty()) keepLowestLayer(values, layer);
+    read(i, values);
+  });
   const auto first = static_cast<std::size_t>(scales.nearest() / profile.bin) + 1;
   const OverhangScales of{first, static_cast<std::size_t>(scales.overhang / profile.bin), layer,
                           kDeepest * scales.reach};
-  std::vector<double> overhang = overhangOf(heights, of);
-  if (!isSetBack(stations, datum, overhang, of, profile.bin, scales.blur())) overhang.assign(heights.size(), kUnknown);
+  const std::vector<double> overhang = overhangOf(heights, profile.height, of);
+  if (!isSetBack(stations, datum, overhang, of, profile.bin, scales.blur())) return;
   for (std::size_t i = 0; i < overhang.size(); ++i) {
-    if (std::isfinite(overhang[i])) profile.overhang = static_cast<double>(i + 1) * profile.bin;
-  }
-  forEachIndex(heights.size(), 0, [&](std::size_t i) {
+    if (!std::isfinite(overhang[i])) continue;
     std::vector<double>& values = heights[i];
-    if (std::isfinite(overhang[i])) {
-      const auto is_off = [&](double z) { return std::abs(z - overhang[i]) > layer; };
-      values.erase(std::remove_if(values.begin(), values.end(), is_off), values.end());
-    } else if (!values.empty()) {
-      keepLowestLayer(values, layer);
-    }
-    if (values.size() < kFewestPoints) return;
-    profile.height[i] = median(values);
-    profile.spread[i] = robustSigma(values, profile.height[i]);
-    profile.error[i] = kMedianOverMean * std::max(profile.spread[i], 1e-6) / std::sqrt(values.size());
-  });
+    const auto is_off = [&](double z) { return std::abs(z - overhang[i]) > layer; };
+    values.erase(std::remove_if(values.begin(), values.end(), is_off), values.end());
+    read(i, values);
+    profile.overhang = static_cast<double>(i + 1) * profile.bin;
+  }
 }
 
 }  // namespace tank_datum

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/statistics.h"
+#include "foot/lowest_layer.h"
 #include "foot/section_bins.h"
 #include "tank_datum/core/unknown.h"
 
@@ -31,16 +33,25 @@ Heights lipOver(std::size_t ground, double depth = 0.04) {
   return heights;
 }
 
+std::vector<double> overhangIn(const Heights& heights, const OverhangScales& scales = kScales) {
+  std::vector<double> lowest;
+  for (std::vector<double> values : heights) {
+    if (!values.empty()) keepLowestLayer(values, scales.layer);
+    lowest.push_back(median(values));
+  }
+  return overhangOf(heights, lowest, scales);
+}
+
 std::size_t binsOver(const Heights& heights, const OverhangScales& scales = kScales) {
   std::size_t over = 0;
-  for (const double level : overhangOf(heights, scales)) over += std::isfinite(level) ? 1 : 0;
+  for (const double level : overhangIn(heights, scales)) over += std::isfinite(level) ? 1 : 0;
   return over;
 }
 
 TEST(Overhang, IsWhereALipGoesOnOverSomethingLower) {
   EXPECT_EQ(binsOver(lipOver(12)), 8U);
-  EXPECT_NEAR(overhangOf(lipOver(12), kScales)[12], 0.0, 0.001);
-  EXPECT_TRUE(std::isnan(overhangOf(lipOver(12), kScales)[20]));
+  EXPECT_NEAR(overhangIn(lipOver(12))[12], 0.0, 0.001);
+  EXPECT_TRUE(std::isnan(overhangIn(lipOver(12))[20]));
 }
 
 TEST(Overhang, IsNoneWhereWhatIsLowerBeginsAtTheShell) {
@@ -101,7 +112,7 @@ TEST(Overhang, BeginsWithThreeBinsBesideTheShell) {
 
 /// How far out a lip of 60 mm is seen to overhang ground that begins so much nearer to the shell, in a section whose
 /// noise blurs an edge over 4 mm.
-double overhangIn(double set_back, double depth) {
+double overhangOfLip(double set_back, double depth) {
   std::vector<std::vector<FootPoint>> stations(360);
   for (auto& station : stations) {
     for (double d = 0.001; d < 0.2; d += 0.001) {
@@ -116,8 +127,8 @@ double overhangIn(double set_back, double depth) {
 }
 
 TEST(StackBins, AnOverhangIsLongerThanAnEdgeIsBlurred) {
-  EXPECT_NEAR(overhangIn(0.010, 0.04), 0.060, 0.003);
-  EXPECT_EQ(overhangIn(0.004, 0.04), 0.0);
+  EXPECT_NEAR(overhangOfLip(0.010, 0.04), 0.060, 0.003);
+  EXPECT_EQ(overhangOfLip(0.004, 0.04), 0.0);
 }
 
 /// Of stations of which a share sees a lip, and the others what lies lower, or some of them both.
@@ -148,8 +159,8 @@ TEST(IsSetBack, WhereMostStationsSeeBoth) {
 }
 
 TEST(StackBins, AnOverhangIsOverAFifthOfTheReachAtMost) {
-  EXPECT_NEAR(overhangIn(0.03, 0.055), 0.060, 0.003);
-  EXPECT_EQ(overhangIn(0.03, 0.065), 0.0);
+  EXPECT_NEAR(overhangOfLip(0.03, 0.055), 0.060, 0.003);
+  EXPECT_EQ(overhangOfLip(0.03, 0.065), 0.0);
 }
 
 }  // namespace
