@@ -81,7 +81,7 @@ double shareUnderHole(double wall_from, int in_hole, int above, int strays = 0) 
     const int points = z < 0.03 || z > wall_from ? 20 : strays;
     made.addAll(points, -0.002, 0.002, [&](double) { return z; });
   }
-  made.addAll(in_hole, -0.061, -0.059, [](double) { return 0.06; });
+  made.addAll(in_hole, -0.061, -0.059, [](double) { return 0.045; });
   made.addAll(above, -0.061, -0.059, [](double) { return 0.3; });
   return findUnderShell(made.foot(), std::vector<FootFit>(360, standing()), std::vector<double>(360, 0.0)).share;
 }
