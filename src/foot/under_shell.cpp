@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/parallel.h"
-#include "core/statistics.h"
 #include "core/units.h"
 
 namespace tank_datum {
@@ -37,13 +36,8 @@ struct WallCounts {
 /// The cell above the highest hole in a wall; 0 where it has none.
 std::size_t aboveHole(const std::array<std::size_t, kCells>& wall) {
   constexpr std::size_t kHole = 5;  // empty cells
-  constexpr double kStrays = 0.05;  // of what the others hold
-  std::vector<double> held;
-  for (const std::size_t points : wall) {
-    if (points > 0) held.push_back(static_cast<double>(points));
-  }
-  if (held.empty()) return 0;
-  const double least = kStrays * median(held);
+  constexpr double kStrays = 0.05;  // of what the fullest holds
+  const double least = kStrays * static_cast<double>(*std::max_element(wall.begin(), wall.end()));
   std::size_t above = kCells, empty = 0;
   for (std::size_t cell = kCells; cell-- > 0;) {
     if (static_cast<double>(wall[cell]) > least) {
