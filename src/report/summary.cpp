@@ -71,8 +71,9 @@ std::string stationsLine(const Datum& datum) {
               level.missing, density.c_str());
 }
 
-/// Where soil or a kerb lies at the shell, or a sector of the foundation stands off the rest; where the datum is known
-/// to lie lower than the stations beside a gap say; and where what was refused may be the datum.
+/// Where soil or a kerb lies at the shell, or a sector of the foundation stands off the rest; where it is not the shell
+/// that stands there; where the datum is known to lie lower than the stations beside a gap say; and where what was
+/// refused may be the datum.
 std::string unmeasuredLines(const Datum& datum) {
   constexpr std::size_t kNamed = 3;  // stations of an arc; of shorter ones there are many beside a foot
   const std::string surface = nameOf(datum.refined.profile.surface);
@@ -85,6 +86,8 @@ std::string unmeasuredLines(const Datum& datum) {
     add("other surface", withReason(datum.stations, Unmeasured::OtherSurface), kNamed,
         "something else than the " + surface + " meets the shell, soil or a kerb: not measured");
   }
+  add("another wall", withReason(datum.stations, Unmeasured::OffCircle), kNamed,
+      "what stands there is not the shell, cladding or a pipe: not measured, no part of its shape");
   add("shell below", withReason(datum.stations, Unmeasured::ShellBelow), 1,
       "the shell is seen below the level of the stations beside: the datum lies lower there");
   add("in doubt", maybeHeaved(datum.stations), 1,

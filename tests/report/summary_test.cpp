@@ -43,6 +43,17 @@ TEST(Summary, ListsASecondOpinionAfterWhatGoverns) {
   EXPECT_NE(text.find("30.0 mm, limit 10.0 mm (a second opinion)\n"), std::string::npos) << text;
 }
 
+TEST(Summary, NamesTheArcsInWhichAnotherWallStands) {
+  Datum datum = octagon();
+  EXPECT_EQ(summary(datum).find("another wall"), std::string::npos);
+  for (const std::size_t i : {2U, 3U}) datum.stations[i].reason = Unmeasured::OffCircle;
+  EXPECT_EQ(summary(datum).find("another wall"), std::string::npos) << "a station or two";
+  datum.stations[4].reason = Unmeasured::OffCircle;
+  EXPECT_NE(summary(datum).find("another wall   at 90 to 180 deg what stands there is not the shell"),
+            std::string::npos)
+      << summary(datum);
+}
+
 /// Where the shell is seen below its neighbours' level the datum is not lifted by a heave.
 TEST(Summary, NoHeaveIsNamedWhereTheShellIsSeenBelow) {
   Datum datum = octagon();
