@@ -82,11 +82,6 @@ Plateau findPlateau(const FootProfile& profile, std::size_t first, std::size_t l
   return plateau;
 }
 
-/// The first bin that neither weld nor the shell's noise reaches.
-std::size_t firstBeyondWeld(const FootProfile& profile, const FootScales& scales) {
-  return static_cast<std::size_t>(scales.nearest() / profile.bin) + 1;
-}
-
 /// The first bin from one on that is seen.
 std::size_t firstSeen(const FootProfile& profile, std::size_t from) {
   while (from < profile.height.size() && !std::isfinite(profile.height[from])) ++from;

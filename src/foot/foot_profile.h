@@ -33,6 +33,11 @@ inline double middle(const FootProfile& profile, std::size_t bin) {
   return (static_cast<double>(bin) + 0.5) * profile.bin;
 }
 
+/// The first bin that neither weld nor the shell's noise reaches.
+inline std::size_t firstBeyondWeld(const FootProfile& profile, const FootScales& scales) {
+  return static_cast<std::size_t>(scales.nearest() / profile.bin) + 1;
+}
+
 /// How far points of a surface may lie from it by noise and blur [m].
 inline double heightTolerance(const FootProfile& profile) { return 8.0 * profile.noise + profile.blur; }
 

@@ -78,9 +78,8 @@ void stackBins(FootProfile& profile, const std::vector<std::vector<FootPoint>>& 
     if (!values.empty()) keepLowestLayer(values, layer);
     read(i, values);
   });
-  const auto first = static_cast<std::size_t>(scales.nearest() / profile.bin) + 1;
-  const OverhangScales of{first, static_cast<std::size_t>(scales.overhang / profile.bin), layer,
-                          kDeepest * scales.reach};
+  const OverhangScales of{firstBeyondWeld(profile, scales), static_cast<std::size_t>(scales.overhang / profile.bin),
+                          layer, kDeepest * scales.reach};
   const std::vector<double> overhang = overhangOf(heights, profile.height, of);
   if (!isSetBack(stations, datum, overhang, of, profile.bin, scales.blur())) return;
   for (std::size_t i = 0; i < overhang.size(); ++i) {
