@@ -35,6 +35,10 @@ std::size_t ringCell(double azimuth, std::size_t cells) {
   return std::min(cells - 1, static_cast<std::size_t>((turn - fastFloor(turn)) * static_cast<double>(cells)));
 }
 
+double middleOfCell(std::size_t cell, std::size_t cells) {
+  return (static_cast<double>(cell) + 0.5) * kTwoPi / static_cast<double>(cells);
+}
+
 double densestOfCell(std::vector<double>& values) {
   constexpr std::size_t kFewest = 5;
   std::sort(values.begin(), values.end());

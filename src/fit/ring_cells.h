@@ -14,6 +14,9 @@ double betweenCells(const std::vector<double>& cells, double azimuth);
 /// The cell that an azimuth [rad] lies in of so many equal ones, of which the first begins at 0.
 std::size_t ringCell(double azimuth, std::size_t cells);
 
+/// The azimuth of a cell's middle [rad].
+double middleOfCell(std::size_t cell, std::size_t cells);
+
 /// Where the values of a cell lie densest; NaN of fewer than five.
 /// @param values  in no order; sorted on return
 double densestOfCell(std::vector<double>& values);

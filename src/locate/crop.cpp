@@ -102,10 +102,6 @@ class FarRows {
   std::atomic<std::uint64_t> count_{0};
 };
 
-double reachOf(const Tank& tank, const CropOptions& options) {
-  return std::min(options.reach, 0.5 * tank.circle.radius);
-}
-
 void dropStrays(Ring& ring, const Tank& tank, int threads) {
   const double finest = 1e-4 * tank.circle.radius;
   const VoxelSample sample(ring.points, 8, finest, threads);  // asked how points are alone, not for its voxels
@@ -117,7 +113,7 @@ void dropStrays(Ring& ring, const Tank& tank, int threads) {
 }  // namespace
 
 double widestReach(const Tank& tank, const CropOptions& options) {
-  return reachOf(tank, options) + 2.0 * tank.resolution;
+  return reachOf(tank, options.reach) + 2.0 * tank.resolution;
 }
 
 std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& options) {
@@ -131,7 +127,7 @@ std::uint64_t rowStride(const Scan& scan, const Tank& tank, const CropOptions& o
 
 Ring cropRing(const Scan& scan, const Tank& tank, const CropOptions& options, const AlsoGathered& also, int threads) {
   Ring ring;
-  ring.reach = reachOf(tank, options);
+  ring.reach = reachOf(tank, options.reach);
   const double reach = widestReach(tank, options);
   const RingShape shape(tank, reach);
   EvenShare share(options.fit_points, scan.tellsSetups());

@@ -6,13 +6,10 @@
 
 #include "core/statistics.h"
 #include "fit/harmonics.h"
+#include "fit/ring_cells.h"
 
 namespace tank_datum {
 namespace {
-
-double azimuthOf(std::size_t sector, std::size_t count) {
-  return (static_cast<double>(sector) + 0.5) * kTwoPi / static_cast<double>(count);
-}
 
 PeriodicFit fitNear(const std::vector<double>& feet, double within) {
   constexpr double kQuiet = 0.02;  // with a short arc the slope is what little data say, not an extrapolation
@@ -21,7 +18,7 @@ PeriodicFit fitNear(const std::vector<double>& feet, double within) {
   for (int iteration = 0; iteration < 5; ++iteration) {
     std::vector<double> near_azimuths, near_feet;
     for (std::size_t i = 0; i < feet.size(); ++i) {
-      const double azimuth = azimuthOf(i, feet.size());
+      const double azimuth = middleOfCell(i, feet.size());
       if (!(std::abs(feet[i] - fit(azimuth)) <= within)) continue;
       near_azimuths.push_back(azimuth);
       near_feet.push_back(feet[i]);
@@ -43,7 +40,7 @@ double lowestArcBelow(const PeriodicFit& fit, const std::vector<double>& feet, d
     std::vector<double> below;
     for (std::size_t i = first; i < first + count; ++i) {
       const std::size_t sector = i % feet.size();
-      if (std::isfinite(feet[sector])) below.push_back(fit(azimuthOf(sector, feet.size())) - feet[sector]);
+      if (std::isfinite(feet[sector])) below.push_back(fit(middleOfCell(sector, feet.size())) - feet[sector]);
     }
     const double arc = median(below);
     const auto agree =

@@ -11,6 +11,9 @@ namespace tank_datum {
 
 constexpr double kAboveFoot = 0.3;  ///< of the reach: from so high above the foot on nothing but the shell is seen
 
+/// How far about a tank's foot is looked at where so much is asked for [m].
+inline double reachOf(const Tank& tank, double asked) { return std::min(asked, 0.5 * tank.circle.radius); }
+
 /// Which points lie near the foot.
 struct RingShape {
   Circle circle;

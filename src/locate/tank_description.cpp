@@ -8,9 +8,11 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circle.h"
+#include "fit/ring_cells.h"
 #include "locate/filled_wall.h"
 #include "locate/foot_heights.h"
 #include "locate/foot_unit.h"
+#include "locate/ring_shape.h"
 #include "locate/step_back.h"
 #include "locate/wall_sector.h"
 
@@ -50,7 +52,7 @@ std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& 
   std::vector<WallView> views(sectors.size());
   for (std::size_t i = 0; i < sectors.size(); ++i) {
     WallView& view = views[i];
-    view.azimuth = (static_cast<double>(i) + 0.5) * kTwoPi / static_cast<double>(sectors.size());
+    view.azimuth = middleOfCell(i, sectors.size());
     view.stands = shellRun(sectors[i].shell, voxel, thickness, view.bottom, view.top);
     view.step = findStepBack(sectors[i].around, voxel, kShortOfRingwall);
     if (!view.stands) continue;
@@ -176,7 +178,7 @@ PeriodicFit footOf(const Tank& tank, const std::vector<WallView>& views) {
   }
   constexpr double kWithinReach = 0.6;  // of what is cropped above and below the foot
   const double unit = footUnit(tank.circle.radius, tank.resolution);
-  const double reach = std::min(CropOptions().reach * unit, 0.5 * tank.circle.radius);
+  const double reach = reachOf(tank, CropOptions().reach * unit);
   return fitFootHeights(feet, tank.resolution,
                         {4.0 * tank.resolution + 0.02 * tank.circle.radius, kWithinReach * reach});
 }

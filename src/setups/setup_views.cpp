@@ -11,6 +11,7 @@
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/ring_cells.h"
 #include "stations/highest_wave.h"
 
 namespace tank_datum {
@@ -48,11 +49,9 @@ struct ArcWidth {
     return static_cast<std::uint16_t>(std::clamp(along, 0.0, static_cast<double>(parts() - 1)));
   }
   std::size_t count() const { return SetupRing::kCells / cells; }
-  double middleOf(std::size_t arc) const {
-    return (static_cast<double>(arc) + 0.5) * kTwoPi / static_cast<double>(count());
-  }
+  double middleOf(std::size_t arc) const { return middleOfCell(arc, count()); }
   double middleOf(std::size_t arc, std::uint16_t part) const {
-    return (static_cast<double>(arc * parts() + part) + 0.5) * kTwoPi / static_cast<double>(SetupRing::kArcs);
+    return middleOfCell(arc * parts() + part, SetupRing::kArcs);
   }
 };
 

@@ -6,7 +6,7 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
-#include "core/units.h"
+#include "fit/ring_cells.h"
 #include "locate/ring_shape.h"
 
 namespace tank_datum {
@@ -60,7 +60,7 @@ std::vector<ShellArcs> shellArcsOfSetups(const SetupRing& ring, const Tank& tank
   constexpr std::size_t kCellsOfArc = SetupRing::kCells / SetupRing::kArcs;
   std::vector<ShellArcs> arcs(setups, ShellArcs(SetupRing::kArcs, 0));
   for (std::size_t cell = 0; cell < SetupRing::kCells; ++cell) {
-    const double foot = tank.foot((static_cast<double>(cell) + 0.5) * kTwoPi / SetupRing::kCells);
+    const double foot = tank.foot(middleOfCell(cell, SetupRing::kCells));
     for (const SetupRing::Entry* e = ring.begin(cell); e != ring.end(cell); ++e) {
       const bool is_shell = isNearShell(e->radius - tank.circle.radius, reach) && isAboveFoot(e->z - foot, reach);
       arcs[e->setup][cell / kCellsOfArc] += is_shell;

@@ -8,6 +8,7 @@
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "locate/crop.h"
+#include "locate/ring_shape.h"
 
 namespace tank_datum {
 namespace {
@@ -31,7 +32,7 @@ ShellBands::ShellBands(const Tank& tank, const ShellOptions& options, std::uint6
     : foot_(tank.circle.center.x(), tank.circle.center.y(), tank.foot.coefficients[0]),
       slope_(tank.foot.coefficients[1] / tank.circle.radius, tank.foot.coefficients[2] / tank.circle.radius),
       radius_(tank.circle.radius),
-      reach_(std::min(options.reach, 0.5 * tank.circle.radius) + 2.0 * tank.resolution),
+      reach_(reachOf(tank, options.reach) + 2.0 * tank.resolution),
       half_(options.half_band + kUneven + 2.0 * tank.resolution),
       capacity_(static_cast<std::size_t>(static_cast<double>(options.cell_points) * half_ / options.half_band)),
       stride_(points / kPointsLookedAt | 1U),

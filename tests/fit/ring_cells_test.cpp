@@ -44,6 +44,12 @@ TEST(RingCell, GoesRoundTheRing) {
   EXPECT_EQ(ringCell(-1e-300, 36), 35U);
 }
 
+TEST(MiddleOfCell, LiesInItsCell) {
+  EXPECT_NEAR(middleOfCell(0, 36), toRadians(5.0), 1e-12);
+  EXPECT_NEAR(middleOfCell(35, 36), toRadians(355.0), 1e-12);
+  EXPECT_EQ(ringCell(middleOfCell(17, 36), 36), 17U);
+}
+
 TEST(DensestOfCell, IsOfFiveAtLeast) {
   std::vector<double> values{3.0, 1.0, 2.9, 9.0};
   EXPECT_TRUE(std::isnan(densestOfCell(values)));
