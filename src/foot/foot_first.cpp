@@ -73,7 +73,7 @@ FootElevations nearestToShell(const Foot& foot) {
     if (heights.size() >= kFew) guesses[i] = median(heights);
   });
   const std::vector<double> filled = filledUp(runningMedian(guesses, 3));
-  return {filled, filled, std::vector<bool>(guesses.size(), true)};
+  return {filled, filled, std::vector<bool>(guesses.size(), true), 0.0};
 }
 
 /// The stretch that was chosen nearest to a station; null where none was.

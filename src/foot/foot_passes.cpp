@@ -6,6 +6,7 @@
 #include "core/statistics.h"
 #include "fit/circular_series.h"
 #include "foot/hidden_strip.h"
+#include "foot/mixed_levels.h"
 #include "foot/rough_arcs.h"
 #include "foot/under_shell.h"
 #include "tank_datum/core/unknown.h"
@@ -33,12 +34,12 @@ FootPass runPass(const Foot& foot, const FootElevations& elevations, const FootP
 
 /// What a pass leaves to the next one, which looks beside what was found too: a section over several degrees shows no
 /// surface in the middle of a dip.
-FootElevations elevationsAfter(const Foot& foot, const FootPass& pass, std::vector<bool> seen) {
+FootElevations elevationsAfter(const Foot& foot, const FootPass& pass, FootElevations before) {
   const std::vector<double> elevations = elevationsOf(pass.fits);
   std::vector<double> known = withoutOutliers(elevations, pass.outliers, pass.priors.settled);
   const std::vector<bool> beside = closeTo(foot, known);
-  for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = seen[i] || beside[i];
-  return {std::move(known), filledUp(elevations), std::move(seen)};
+  for (std::size_t i = 0; i < beside.size(); ++i) before.seen[i] = before.seen[i] || beside[i];
+  return {std::move(known), filledUp(elevations), std::move(before.seen), before.below_most};
 }
 
 /// The elevations of stations whose shell is not seen are not stacked.
@@ -64,6 +65,21 @@ FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<doub
   return pass;
 }
 
+/// A first pass upon what passes for a lip, which two levels make that are stacked together: upon one of them, if its
+/// surface goes on beyond that lip; else as it was.
+/// @param elevations  that it begins with
+FootPass uponOneLevel(const Foot& foot, FootPass first, FootElevations& elevations) {
+  const FootProfile& lip = first.sections.whole;
+  if (lip.surface != Surface::AnnularPlate) return first;
+  const OneLevel one = ofOneLevel(elevations.known, lip, foot.arc(), foot.reach);
+  if (one.known.empty()) return first;
+  FootElevations level{one.known, filledUp(one.known), closeTo(foot, one.known), one.below_most};
+  FootPass second = runPass(foot, level, {});
+  if (!goesOnFarther(second.sections.whole, lip)) return first;
+  elevations = std::move(level);
+  return second;
+}
+
 /// The first pass, upon a surface that a tank may stand on. Where a bank lies against most of a shell it is the surface
 /// that most stations show; what the others show is looked for then, once, and must be no bank's end.
 /// @param elevations  that it begins with
@@ -73,7 +89,7 @@ FootPass runFirstPass(const Foot& foot, const Tank& tank, FootElevations& elevat
     return alignedElevations(foot, whereShellIsSeen(firstElevations(foot, tank, left_out), foot));
   };
   elevations = look({});
-  FootPass first = runPass(foot, elevations, {});
+  FootPass first = uponOneLevel(foot, runPass(foot, elevations, {}), elevations);
   if (!first.priors.falls()) return first;
   std::vector<bool> bank;
   for (const FootFit& fit : first.fits) bank.push_back(fit.valid());
@@ -94,7 +110,7 @@ FootPass runPasses(const Foot& foot, const Tank& tank, FootElevations& elevation
     if (i > 0) pass = runPass(foot, elevations, pass);
     if (pass.sections.whole.unseen > 0.0) return pass;
     pass.outliers = findOutliers(foot, pass);
-    elevations = elevationsAfter(foot, pass, std::move(elevations.seen));
+    elevations = elevationsAfter(foot, pass, std::move(elevations));
   }
   if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);

@@ -48,6 +48,7 @@ struct FootElevations {
   std::vector<double> known;   ///< to stack the section with; NaN where a station is to be left out [m]
   std::vector<double> filled;  ///< as known so far, filled up in gaps [m]
   std::vector<bool> seen;      ///< a surface that the shell may stand on was seen here or close by
+  double below_most = 0;       ///< how far below what most stations show, which may be a cable upon it; else 0 [m]
 };
 
 /// Whether the scan is quiet enough to tell surfaces at different heights apart. Where it is not, as on tins on a table

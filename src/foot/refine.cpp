@@ -176,9 +176,10 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   FootLevels levels = isResolved(foot) ? levelStations(foot, pass) : FootLevels{pass.fits, {}};
   levels.fits = withCoverDoubted(std::move(levels.fits), pass.outliers.maybe_cover, foot);
   levels.fits = withLevelDoubted(std::move(levels.fits), pass.sections.other_level);
+  levels.fits = withLevelDoubted(std::move(levels.fits), elevations.below_most);
   levels.fits = withFallDoubted(std::move(levels.fits), pass.sections, foot.reach);
   levels.fits = withPipeDoubted(std::move(levels.fits), pass.sections, foot.reach);
-  found.refined.maybe_pipe = heightOfPipe(pass.sections.whole, foot.reach);
+  found.refined.maybe_pipe = std::max(heightOfPipe(pass.sections.whole, foot.reach), elevations.below_most);
   found.refined.falls = pass.priors.falls() ? -pass.priors.seen : 0.0;
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
