@@ -9,6 +9,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "foot/outer_sections.h"
+#include "foot/section_end.h"
 #include "foot/shell_below.h"
 #include "tank_datum/core/unknown.h"
 
@@ -58,7 +59,8 @@ double riseOf(const RingRun& run, const std::vector<double>& levels, const std::
 /// by few points at each station, all tell it together; a foot that lies not much lower ends what there is of it.
 enum class Says { Nothing, GoesOn, Ends };
 
-Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<double>& levels) {
+/// @param allowed  by how much lower it may end where the run's surface does [m]
+Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<double>& levels, double allowed) {
   constexpr std::size_t kFewest = 3;  // stations whose shell is seen
   constexpr double kAllowed = 0.01;   // of the reach
   constexpr double kDepth = 0.02;     // of the reach: how much of it is looked at
@@ -69,7 +71,7 @@ Says shellBeside(const Foot& foot, std::size_t end, int step, const std::vector<
   for (std::size_t away = 1; away <= near; ++away) {
     const std::size_t i = (end + (step > 0 ? away : count - away)) % count;
     if (!foot.shell_seen[i] || std::isfinite(levels[i])) continue;
-    const double lower = kAllowed * foot.reach + kFalls * static_cast<double>(away) * foot.arc();
+    const double lower = kAllowed * foot.reach + allowed + kFalls * static_cast<double>(away) * foot.arc();
     const FootFit level = levelAt(foot, levels[end] - lower, 0.0);
     const ShellCounts counts = countShell(foot, i, level, leastBelow(foot, level) + kDepth * foot.reach);
     ++seen;
@@ -110,15 +112,17 @@ std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const 
   return banks;
 }
 
-std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& levels) {
+std::vector<bool> findHangingRuns(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels) {
+  constexpr double kThickest = 0.03;                 // annular plate, which may be cut off, as at a door [m]
   constexpr std::size_t kOneEnd = 6, kBothEnds = 2;  // longer parts of the ring are no banks, with that many ends seen
   const std::size_t count = levels.size();
   std::vector<char> known(count);
   for (std::size_t i = 0; i < count; ++i) known[i] = std::isfinite(levels[i]) ? 1 : 0;
   std::vector<bool> hanging(count, false);
+  const double drop = dropBeyond(surface), plate = drop < kThickest ? drop : 0.0;
   for (const RingRun& run : runsRound(known, foot.stationsIn(kNear))) {
-    const Says before = shellBeside(foot, run.first % count, -1, levels);
-    const Says after = shellBeside(foot, run.last % count, +1, levels);
+    const Says before = shellBeside(foot, run.first % count, -1, levels, plate);
+    const Says after = shellBeside(foot, run.last % count, +1, levels, plate);
     const bool either = before == Says::GoesOn || after == Says::GoesOn;
     const bool neither = before != Says::Ends && after != Says::Ends;
     if (!either || run.last - run.first >= count / (neither ? kBothEnds : kOneEnd)) continue;

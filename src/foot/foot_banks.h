@@ -18,8 +18,10 @@ std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const 
 
 /// Stations in runs beside whose ends the shell is seen to go on below them: what they lie on is not what the shell
 /// stands on. Of a run up to a sixth of the ring long one end says so, since a bank may fade at the other; of one up to
-/// half of it both do, or the one whose shell is seen.
+/// half of it both do, or the one whose shell is seen. A plate may be cut off there, and the shell go down by its
+/// thickness.
+/// @param surface  that the stations lie on
 /// @param levels  elevations of the stations that stand, else NaN [m]
-std::vector<bool> findHangingRuns(const Foot& foot, const std::vector<double>& levels);
+std::vector<bool> findHangingRuns(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels);
 
 }  // namespace tank_datum

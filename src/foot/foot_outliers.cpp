@@ -174,7 +174,8 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<FootFit> kept = standing(pass.fits, reasons);
   const std::vector<double> levels = elevationsOf(kept);
   const std::vector<bool> banks = findBanks(foot, pass.sections.whole, levels, pass.stood);
-  const std::vector<bool> hanging = findHangingRuns(foot, levels), islands = findStrangeIslands(foot, pass.priors, own);
+  const std::vector<bool> hanging = findHangingRuns(foot, pass.sections.whole, levels),
+                          islands = findStrangeIslands(foot, pass.priors, own);
   Steps steps = findSteps(kept, foot.arc(), [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
   std::vector<double> refused(reasons.size(), kUnknown);
   for (std::size_t i = 0; i < reasons.size(); ++i) {

@@ -145,11 +145,8 @@ SlopeBeyond slopeBeyond(const FootProfile& profile, std::size_t plate_end, doubl
   return std::abs(top.slope) < kFace ? top : SlopeBeyond{};
 }
 
-double heightOfPipe(const FootProfile& profile, double reach) {
-  constexpr double kRound = 1.5;            // times its height: lips stand out farther
-  constexpr double kFlat = 0.5;             // of what stands out, if that is set back: a lip, and no pipe
+double dropBeyond(const FootProfile& profile) {
   constexpr double kFrom = 1.5, kTo = 2.5;  // times the edge's distance, where what lies beyond is looked at
-  constexpr double kHighest = 0.12;         // of the reach
   if (profile.surface != Surface::AnnularPlate) return 0.0;
   std::vector<double> beyond;
   for (std::size_t i = 0; i < profile.height.size(); ++i) {
@@ -157,8 +154,14 @@ double heightOfPipe(const FootProfile& profile, double reach) {
     if (d > kFrom * profile.edge && d < kTo * profile.edge && std::isfinite(profile.height[i]))
       beyond.push_back(profile.offset - profile.height[i]);
   }
-  if (beyond.empty()) return 0.0;
-  const double height = median(beyond);
+  return beyond.empty() ? 0.0 : median(beyond);
+}
+
+double heightOfPipe(const FootProfile& profile, double reach) {
+  constexpr double kRound = 1.5;     // times its height: lips stand out farther
+  constexpr double kFlat = 0.5;      // of what stands out, if that is set back: a lip, and no pipe
+  constexpr double kHighest = 0.12;  // of the reach
+  const double height = dropBeyond(profile);
   const bool on_grout = profile.overhang > 0.0 && profile.band_to - profile.band_from > kFlat * profile.edge;
   return height < kHighest * reach && profile.edge < kRound * height && !on_grout ? height : 0.0;
 }

@@ -35,8 +35,11 @@ struct SlopeBeyond {
 /// other lower them: it is read clear of both.
 SlopeBeyond slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach);
 
-/// How high what passes for a lip stands above what lies beyond it, where it may be a cable or a pipe that lies beside
-/// the shell: that is seen about as far out as it is high. Else 0 [m].
+/// How high a lip stands above what lies beyond it; of what is none 0 [m].
+double dropBeyond(const FootProfile& profile);
+
+/// The same where what passes for a lip may be a cable or a pipe that lies beside the shell: that is seen about as far
+/// out as it is high. Else 0 [m].
 double heightOfPipe(const FootProfile& profile, double reach);
 
 }  // namespace tank_datum

@@ -31,6 +31,22 @@ struct WallLine {
   double from(const Hit& hit) const { return std::abs(hit.off - at - lean * hit.z); }
 };
 
+/// Where a wall ends below that goes on under a hole, as what a girder or a ring about a shell hides is one: runs below
+/// count that are no shorter than the hole above them.
+/// @param hits    on the wall's line, by height
+/// @param bottom  of its longest run [m]
+double bottomUnderHoles(const std::vector<Hit>& hits, double bottom, double voxel) {
+  auto end = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.z >= bottom; });
+  while (end != hits.begin()) {
+    auto first = end - 1;
+    while (first != hits.begin() && first->z - (first - 1)->z <= kHoleInVoxels * voxel) --first;
+    const double top = (end - 1)->z;
+    if (bottom - top <= top - first->z) bottom = first->z;
+    end = first;
+  }
+  return bottom;
+}
+
 }  // namespace
 
 std::vector<Sector> sectorsOf(const Points& points, double voxel, const Circle& circle, double band) {
@@ -80,11 +96,11 @@ bool shellRun(std::vector<Hit> hits, double voxel, double thickness, double& bot
   std::vector<Hit> run = longestRun(hits, kHoleInVoxels * voxel);
   if (run.size() < 3) return false;
   const WallLine line(run);
-  run.erase(std::remove_if(run.begin(), run.end(), [&](const Hit& hit) { return line.from(hit) > thickness; }),
-            run.end());
-  run = longestRun(run, kHoleInVoxels * voxel);
+  hits.erase(std::remove_if(hits.begin(), hits.end(), [&](const Hit& hit) { return line.from(hit) > thickness; }),
+             hits.end());
+  run = longestRun(hits, kHoleInVoxels * voxel);
   if (run.empty()) return false;
-  bottom = run.front().z;
+  bottom = bottomUnderHoles(hits, run.front().z, voxel);
   top = run.back().z;
   return top - bottom >= kFewestVoxels * voxel;
 }

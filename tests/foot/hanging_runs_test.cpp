@@ -14,7 +14,8 @@ using namespace made_feet;
 constexpr int kFirst = 40, kLast = 60;
 
 /// Whether stations 40 to `last` hang, 30 mm high, where the shell beside them is seen down to so far below them.
-bool hangs(double before, double after, int last = kLast, int seen = 10, int points = 40) {
+bool hangs(double before, double after, int last = kLast, int seen = 10, int points = 40,
+           const FootProfile& surface = {}) {
   MadeFoot made;
   std::vector<double> levels(360, kUnknown);
   for (int s = kFirst; s <= last; ++s) levels[static_cast<std::size_t>(s)] = 0.030;
@@ -28,7 +29,7 @@ bool hangs(double before, double after, int last = kLast, int seen = 10, int poi
   Foot& foot = made.foot();
   for (int s = 0; s < 360; ++s)
     foot.shell_seen[static_cast<std::size_t>(s)] = s > kFirst - 1 - seen && s <= last + seen;
-  return findHangingRuns(foot, levels)[kFirst + 1];
+  return findHangingRuns(foot, surface, levels)[kFirst + 1];
 }
 
 TEST(FindHangingRuns, TheShellCannotGoOnBelowWhatItStandsOn) {
@@ -39,6 +40,19 @@ TEST(FindHangingRuns, TheShellCannotGoOnBelowWhatItStandsOn) {
 TEST(FindHangingRuns, AHundredthOfTheReachAndTheNoiseAreAllowed) {
   EXPECT_FALSE(hangs(0.0105, 0.0105));  // 5 mm, 1 mm and three noises of 1 mm, then a fifth of the shell above
   EXPECT_TRUE(hangs(0.0165, 0.0165));
+}
+
+TEST(FindHangingRuns, APlateMayBeCutOffBesideARun) {
+  const auto hangs_beside = [](double below, double thick) {
+    FootProfile plate;
+    plate.bin = 0.003, plate.edge = 0.054, plate.surface = Surface::AnnularPlate;
+    for (int i = 0; i < 100; ++i) plate.height.push_back(0.003 * (i + 0.5) < plate.edge ? 0.0 : -thick);
+    return hangs(below, below, kLast, 10, 40, plate);
+  };
+  EXPECT_FALSE(hangs_beside(0.0225, 0.012));
+  EXPECT_TRUE(hangs_beside(0.0285, 0.012));
+  EXPECT_FALSE(hangs_beside(0.0395, 0.029));
+  EXPECT_TRUE(hangs_beside(0.0395, 0.031)) << "no plate is so thick";
 }
 
 TEST(FindHangingRuns, AFootThatLiesNotMuchLowerMayEndTheShell) {
@@ -58,7 +72,7 @@ TEST(FindHangingRuns, ADatumMayDipBesideARunByFiveThousandths) {
           made.add((station + 0.01 * (i - 20)) * made.step(), 0.0, height);
       }
     }
-    return findHangingRuns(made.foot(), levels)[kFirst + 1];
+    return findHangingRuns(made.foot(), {}, levels)[kFirst + 1];
   };
   EXPECT_FALSE(hangs_over(0.0044));
   EXPECT_TRUE(hangs_over(0.0052));
@@ -88,7 +102,7 @@ TEST(FindHangingRuns, ThreeStationsBesideAnEndSaySo) {
 TEST(FindHangingRuns, AWholeRingHasNoEnds) {
   MadeFoot made;
   made.addAll(40, -0.001, 0.001, [](double) { return -0.01; });
-  const std::vector<bool> hanging = findHangingRuns(made.foot(), std::vector<double>(360, 0.0));
+  const std::vector<bool> hanging = findHangingRuns(made.foot(), {}, std::vector<double>(360, 0.0));
   EXPECT_EQ(std::count(hanging.begin(), hanging.end(), true), 0);
 }
 

@@ -33,6 +33,18 @@ TEST(ShellRun, IsTheLongestStretchWithoutAHole) {
   EXPECT_NEAR(run.top, 4.95, 1e-9);
 }
 
+TEST(ShellRun, GoesOnUnderWhatGirdersHide) {
+  std::vector<Hit> hits;
+  stack(hits, 0.0, 0.7, 0.0);
+  stack(hits, 1.2, 2.0, 0.0);
+  stack(hits, 2.4, 5.0, 0.0);
+  EXPECT_NEAR(runOf(hits).bottom, 0.0, 1e-9);
+  hits.clear();
+  stack(hits, 0.0, 0.7, 0.0);
+  stack(hits, 1.5, 4.0, 0.0);
+  EXPECT_NEAR(runOf(hits).bottom, 1.5, 1e-9) << "the hole is higher than what lies below it";
+}
+
 TEST(ShellRun, LeavesOutTheFaceOfARingwallBelowTheShell) {
   std::vector<Hit> hits;
   stack(hits, 0.0, 0.7, 0.15);
