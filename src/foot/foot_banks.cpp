@@ -119,7 +119,7 @@ std::vector<bool> findHangingRuns(const Foot& foot, const FootProfile& surface, 
   std::vector<char> known(count);
   for (std::size_t i = 0; i < count; ++i) known[i] = std::isfinite(levels[i]) ? 1 : 0;
   std::vector<bool> hanging(count, false);
-  const double drop = dropBeyond(surface), plate = drop < kThickest ? drop : 0.0;
+  const double drop = dropBeyond(surface), plate = drop > 0.0 && drop < kThickest ? drop : 0.0;
   for (const RingRun& run : runsRound(known, foot.stationsIn(kNear))) {
     const Says before = shellBeside(foot, run.first % count, -1, levels, plate);
     const Says after = shellBeside(foot, run.last % count, +1, levels, plate);

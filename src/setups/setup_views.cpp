@@ -104,8 +104,10 @@ ArcWidth widthOf(const SetupRing& ring, const Tank& tank, double reach, int thre
   return width;
 }
 
-/// How steeply the points of a foundation fall away from the shell: the median slope between their bins [m/m].
+/// How steeply the points of a foundation fall away from the shell: the median slope between their bins, those near
+/// each other alone, since one step down at a ringwall's edge is no bank [m/m].
 double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
+  constexpr double kNear = 5.5;  // bins
   std::vector<std::vector<double>> heights;
   for (const ArcPoint& p : foot) {
     if (p.bin >= heights.size()) heights.resize(p.bin + std::size_t{1});
@@ -117,7 +119,7 @@ double fallOf(const std::vector<ArcPoint>& foot, double bin_width) {
   }
   std::vector<double> slopes;
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    for (std::size_t j = i + 1; j < bins.size(); ++j)
+    for (std::size_t j = i + 1; j < bins.size() && bins[j].first - bins[i].first < kNear * bin_width; ++j)
       slopes.push_back((bins[i].second - bins[j].second) / (bins[j].first - bins[i].first));
   }
   return slopes.empty() ? 0.0 : median(std::move(slopes));

@@ -53,6 +53,7 @@ TEST(FindHangingRuns, APlateMayBeCutOffBesideARun) {
   EXPECT_TRUE(hangs_beside(0.0285, 0.012));
   EXPECT_FALSE(hangs_beside(0.0395, 0.029));
   EXPECT_TRUE(hangs_beside(0.0395, 0.031)) << "no plate is so thick";
+  EXPECT_FALSE(hangs_beside(0.0105, -0.012)) << "before a crown";
 }
 
 TEST(FindHangingRuns, AFootThatLiesNotMuchLowerMayEndTheShell) {

@@ -192,5 +192,16 @@ TEST(ViewArcs, BanksLookAnotherFromEachPlace) {
   EXPECT_FALSE(isComparedOnFall(0.16));
 }
 
+TEST(ViewArcs, StepsDownAtAPlatesAndARingwallsEdgeAreNoBank) {
+  for (const double edge : {0.12, 0.16, 0.2, 0.24, 0.28}) {
+    Overlap overlap;
+    for (int row = 0; row < 15; ++row) {
+      const double d = 0.03 + 0.02 * row;
+      for (const int setup : {0, 1}) overlap.addRow(setup, d, d < 0.08 ? 0.0 : d < edge ? -0.03 : -0.19);
+    }
+    EXPECT_FALSE(overlap.views().empty()) << edge;
+  }
+}
+
 }  // namespace
 }  // namespace tank_datum
