@@ -13,16 +13,14 @@
 namespace tank_datum {
 namespace {
 
-constexpr int kUnknowns = 6;  // radius, centre x and y, lean x and y, taper
-using Row = Eigen::Matrix<double, kUnknowns, 1>;
-using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+using Row = Eigen::Matrix<double, 5, 1>;  // radius, centre x and y, lean x and y
+using Normal = Eigen::Matrix<double, 5, 5>;
 
 // Lines this many standard deviations off are no shell; the lobes of one out of round are within three, and count
 // fully.
 constexpr double kStray = 6.0;
 
-// The shell of a tank leans by less than one in a hundred; on a short arc lean and centre can hardly be told apart. It
-// tapers by less too; a wall of concrete may be battered, which all of its lines tell.
+// The shell of a tank leans by less than one in a hundred; on a short arc lean and centre can hardly be told apart.
 constexpr double kLean = 0.01;
 
 constexpr double kAlike = 10.0 * kDegree;  // over which a shell's lobes, and the cells' errors, are alike
@@ -92,7 +90,7 @@ Observations observationsOf(const std::vector<ShellLine>& lines, const std::vect
     for (const double h : {heights.from, heights.to}) {
       const double at = h > lines[i].straight_to ? 0.0 : h;
       all.azimuths.push_back(azimuths[i]);
-      all.rows.push_back((Row() << 1.0, c, s, at * c, at * s, at).finished());
+      all.rows.push_back((Row() << 1.0, c, s, at * c, at * s).finished());
       all.radii.push_back(lines[i].at(0.0, at) - radius);
       all.lines.push_back(i);
       all.weights.push_back(begin_with_sure && !sure[i] ? 0.0 : 1.0);
@@ -120,9 +118,8 @@ double seenOutOfRound(const std::vector<double>& azimuths, const std::vector<dou
 /// Adds what is known of the unknowns beforehand.
 /// @param sigma  of one observation
 void addPrior(const CirclePrior& prior, double sigma, Normal& normal) {
-  const std::array<double, kUnknowns> known{
-      prior.sigma_radius, prior.sigma_center, prior.sigma_center, kLean, kLean, kLean};
-  for (int j = 0; j < kUnknowns; ++j) {
+  const std::array<double, 5> known{prior.sigma_radius, prior.sigma_center, prior.sigma_center, kLean, kLean};
+  for (int j = 0; j < 5; ++j) {
     const double ratio = sigma / known[static_cast<std::size_t>(j)];
     normal(j, j) += 2.0 * ratio * ratio;  // a line's two heights are one observation
   }

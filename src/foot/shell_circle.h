@@ -25,9 +25,9 @@ struct CirclePrior {
 /// What a located tank's circle is worth: more than nothing only where half of the shell or more was seen.
 CirclePrior priorOf(const Tank& tank);
 
-/// One circle, one lean and one taper through the stations' shell lines, each taken at two heights: a short arc bears
-/// that better than the stations' own radii at the datum, extrapolated one by one. Robust; every station counts the
-/// same, however densely it was scanned.
+/// One circle and one lean through the stations' shell lines, each taken at two heights: a short arc bears that better
+/// than the stations' own radii at the datum, extrapolated one by one. Robust; every station counts the same, however
+/// densely it was scanned.
 /// @param azimuths  of the lines [rad]
 /// @param heights   above the datum between which the lines were fitted
 /// @param start     the circle that the lines' radii are measured from the centre of

@@ -54,14 +54,6 @@ TEST(ShellCircle, BeginsWithWhatIsSurelyTheShell) {
   EXPECT_FALSE(withCladding(85, 0).strays[85]);
 }
 
-TEST(ShellCircle, IsAtTheFootOfABatteredWall) {
-  std::vector<ShellLine> lines = linesOf(360, kRadius, 0.001);
-  for (ShellLine& line : lines) line.lean = -0.034;
-  const ShellCircle round = fitted(lines);
-  EXPECT_NEAR(round.circle.radius, kRadius, 4.0 * round.sigma_radius);
-  EXPECT_LT(round.sigma_radius, 0.0005);
-}
-
 TEST(ShellCircle, OfExactLinesIsExact) {
   const ShellCircle round = fitted(linesOf(360, 10.003));
   EXPECT_NEAR(round.circle.radius, 10.003, 1e-6);
