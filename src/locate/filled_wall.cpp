@@ -30,9 +30,9 @@ double shareFilled(const Points& points, double voxel, const Tank& tank) {
   if (tank.height > std::min(kLowest, kOfRadius * tank.circle.radius)) return 0.0;
   std::size_t stand = 0, filled = 0;
   for (Sector& sector : sectorsOf(points, voxel, tank.circle, bandOf(voxel, tank.rms))) {
-    double bottom = 0.0, top = 0.0;
-    if (!shellRun(std::move(sector.shell), voxel, thicknessOf(tank.rms), bottom, top)) continue;
-    ++stand, filled += isFilled(sector.farther_in, bottom, top);
+    const auto run = shellRun(std::move(sector.shell), voxel, thicknessOf(tank.rms));
+    if (!run) continue;
+    ++stand, filled += isFilled(sector.farther_in, run->bottom, run->top);
   }
   return stand > 0 ? static_cast<double>(filled) / static_cast<double>(stand) : 0.0;
 }

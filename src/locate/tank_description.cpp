@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/portable_math.h"
 #include "core/ring_runs.h"
@@ -46,16 +47,34 @@ struct WallView {
   bool behind_top = false;               ///< whether something lies there, as a ringwall's top does
 };
 
+/// The shell in every sector. Where most of it goes on under holes, it is what something about it hides, a girder: all
+/// of it begins under them.
+std::vector<std::optional<WallRun>> shellRuns(const std::vector<Sector>& sectors, double voxel, double thickness) {
+  std::vector<std::optional<WallRun>> runs;
+  std::size_t stand = 0, go_on = 0;
+  for (const Sector& sector : sectors) {
+    runs.push_back(shellRun(sector.shell, voxel, thickness));
+    if (runs.back()) ++stand, go_on += runs.back()->under < runs.back()->bottom;
+  }
+  if (2 * go_on <= stand) return runs;
+  for (auto& run : runs) {
+    if (run) run->bottom = run->under;
+  }
+  return runs;
+}
+
 std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& circle, double rms) {
   const auto sectors = sectorsOf(points, voxel, circle, bandOf(voxel, rms));
   const double thickness = thicknessOf(rms);
+  const auto runs = shellRuns(sectors, voxel, thickness);
   std::vector<WallView> views(sectors.size());
   for (std::size_t i = 0; i < sectors.size(); ++i) {
     WallView& view = views[i];
     view.azimuth = middleOfCell(i, sectors.size());
-    view.stands = shellRun(sectors[i].shell, voxel, thickness, view.bottom, view.top);
+    view.stands = runs[i].has_value();
     view.step = findStepBack(sectors[i].around, voxel, kShortOfRingwall);
     if (!view.stands) continue;
+    view.bottom = runs[i]->bottom, view.top = runs[i]->top;
     const auto is_high = [&](double z) { return z > view.top - 2.0 * voxel; };
     const auto is_behind = [&](const Hit& hit) { return hit.off < -thickness && is_high(hit.z); };
     const std::vector<double>& farther = sectors[i].farther_in;  // upon a roof; the shell upon a ringwall hides it

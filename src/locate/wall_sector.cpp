@@ -91,18 +91,19 @@ std::vector<Hit> longestRun(const std::vector<Hit>& hits, double hole) {
           hits.begin() + static_cast<std::ptrdiff_t>(best_last) + 1};
 }
 
-bool shellRun(std::vector<Hit> hits, double voxel, double thickness, double& bottom, double& top) {
+std::optional<WallRun> shellRun(std::vector<Hit> hits, double voxel, double thickness) {
   sortByHeight(hits);
   std::vector<Hit> run = longestRun(hits, kHoleInVoxels * voxel);
-  if (run.size() < 3) return false;
+  if (run.size() < 3) return std::nullopt;
   const WallLine line(run);
-  hits.erase(std::remove_if(hits.begin(), hits.end(), [&](const Hit& hit) { return line.from(hit) > thickness; }),
-             hits.end());
-  run = longestRun(hits, kHoleInVoxels * voxel);
-  if (run.empty()) return false;
-  bottom = bottomUnderHoles(hits, run.front().z, voxel);
-  top = run.back().z;
-  return top - bottom >= kFewestVoxels * voxel;
+  const auto dropOthers = [&](std::vector<Hit>& of) {
+    of.erase(std::remove_if(of.begin(), of.end(), [&](const Hit& hit) { return line.from(hit) > thickness; }),
+             of.end());
+  };
+  dropOthers(run), dropOthers(hits);
+  run = longestRun(run, kHoleInVoxels * voxel);
+  if (run.empty() || run.back().z - run.front().z < kFewestVoxels * voxel) return std::nullopt;
+  return WallRun{run.front().z, run.back().z, bottomUnderHoles(hits, run.front().z, voxel)};
 }
 
 bool hasFoundation(const std::vector<double>& beside, double foot, double voxel, double radius) {

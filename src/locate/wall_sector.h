@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "tank_datum/fit/curves.h"
@@ -44,10 +45,16 @@ void sortByHeight(std::vector<Hit>& hits);
 /// @param hole  the least there is [m]
 std::vector<Hit> longestRun(const std::vector<Hit>& hits, double hole);
 
-/// Bottom and top of the shell; false when it is no wall. What stands below it a hand's breadth off, the face of a
-/// ringwall, is none of it.
+/// Where a wall stands [m].
+struct WallRun {
+  double bottom, top;  ///< of its longest stretch without a hole
+  double under;        ///< where it ends below if it goes on under holes, as under a girder that hides a part of it
+};
+
+/// The shell; none when it is no wall. What stands below it a hand's breadth off, the face of a ringwall, is none of
+/// it.
 /// @param thickness  how far its points are from their line at most [m]
-bool shellRun(std::vector<Hit> hits, double voxel, double thickness, double& bottom, double& top);
+std::optional<WallRun> shellRun(std::vector<Hit> hits, double voxel, double thickness);
 
 /// Whether something beside the shell is about as high as its foot.
 /// @param beside  heights [m]

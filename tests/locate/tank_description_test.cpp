@@ -5,30 +5,14 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "support/made_faces.h"
 
 namespace tank_datum {
 namespace {
 
-constexpr double kRadius = 10.0;
+using namespace made_faces;
+
 constexpr Side kOutside = Side::Outside;
-
-/// Adds an upright face all round, `off` outside of the circle, at every 0.06 m of height and of the way round.
-void addFace(Points& points, double off, double from, double to) {
-  for (double a = 0.0; a < kTwoPi; a += 0.006) {
-    for (double z = from; z <= to; z += 0.06) {
-      points.emplace_back((kRadius + off) * std::cos(a), (kRadius + off) * std::sin(a), z);
-    }
-  }
-}
-
-/// The ground beside it, level.
-void addGround(Points& points, double z) {
-  for (double a = 0.0; a < kTwoPi; a += 0.006) {
-    for (double off = 0.3; off < 0.9; off += 0.1) {
-      points.emplace_back((kRadius + off) * std::cos(a), (kRadius + off) * std::sin(a), z);
-    }
-  }
-}
 
 /// The foot of a shell 4 m high above a face 0.4 m high that stands `off` outside of it.
 double footAbove(double off) {
@@ -43,6 +27,27 @@ TEST(Describe, AFaceBelowTheShellIsARingwallsFrom75MillimetresOutside) {
   EXPECT_NEAR(footAbove(0.06), 0.0, 0.03);
   EXPECT_NEAR(footAbove(0.09), 0.4, 0.03);
   EXPECT_NEAR(footAbove(0.14), 0.4, 0.03);
+}
+
+/// The foot of a shell 5 m high of which a girder 1.2 m up hides 0.4 m; below it the shell is seen over so many
+/// degrees.
+double footUnderGirder(double degrees) {
+  Sample sample{{}, 0.1, false};
+  addFace(sample.points, 0.0, 1.2, 5.0);
+  Points below;
+  addFace(below, 0.0, 0.0, 0.8);
+  for (const auto& p : below) {
+    if (std::abs(std::atan2(p.y(), p.x())) < 0.5 * degrees * kDegree) sample.points.push_back(p);
+  }
+  addGround(sample.points, 1.2);
+  addGround(sample.points, 0.0);
+  return describe(sample.points, sample, {{0.0, 0.0}, kRadius}, 0.002).foot(1.0);
+}
+
+TEST(Describe, AShellOfWhichMostGoesOnUnderAGirderBeginsThere) {
+  EXPECT_NEAR(footUnderGirder(360.0), 0.0, 0.03);
+  EXPECT_NEAR(footUnderGirder(200.0), 0.0, 0.03);
+  EXPECT_NEAR(footUnderGirder(160.0), 1.2, 0.03);
 }
 
 /// What is seen of a shell 3 m high upon a ringwall of 1 m over so many degrees, by a circle that neither is on:

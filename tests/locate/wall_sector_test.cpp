@@ -14,12 +14,12 @@ using namespace made_walls;
 
 struct Stretch {
   bool wall = false;
-  double bottom = 0, top = 0;
+  double bottom = 0, top = 0, under = 0;
 };
 
 Stretch runOf(const std::vector<Hit>& hits) {
   Stretch run;
-  run.wall = shellRun(hits, kVoxel, kThickness, run.bottom, run.top);
+  if (const auto found = shellRun(hits, kVoxel, kThickness)) run = {true, found->bottom, found->top, found->under};
   return run;
 }
 
@@ -38,11 +38,12 @@ TEST(ShellRun, GoesOnUnderWhatGirdersHide) {
   stack(hits, 0.0, 0.7, 0.0);
   stack(hits, 1.2, 2.0, 0.0);
   stack(hits, 2.4, 5.0, 0.0);
-  EXPECT_NEAR(runOf(hits).bottom, 0.0, 1e-9);
+  EXPECT_NEAR(runOf(hits).bottom, 2.4, 1e-9);
+  EXPECT_NEAR(runOf(hits).under, 0.0, 1e-9);
   hits.clear();
   stack(hits, 0.0, 0.7, 0.0);
   stack(hits, 1.5, 4.0, 0.0);
-  EXPECT_NEAR(runOf(hits).bottom, 1.5, 1e-9) << "the hole is higher than what lies below it";
+  EXPECT_NEAR(runOf(hits).under, 1.5, 1e-9) << "the hole is higher than what lies below it";
 }
 
 TEST(ShellRun, LeavesOutTheFaceOfARingwallBelowTheShell) {
