@@ -113,13 +113,12 @@ std::vector<bool> findBanks(const Foot& foot, const FootProfile& surface, const 
 }
 
 std::vector<bool> findHangingRuns(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels) {
-  constexpr double kThickest = 0.03;                 // annular plate, which may be cut off, as at a door [m]
   constexpr std::size_t kOneEnd = 6, kBothEnds = 2;  // longer parts of the ring are no banks, with that many ends seen
   const std::size_t count = levels.size();
   std::vector<char> known(count);
   for (std::size_t i = 0; i < count; ++i) known[i] = std::isfinite(levels[i]) ? 1 : 0;
   std::vector<bool> hanging(count, false);
-  const double drop = dropBeyond(surface), plate = drop > 0.0 && drop < kThickest ? drop : 0.0;
+  const double drop = dropBeyond(surface), plate = drop > 0.0 && drop < kThickestPlate ? drop : 0.0;
   for (const RingRun& run : runsRound(known, foot.stationsIn(kNear))) {
     const Says before = shellBeside(foot, run.first % count, -1, levels, plate);
     const Says after = shellBeside(foot, run.last % count, +1, levels, plate);

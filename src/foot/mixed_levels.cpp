@@ -48,7 +48,7 @@ bool liesBelow(const std::vector<double>& some, const std::vector<double>& other
 }  // namespace
 
 OneLevel ofOneLevel(const std::vector<double>& known, const FootProfile& section, double arc, double reach) {
-  const std::vector<double> most = withoutSteps(known, arc);
+  std::vector<double> most = withoutSteps(known, arc);
   std::vector<double> rest = known;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (std::isfinite(most[i])) rest[i] = kUnknown;
@@ -56,7 +56,8 @@ OneLevel ofOneLevel(const std::vector<double>& known, const FootProfile& section
   if (finiteOf(rest).empty()) return {};
   rest = withoutSteps(std::move(rest), arc);
   const double pipe = heightOfPipe(section, reach);
-  return pipe > 0.0 && liesBelow(rest, most, pipe) ? OneLevel{rest, pipe} : OneLevel{most, 0.0};
+  if (pipe > 0.0 && liesBelow(rest, most, pipe)) return {std::move(rest), pipe};
+  return {std::move(most), 0.0};
 }
 
 bool goesOnFarther(const FootProfile& section, const FootProfile& other) {

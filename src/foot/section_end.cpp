@@ -131,14 +131,13 @@ Surface surfaceOf(const FootProfile& profile, std::size_t first, std::size_t las
 }
 
 SlopeBeyond slopeBeyond(const FootProfile& profile, std::size_t plate_end, double reach) {
-  constexpr double kThickest = 0.03;  // annular plate [m]
-  constexpr double kFace = 0.5;       // what is steeper is the upright face of something [m/m]
+  constexpr double kFace = 0.5;  // what is steeper is the upright face of something [m/m]
   const std::size_t first = plate_end + 1 + static_cast<std::size_t>(std::ceil(2.0 * profile.blur / profile.bin));
   if (first >= profile.height.size()) return {};
-  const std::size_t last = lastAboveFace(profile, first, lastBeforeStep(profile, first), kThickest);
+  const std::size_t last = lastAboveFace(profile, first, lastBeforeStep(profile, first), kThickestPlate);
   if (static_cast<double>(last - first) * profile.bin < 0.2 * reach) return {};
   const double drop = profile.height[plate_end / 2] - profile.height[(first + last) / 2];
-  if (!(drop > 0.0 && drop < kThickest)) return {};
+  if (!(drop > 0.0 && drop < kThickestPlate)) return {};
   if (isThin(profile, plate_end, first, last)) return {};
   const SlopeBeyond top = isSeenBeyond(profile, last) ? slopeBetweenEdges(profile, first, last)
                                                       : SlopeBeyond{robustLine(profile, first, last).slope, 0.0};

@@ -6,6 +6,8 @@
 
 namespace tank_datum {
 
+constexpr double kThickestPlate = 0.03;  ///< annular plate [m]
+
 /// A line through bins of a section.
 struct BinLine {
   double offset = 0, slope = 0;  ///< height at the shell [m], [m/m]

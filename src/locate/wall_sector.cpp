@@ -31,18 +31,31 @@ struct WallLine {
   double from(const Hit& hit) const { return std::abs(hit.off - at - lean * hit.z); }
 };
 
+/// The first and the last of hits without a hole between them.
+struct Stretch {
+  std::size_t first, last;
+};
+
+/// All stretches, from the lowest on.
+/// @param hits  by height
+std::vector<Stretch> runsOf(const std::vector<Hit>& hits, double hole) {
+  std::vector<Stretch> runs;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (i == 0 || hits[i].z - hits[i - 1].z > hole) runs.push_back({i, i});
+    runs.back().last = i;
+  }
+  return runs;
+}
+
 /// Where a wall ends below that goes on under a hole, as what a girder or a ring about a shell hides is one: runs below
 /// count that are no shorter than the hole above them.
 /// @param hits    on the wall's line, by height
 /// @param bottom  of its longest run [m]
 double bottomUnderHoles(const std::vector<Hit>& hits, double bottom, double voxel) {
-  auto end = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.z >= bottom; });
-  while (end != hits.begin()) {
-    auto first = end - 1;
-    while (first != hits.begin() && first->z - (first - 1)->z <= kHoleInVoxels * voxel) --first;
-    const double top = (end - 1)->z;
-    if (bottom - top <= top - first->z) bottom = first->z;
-    end = first;
+  const std::vector<Stretch> runs = runsOf(hits, kHoleInVoxels * voxel);
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    const double top = hits[run->last].z, low = hits[run->first].z;
+    if (top < bottom && bottom - top <= top - low) bottom = low;
   }
   return bottom;
 }
@@ -77,18 +90,13 @@ void sortByHeight(std::vector<Hit>& hits) {
 }
 
 std::vector<Hit> longestRun(const std::vector<Hit>& hits, double hole) {
-  std::size_t best_first = 0, best_last = 0;
-  for (std::size_t first = 0, last = 0; first < hits.size(); first = last + 1) {
-    last = first;
-    while (last + 1 < hits.size() && hits[last + 1].z - hits[last].z <= hole) ++last;
-    if (hits[last].z - hits[first].z > hits[best_last].z - hits[best_first].z) {
-      best_first = first;
-      best_last = last;
-    }
-  }
   if (hits.empty()) return {};
-  return {hits.begin() + static_cast<std::ptrdiff_t>(best_first),
-          hits.begin() + static_cast<std::ptrdiff_t>(best_last) + 1};
+  const std::vector<Stretch> runs = runsOf(hits, hole);
+  const auto length = [&](const Stretch& run) { return hits[run.last].z - hits[run.first].z; };
+  const auto longest = std::max_element(runs.begin(), runs.end(),
+                                        [&](const Stretch& a, const Stretch& b) { return length(a) < length(b); });
+  return {hits.begin() + static_cast<std::ptrdiff_t>(longest->first),
+          hits.begin() + static_cast<std::ptrdiff_t>(longest->last) + 1};
 }
 
 std::optional<WallRun> shellRun(std::vector<Hit> hits, double voxel, double thickness) {

@@ -95,11 +95,7 @@ std::vector<StationDatum> measuredBesideDuct(double share, double thick) {
     if (shell && behind) p.z() += thick;  // hidden: seen higher up
     if (!shell && d > 0.0 && d < thick) p.z() += thick;
   }
-  std::vector<StationDatum> measured = refineStations(made.ring, made_rings::levelTank(kRadius), {}, {}).stations;
-  measured.erase(std::remove_if(measured.begin(), measured.end(),
-                                [](const StationDatum& s) { return s.flag != StationFlag::Measured; }),
-                 measured.end());
-  return measured;
+  return made_rings::measuredOf(refineStations(made.ring, made_rings::levelTank(kRadius), {}, {}).stations);
 }
 
 TEST(RefineStations, ADuctInTheCornerOfAnArcHidesThatArcAloneAndMayBeAPlateOfMost) {

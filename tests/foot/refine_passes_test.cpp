@@ -81,11 +81,7 @@ std::vector<StationDatum> measuredBesideBank(double pad) {
     if (i % 2 == 1 && height > std::max(0.0, bank + kSlope * d))
       ring.points.push_back({r * std::cos(a), r * std::sin(a), height});
   }
-  std::vector<StationDatum> measured = refineStations(ring, levelTank(kRadius), {}, {}).stations;
-  measured.erase(std::remove_if(measured.begin(), measured.end(),
-                                [](const StationDatum& s) { return s.flag != StationFlag::Measured; }),
-                 measured.end());
-  return measured;
+  return measuredOf(refineStations(ring, levelTank(kRadius), {}, {}).stations);
 }
 
 TEST(RefineStations, ABankAgainstMostOfAShellDoesNotHideTheFootThatIsSeen) {

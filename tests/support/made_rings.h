@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "core/units.h"
 #include "tank_datum/locate/tank.h"
+#include "tank_datum/stations/stations.h"
 
 /// Rings of points drawn at random about the origin, the same each time.
 namespace tank_datum::made_rings {
@@ -37,6 +40,14 @@ inline Tank levelTank(double radius) {
   tank.circle = {{0.0, 0.0}, radius};
   tank.foot.coefficients = Eigen::Vector3d::Zero();
   return tank;
+}
+
+/// The stations that are measured.
+inline std::vector<StationDatum> measuredOf(std::vector<StationDatum> stations) {
+  stations.erase(std::remove_if(stations.begin(), stations.end(),
+                                [](const StationDatum& s) { return s.flag != StationFlag::Measured; }),
+                 stations.end());
+  return stations;
 }
 
 }  // namespace tank_datum::made_rings
