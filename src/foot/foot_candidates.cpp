@@ -141,26 +141,50 @@ void addParts(const std::vector<Bin>& run, const FootScales& scales, std::vector
   if (middle != run.end()) addParts({middle, run.end()}, scales, parts);
 }
 
-/// The elevation that the shell is seen down to, but for a stray point or two.
-double endOfShell(const std::vector<FootPoint>& points, double noise) {
+/// How many points a metre lie at the bottom of sorted elevations, far below any foot, as few of those above; else 0. A
+/// wet floor mirrors some beams to the shell: their points lie straight below it, as far down as it stands up.
+double mirroredIn(const std::vector<double>& z, double bottom, double reach) {
+  constexpr double kDeep = 0.2;  // of the reach
+  constexpr double kFew = 0.1;   // of the points a metre from there on
+  const double deep = bottom + kDeep * reach;
+  const auto above = std::lower_bound(z.begin(), z.end(), deep);
+  const double density = static_cast<double>(above - z.begin()) / (kDeep * reach);
+  return density * (z.back() - deep) < kFew * static_cast<double>(z.end() - above) ? density : 0.0;
+}
+
+/// The elevation that the shell is seen down to, but for stray points and its image.
+/// @param bottom  from where on points were looked for
+double endOfShell(const std::vector<FootPoint>& points, const FootScales& scales, double bottom) {
   constexpr std::size_t kStray = 2;
+  constexpr double kUneven = 2.0;    // times as dense an image may be as at its bottom
+  constexpr double kChance = 3.0;    // standard deviations of a number of points
+  constexpr std::size_t kDense = 6;  // points of the shell, closer than so many of its image
   std::vector<double> z;
   for (const FootPoint& p : points) {
-    if (std::abs(p.d) < 3.0 * noise) z.push_back(p.z);
+    if (std::abs(p.d) < 3.0 * scales.shell_noise) z.push_back(p.z);
   }
-  const std::size_t at = kStray + z.size() / 500;
+  std::size_t at = kStray + z.size() / 500;
   if (at >= z.size()) return std::numeric_limits<double>::quiet_NaN();
-  std::nth_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(at), z.end());
+  std::sort(z.begin(), z.end());
+  const double mirrored = mirroredIn(z, bottom, scales.reach);
+  if (mirrored == 0.0) return z[at];
+  const auto isImage = [&](std::size_t index) {
+    const double of_image = kUneven * mirrored * (z[index] - bottom);
+    return static_cast<double>(index) < of_image + kChance * std::sqrt(of_image);
+  };
+  while (at + 1 < z.size() && isImage(at)) ++at;
+  while (at > kDense && (z[at] - z[at - kDense]) * mirrored < 1.0) --at;  // which the image may be by its number alone
   return z[at];
 }
 
 }  // namespace
 
-std::vector<FootCandidate> findCandidates(const std::vector<FootPoint>& points, const FootScales& scales) {
+std::vector<FootCandidate> findCandidates(const std::vector<FootPoint>& points, const FootScales& scales,
+                                          double bottom) {
   constexpr std::size_t kFewestPoints = 6;
   const double near = scales.nearest();
   const std::vector<Bin> bins = binsOf(points, scales, near);
-  const double end = endOfShell(points, scales.shell_noise);
+  const double end = endOfShell(points, scales, bottom);
   std::vector<FootCandidate> candidates;
   std::vector<Bin> run;
   const auto close = [&] {

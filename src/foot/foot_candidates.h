@@ -21,6 +21,8 @@ struct FootCandidate {
 /// The flat stretches of a section, the nearest to the shell first: runs of bins without a step, the lowest layer
 /// counts in each.
 /// @param points  of a window of azimuth, over the section's whole reach
-std::vector<FootCandidate> findCandidates(const std::vector<FootPoint>& points, const FootScales& scales);
+/// @param bottom  from where on points were looked for, far below any foot [m]
+std::vector<FootCandidate> findCandidates(const std::vector<FootPoint>& points, const FootScales& scales,
+                                          double bottom);
 
 }  // namespace tank_datum

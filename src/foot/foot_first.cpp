@@ -40,7 +40,7 @@ std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, d
     auto points = foot.ring.around(direction, half, height, foot.reach);
     if (half < kWidest && !isFilled(points, scales, near)) continue;
     for (FootPoint& p : points) p.z -= tank.foot(direction + p.t / foot.radius) - height;
-    return findCandidates(points, scales);
+    return findCandidates(points, scales, height - foot.reach);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "core/ring_runs.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "foot/blurred_lips.h"
 #include "foot/foot_roughness.h"
 #include "foot/ring_slope.h"
 #include "foot/shell_strip.h"
@@ -146,32 +147,11 @@ double edgeBeside(const ShellStrip& strip, double reach) {
   return beyond >= kFewest && beyond > kShare * standing ? std::min(height, kHighestLip * reach) : 0.0;
 }
 
-/// How high a lip may be that noise blurs into the shell [m]: what is seen beside it then rises towards it. Of what is
-/// seen nearest to the shell noise leaves half. A lip of the usual width may be hidden whole, and nothing rises. 0
-/// where noise is narrower than lips.
-double blurredLip(const ShellStrip& strip, double reach) {
-  constexpr double kNarrowest = 0.03, kUsual = 0.1;  // lips, of the reach: 15 and 50 mm
-  constexpr double kThickness = 0.02;                // of the reach: 10 mm
-  constexpr double kNearest = 1.0 / 3.0;             // of the strip
-  constexpr double kSure = 3.0;                      // standard errors
-  if (!strip.valid() || strip.from < kNarrowest * reach) return 0.0;
-  const double hidden = strip.from < kUsual * reach ? 0.0 : kThickness * reach;
-  std::vector<double> heights;
-  for (const Beside& p : strip.points) {
-    if (p.d < strip.from + kNearest * (strip.to - strip.from) && std::abs(p.height) < kHighestLip * reach)
-      heights.push_back(p.height);
-  }
-  if (heights.empty()) return hidden;
-  const double rise = median(heights);
-  const double error = kMedianOverMean * robustSigma(heights, rise) / std::sqrt(static_cast<double>(heights.size()));
-  return rise > kSure * error ? std::max(hidden, 2.0 * rise) : hidden;
-}
-
 /// What hides the surface beside the shell, or may: where no level shows it, an edge or noise.
-Cover coverOf(const ShellStrip& strip, double reach) {
+Cover coverOf(const ShellStrip& strip, const BlurredRise& round_the_ring, double reach) {
   const Cover cover = coverIn(strip, reach);
   if (cover.lift.height > 0.0) return cover;
-  return mayBe(std::max(edgeBeside(strip, reach), blurredLip(strip, reach)));
+  return mayBe(std::max(edgeBeside(strip, reach), blurredLip(strip, round_the_ring, reach)));
 }
 
 /// The cover of the station of a run that has one nearest to one.
@@ -207,8 +187,9 @@ std::vector<Lift> findNarrowLips(const Foot& foot, const std::vector<FootFit>& f
   std::vector<ShellStrip> strips(count);
   std::vector<Cover> found(count);
   forEachIndex(count, 0, [&](std::size_t i) { strips[i] = stripAt(foot, i, fits[i], sections.at(i)); });
+  const BlurredRise round_the_ring = blurredRise(strips, foot.reach);
   forEachIndex(count, 0, [&](std::size_t i) {
-    if (fits[i].valid()) found[i] = coverOf(together(strips, i, foot), foot.reach);
+    if (fits[i].valid()) found[i] = coverOf(together(strips, i, foot), round_the_ring, foot.reach);
   });
   std::vector<char> valid(count);
   for (std::size_t i = 0; i < count; ++i) valid[i] = fits[i].valid() ? 1 : 0;

@@ -85,6 +85,7 @@ Json agreementSection(const Datum& datum) {
     json["height_from"] = agreement.unlabelled_discrepancy > 0.0 ? "overlaps" : sourceOf(false, agreement.given.height);
   }
   if (!agreement.adjusted()) return json;
+  json["groups_apart"] = agreement.groups_apart;
   json["told_apart_by"] = agreement.by_order ? "order" : "labels";
   json["sigma_height"] = agreement.spread.height;
   json["sigma_tilt_arcsec"] = toArcSeconds(agreement.spread.tilt);

@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "core/plain_text.h"
 #include "locate/foot_unit.h"
+#include "setups/gross_shifts.h"
 #include "setups/parts_by_order.h"
 #include "setups/rounded_points.h"
 #include "setups/setup_adjustment.h"
@@ -131,7 +132,9 @@ void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
     setup.rms_before = adjusted.rms_before[s];
     setup.rms_after = adjusted.rms_after[s];
     setup.verdict = verdictOf(setup, adjusted.bad[s], std::isfinite(setup.rms_before));
+    if (adjusted.groups.higher[s]) agreement.higher.push_back(s);
   }
+  agreement.groups_apart = adjusted.groups.apart;
   agreement.spread = adjusted.spread;
   agreement.height_estimated = adjusted.height_estimated;
   agreement.plan_estimated = adjusted.plan_estimated;
@@ -199,12 +202,11 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
   if (!ring.point_setups.empty()) polar.emplace(ring, tank, threads);
   std::vector<ShellArcs> shown;
   const auto look = [&] { shown = shellArcsOfSetups(*polar, tank, ring.reach, ring.setups.size()); };
-  const auto views_of = [&](const std::vector<Eigen::Vector3d>& origins) {
-    return viewArcs(*polar, tank, ring.reach, origins, threads);
+  std::vector<Eigen::Vector3d> origins(ring.setups.size(), Eigen::Vector3d::Zero());
+  const auto views_in = [&](const ViewScope& scope) {
+    return viewArcs(*polar, tank, ring.reach, origins, scope, threads);
   };
-  const auto views_from_nowhere = [&] {
-    return views_of(std::vector<Eigen::Vector3d>(ring.setups.size(), Eigen::Vector3d::Zero()));
-  };
+  const auto views_from_nowhere = [&] { return views_in({}); };
   if (polar) look(), agreement.split = joinSplitSetups(ring, shown, scan, views_from_nowhere);
   const bool joined = agreement.split != SplitSetups::None;
   if (joined) polar.emplace(ring, tank, threads), look();
@@ -224,9 +226,10 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     takeTogether(ring, agreement.setups);  // each may hold pieces of several: their order says nothing
     return agreement;
   }
-  std::vector<Eigen::Vector3d> origins;
+  const std::size_t setups = agreement.setups.size();
+  origins.clear();
   for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
-  fill(agreement, adjustSetups(views_of(origins), agreement.setups.size(), options));
+  fill(agreement, adjustSetups(viewWithGrossShifts(views_in, setups, ring.reach, options), setups, options));
   if (!agreement.by_order && !joined) markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);

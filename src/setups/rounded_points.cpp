@@ -7,6 +7,7 @@
 
 #include "core/point_hash.h"
 #include "core/rounding_step.h"
+#include "setups/turned_grid.h"
 
 namespace tank_datum {
 namespace {
@@ -52,6 +53,7 @@ std::vector<Eigen::Vector3d> stepsOf(const Ring& ring, double finest) {
     // means that a filter took of rounded elevations lie between the steps, and those of a floor on one of them
     const double beside_floor = roundingStepBesideFloor(valuesOf(samples[s], 2), finest);
     steps[s].z() = std::max(steps[s].z(), beside_floor);
+    if (steps[s].head<2>().isZero()) steps[s].head<2>().setConstant(turnedGridStep(samples[s], finest));
   }
   return steps;
 }

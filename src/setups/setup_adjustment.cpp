@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "setups/bad_setups.h"
@@ -22,7 +23,9 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
                         const std::vector<bool>& freed, SetupAdjustment& result) {
   constexpr double kEnough = 3.1;  // parameters determined: more than two setups tell of heights and tilts
   std::array<bool, kParameterKinds> held = {options.error > 0.0, options.tilt > 0.0, options.error > 0.0};
-  const SetupSolution first = solveSetups(system, priorSigmas(usual, freed));
+  const Eigen::VectorXd priors = priorSigmas(usual, freed);
+  const SetupSolution first = solveSetups(system, priors);
+  const ErrorsByKind seen = errorsByKind(first, priors, freed);
   const auto free_count = static_cast<double>(std::count(freed.begin(), freed.end(), true));
   const bool heights = first.determined[0] + first.determined[1] - 3.0 * free_count >= kEnough;
   const bool places = first.determined[2] - 2.0 * free_count >= kEnough;
@@ -38,10 +41,26 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
     const double places_err = k == 0 && result.plan_estimated ? sigmas[2] : 0.0;
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
     sigmas[k] = given[k]  ? usual[k]
-                : held[k] ? std::max(assumedSigma(usual[k]), places_err)
+                : held[k] ? std::max(assumedSigma(usual[k], seen.squares[k], seen.determined[k]), places_err)
                           : temperedSigma(sigmas[k], known, std::max(usual[k], places_err), others[k]);
   }
   return sigmas;
+}
+
+/// Finds two groups of setups. Either may be right, or neither: all heights may err together by half of what is
+/// between.
+void findGroups(SetupAdjustment& result) {
+  std::vector<double> heights(result.bad.size(), kUnknown);
+  for (std::size_t s = 0; s < heights.size(); ++s) {
+    const auto at = static_cast<Eigen::Index>(s) * SetupMotion::kParameters;
+    if (!result.bad[s] && std::isfinite(result.rms_before[s])) heights[s] = result.errors[at];
+  }
+  result.groups = twoGroups(heights);
+  const double common = square(0.5 * result.groups.apart);
+  for (Eigen::Index row = 0; row < result.errors.size(); row += SetupMotion::kParameters) {
+    for (Eigen::Index column = 0; column < result.errors.size(); column += SetupMotion::kParameters)
+      result.covariance(row, column) += common;
+  }
 }
 
 }  // namespace
@@ -77,6 +96,7 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
   result.covariance = solution.covariance;
   result.spread = {sigmas[0], sigmas[1], sigmas[2]};
   measureDiscrepancy(overlaps, result);
+  findGroups(result);
   return result;
 }
 

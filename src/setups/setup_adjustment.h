@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "setups/arc_comparison.h"
+#include "setups/setup_groups.h"
 #include "tank_datum/setups/setups.h"
 
 namespace tank_datum {
@@ -27,6 +28,7 @@ struct SetupAdjustment {
   std::vector<bool> freed;                    ///< bad ones that were adjusted without priors
   std::vector<double> rms_before, rms_after;  ///< of each setup's foundation against the others', NaN without any [m]
   double all_before = kUnknown, all_after = kUnknown;
+  SetupGroups groups;
 };
 
 /// Least squares of the differences in the overlaps with priors on every parameter (Bayes), so that the common part of
@@ -37,7 +39,8 @@ struct SetupAdjustment {
 /// and 2 mm, or for heights about what places are seen to err by, where that is more. Where no more than three of the
 /// parameters are determined these figures are taken, wider by what they are uncertain themselves (assumedSigma()).
 /// Offsets of an arc have an error of their own on top of that of their points, from the residuals (median of the
-/// squares). Bad setups are named, and adjusted without priors where few others leave no doubt (badSetups()).
+/// squares). Bad setups are named, and adjusted without priors where few others leave no doubt (badSetups()). Where the
+/// others' heights are of two groups (twoGroups()), half of what these differ by is in the common part's variance.
 SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setups, const SetupOptions& options);
 
 }  // namespace tank_datum

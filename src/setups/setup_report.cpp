@@ -44,6 +44,27 @@ std::string refusedOrigins(const SetupAgreement& agreement) {
          fixedText(farthest->origin_refused, 0) + " m from the tank: taken as unknown";
 }
 
+/// The setups of the higher group, of two, against the lower one's.
+std::string groupsOf(const SetupAgreement& agreement) {
+  return formatted(
+      "setup %s and %zu more are higher than the others by %.1f mm, and agree among themselves as these do: two "
+      "surveys "
+      "in one scan?",
+      agreement.setups[agreement.higher.front()].name.c_str(), agreement.higher.size() - 1,
+      1e3 * agreement.groups_apart);
+}
+
+/// How badly setups are registered, where that is far worse than usual; empty elsewhere, and where it was given.
+std::string poorRegistration(const SetupAgreement& agreement) {
+  constexpr double kPoor = 0.010;  // five times what is usual [m]
+  std::string text;
+  if (agreement.given.height == 0.0 && agreement.spread.height > kPoor)
+    addClause(text, formatted("setups are registered to about %.1f mm in height only", 1e3 * agreement.spread.height));
+  if (agreement.given.plan == 0.0 && agreement.spread.plan > kPoor)
+    addClause(text, formatted("setups are registered to about %.1f mm in plan only", 1e3 * agreement.spread.plan));
+  return text;
+}
+
 /// What is wrong with a bad setup, the larger of the two.
 std::string faultOf(const Setup& setup) {
   constexpr double kFar = 30.0;  // [m], at which a tilt is compared with a shift
@@ -89,6 +110,8 @@ std::string setupMessage(const SetupAgreement& agreement, const std::vector<Stat
     if (setup.verdict == SetupVerdict::Duplicate)
       addClause(text, "setup " + setup.name + " holds the points of another one: used once");
   }
+  if (agreement.groups_apart > kPlain * ownError(stations)) addClause(text, groupsOf(agreement));
+  if (agreement.adjusted()) addClause(text, poorRegistration(agreement));
   if (agreement.too_many)
     addClause(text, "more than " + std::to_string(kMostSetups) + " files or labels are not told apart");
   if (agreement.split == SplitSetups::ByLabel)

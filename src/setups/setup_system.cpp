@@ -31,6 +31,17 @@ Eigen::VectorXd priorSigmas(const KindSigmas& kinds, const std::vector<bool>& fr
   return sigmas;
 }
 
+ErrorsByKind errorsByKind(const SetupSolution& solution, const Eigen::VectorXd& priors,
+                          const std::vector<bool>& freed) {
+  ErrorsByKind sums;
+  for (Eigen::Index i = 0; i < priors.size(); ++i) {
+    if (freed[static_cast<std::size_t>(i / SetupMotion::kParameters)]) continue;
+    sums.squares[kindOf(i)] += square(solution.errors[i]);
+    sums.determined[kindOf(i)] += 1.0 - solution.covariance(i, i) / square(priors[i]);
+  }
+  return sums;
+}
+
 KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
                           const std::array<bool, kParameterKinds>& held, const std::vector<bool>& freed) {
   constexpr int kIterations = 200;
@@ -41,13 +52,7 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const Eigen::VectorXd priors = priorSigmas(sigmas, freed);
     const SetupSolution solution = solveSetups(system, priors);
-    KindSigmas squares{}, determined{};
-    for (Eigen::Index i = 0; i < priors.size(); ++i) {
-      if (freed[static_cast<std::size_t>(i / SetupMotion::kParameters)]) continue;
-      const double share = solution.covariance(i, i) / (priors[i] * priors[i]);
-      squares[kindOf(i)] += solution.errors[i] * solution.errors[i];
-      determined[kindOf(i)] += 1.0 - share;
-    }
+    const auto [squares, determined] = errorsByKind(solution, priors, freed);
     double change = 0.0;
     for (std::size_t k = 0; k < kParameterKinds; ++k) {
       if (held[k]) continue;
@@ -66,7 +71,10 @@ namespace {
 constexpr double kUsualWorth = 3.0;  // parameters
 }
 
-double assumedSigma(double usual) { return usual * std::sqrt(1.0 + 2.0 / kUsualWorth); }
+double assumedSigma(double usual, double squares, double known) {
+  const double worth = kUsualWorth + known, seen = std::sqrt((kUsualWorth * square(usual) + squares) / worth);
+  return std::max(usual * std::sqrt(1.0 + 2.0 / kUsualWorth), seen * std::sqrt(1.0 + 2.0 / worth));
+}
 
 double temperedSigma(double sigma, double known, double usual, double others) {
   constexpr double kFarBetter = 0.25;  // of the usual sigma

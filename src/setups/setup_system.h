@@ -35,15 +35,23 @@ SetupSolution solveSetups(const SetupSystem& system, const Eigen::VectorXd& sigm
 /// One prior sigma per parameter; those of freed setups are so wide that the overlaps alone tell them.
 Eigen::VectorXd priorSigmas(const KindSigmas& kinds, const std::vector<bool>& freed);
 
+/// Of each kind the sum of the squares of the errors, without those of freed setups, and how many parameters they tell.
+struct ErrorsByKind {
+  KindSigmas squares{}, determined{};
+};
+ErrorsByKind errorsByKind(const SetupSolution& solution, const Eigen::VectorXd& priors, const std::vector<bool>& freed);
+
 /// The variance components of a system.
 /// @param start  for the fixed point, and the middle of the weak prior
 /// @param held   kinds whose sigma is not to change
 KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
                           const std::array<bool, kParameterKinds>& held, const std::vector<bool>& freed);
 
-/// The usual sigma where nothing else is known: wider by what one that is worth three parameters is uncertain itself
-/// (Student).
-double assumedSigma(double usual);
+/// The usual sigma where few parameters or none tell another: wider by what one that is worth three parameters is
+/// uncertain itself (Student), and where their errors are larger, by these together with the three.
+/// @param squares  sum of those of the errors
+/// @param known    how many parameters they tell
+double assumedSigma(double usual, double squares = 0.0, double known = 0.0);
 
 /// A sigma estimated from few parameters. One below the usual sigma is drawn up towards it on the logarithm's scale, as
 /// if that came from three parameters; but not where the setups agree far better than usual, as scans that one

@@ -25,7 +25,6 @@ constexpr double kShellFrom = 0.15;         // above the foot the shell is looke
 constexpr double kShellBin = 0.1;           // of height [reach]
 constexpr double kDeepest = 0.4;            // the foundation lies no further from the coarse foot [reach]
 constexpr double kBank = 0.15;              // fall of a surface that looks another from each place [m/m]
-constexpr double kWindow = 0.08;            // what lies further off its bin's densest place is something else [reach]
 constexpr std::size_t kMostOfArc = 60'000;  // points of an arc; of more every n-th is taken
 
 struct ArcPoints {
@@ -55,7 +54,25 @@ struct ArcWidth {
   }
 };
 
-ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, ArcWidth width, std::size_t arc) {
+/// What is looked at.
+struct Look {
+  const SetupRing& ring;
+  const Tank& tank;
+  double reach;
+  const ViewScope& scope;
+
+  /// A point without what its setup is thought to be off by.
+  SetupRing::Entry unshifted(SetupRing::Entry e) const {
+    if (scope.shifts.empty()) return e;
+    const SetupMotion& shift = scope.shifts[e.setup];
+    e.z -= shift.dz;
+    e.radius -= portable::cos(e.azimuth) * shift.dx + portable::sin(e.azimuth) * shift.dy;
+    return e;
+  }
+};
+
+ArcPoints pointsOf(const Look& look, ArcWidth width, std::size_t arc) {
+  const auto& [ring, tank, reach, scope] = look;
   const SetupRing::Entry* begin = ring.begin(arc * width.cells);
   const SetupRing::Entry* end = ring.end((arc + 1) * width.cells - 1);
   ArcPoints all;
@@ -63,21 +80,20 @@ ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, ArcWid
   const double middle = width.middleOf(arc), foot = tank.foot(middle);
   const double side = tank.side == Side::Outside ? 1.0 : -1.0;
   const std::size_t every = static_cast<std::size_t>(end - begin) / kMostOfArc + 1;
-  for (const SetupRing::Entry* e = begin; e < end;
-       e += std::min<std::ptrdiff_t>(end - e, static_cast<std::ptrdiff_t>(every))) {
-    const double outline = ring.outlineAt(e->azimuth);
+  for (const SetupRing::Entry* at = begin; at < end;
+       at += std::min<std::ptrdiff_t>(end - at, static_cast<std::ptrdiff_t>(every))) {
+    const double outline = ring.outlineAt(at->azimuth);
     if (!std::isfinite(outline)) continue;
-    const std::uint16_t part = width.partOf(e->azimuth, arc);
-    const double t = (e->azimuth - width.middleOf(arc, part)) * outline, d = side * (e->radius - outline),
-                 h = e->z - foot;
+    const SetupRing::Entry e = look.unshifted(*at);
+    const std::uint16_t part = width.partOf(e.azimuth, arc);
+    const double t = (e.azimuth - width.middleOf(arc, part)) * outline, d = side * (e.radius - outline), h = e.z - foot;
     if (d >= kClear * reach && d < kWidest * reach && std::abs(h) < kDeepest * reach) {
-      all.foot.push_back({t, e->z, static_cast<std::uint16_t>(d / (kFootBin * reach)), e->setup, part});
-      all.foot_radius += e->radius;
-      all.foot_z += e->z;
-    } else if (std::abs(d) < kWindow * reach && h >= kShellFrom * reach) {
-      all.shell.push_back(
-          {t, e->radius - outline, static_cast<std::uint16_t>(h / (kShellBin * reach)), e->setup, part});
-      all.shell_z += e->z;
+      all.foot.push_back({t, e.z, static_cast<std::uint16_t>(d / (kFootBin * reach)), e.setup, part});
+      all.foot_radius += e.radius;
+      all.foot_z += e.z;
+    } else if (std::abs(d) < scope.window * reach && h >= kShellFrom * reach) {
+      all.shell.push_back({t, e.radius - outline, static_cast<std::uint16_t>(h / (kShellBin * reach)), e.setup, part});
+      all.shell_z += e.z;
     }
   }
   all.foot_radius /= std::max<double>(1.0, static_cast<double>(all.foot.size()));
@@ -87,13 +103,13 @@ ArcPoints pointsOf(const SetupRing& ring, const Tank& tank, double reach, ArcWid
 }
 
 /// The narrowest arcs in which setups have points enough of the foundation to fill its bins.
-ArcWidth widthOf(const SetupRing& ring, const Tank& tank, double reach, int threads) {
+ArcWidth widthOf(const Look& look, int threads) {
   constexpr std::size_t kLongest = 8 * ArcWidth::kNarrowest;
   constexpr double kPlenty = 100.0;  // points of a setup in an arc
   std::vector<std::vector<double>> counts(SetupRing::kArcs);
   forEachIndex(SetupRing::kArcs, threads, [&](std::size_t arc) {
     std::map<std::uint16_t, double> of_setups;
-    for (const ArcPoint& p : pointsOf(ring, tank, reach, {}, arc).foot) of_setups[p.setup] += 1.0;
+    for (const ArcPoint& p : pointsOf(look, {}, arc).foot) of_setups[p.setup] += 1.0;
     for (const auto& [setup, points] : of_setups) counts[arc].push_back(points);
   });
   std::vector<double> all = concatenated(counts);
@@ -155,21 +171,30 @@ SetupMotion::Vector motionOfShell(const Eigen::Vector3d& arm, double azimuth) {
   return (SetupMotion::Vector() << 0.0, -c * arm.z(), -s * arm.z(), c, s).finished();
 }
 
+/// Makes offsets those of the points as they were given.
+void addShifts(const std::vector<SetupMotion>& shifts, ArcView& view) {
+  if (shifts.empty()) return;
+  for (Eigen::Index i = 0; i < view.motion.rows(); ++i)
+    view.seen.offsets[i] += view.motion.row(i).dot(shifts[view.seen.setups[static_cast<std::size_t>(i)]].vector());
+  view.seen.offsets.array() -= view.seen.offsets.mean();
+}
+
 }  // namespace
 
 std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double reach,
-                              const std::vector<Eigen::Vector3d>& origins, int threads) {
+                              const std::vector<Eigen::Vector3d>& origins, const ViewScope& scope, int threads) {
   constexpr double kSettlement = 0.01;  // slope of a datum along its shell [m/m]
   constexpr double kLobe = 0.02;        // slope that the shell's outline leaves over [m/m]
-  const ArcWidth width = widthOf(ring, tank, reach, threads);
+  const Look look{ring, tank, reach, scope};
+  const ArcWidth width = widthOf(look, threads);
   const double length = tank.circle.radius * kTwoPi / static_cast<double>(width.count());
-  const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, kWindow * reach, width.parts(),
+  const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, scope.window * reach, width.parts(),
                             kSettlement * length};
-  const ArcPrior shell_prior{kLobe, 10.0 * kHighestWave / tank.circle.radius, kWindow * reach, width.parts(),
+  const ArcPrior shell_prior{kLobe, 10.0 * kHighestWave / tank.circle.radius, scope.window * reach, width.parts(),
                              kLobe * length};
   std::vector<std::optional<ArcView>> found(2 * width.count());
   forEachIndex(width.count(), threads, [&](std::size_t arc) {
-    ArcPoints points = pointsOf(ring, tank, reach, width, arc);
+    ArcPoints points = pointsOf(look, width, arc);
     for (const bool shell : {false, true}) {
       if (!shell && fallOf(points.foot, kFootBin * reach) > kBank) continue;
       std::vector<ArcPoint>& own = shell ? points.shell : points.foot;
@@ -189,6 +214,7 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
         const Eigen::Vector3d arm = place - origins[seen->setups[i]];
         view.motion.row(static_cast<Eigen::Index>(i)) = shell ? motionOfShell(arm, azimuth) : motionOfFoot(arm);
       }
+      addShifts(scope.shifts, view);
       found[2 * arc + (shell ? 1 : 0)] = std::move(view);
     }
   });

@@ -27,7 +27,7 @@ TEST(FindCandidates, AGapOfFiveSpacingsIsChanceOneOfSevenEndsTheSurface) {
     std::vector<FootPoint> points;
     for (int i = 0; i < 46; ++i) points.push_back({0.0, 0.014 + 0.003 * i, 0.0});
     for (int i = 0; i < 2; ++i) points.push_back({0.0, points.back().d + (i == 0 ? gap : 0.002), 0.0});
-    return findCandidates(points, kScales).front().to;
+    return findCandidates(points, kScales, -kScales.reach).front().to;
   };
   EXPECT_NEAR(end(5.0 * 0.006), 0.149 + 0.030 + 0.002, 0.001);
   EXPECT_NEAR(end(7.0 * 0.006), 0.149, 0.001);
@@ -38,7 +38,7 @@ TEST(FindCandidates, ABankOfMoreThanFourTenthsIsNoStretch) {
   const auto widest = [](double slope) {
     const auto falling = [slope](int bin, int i) { return -slope * kBin * (bin + (i + 0.5) / 400.0); };
     double width = 0.0;
-    for (const FootCandidate& c : findCandidates(binsOf(40, 400, falling), kScales)) {
+    for (const FootCandidate& c : findCandidates(binsOf(40, 400, falling), kScales, -kScales.reach)) {
       width = std::max(width, c.to - c.from);
     }
     return width;
@@ -49,7 +49,8 @@ TEST(FindCandidates, ABankOfMoreThanFourTenthsIsNoStretch) {
 
 /// Bins without noise, the second of them 0.8 mm above the others.
 FootCandidate unevenStretch(int bins) {
-  return findCandidates(binsOf(bins, 12, [](int bin, int) { return bin == 1 ? 0.0008 : 0.0; }), kScales).front();
+  return findCandidates(binsOf(bins, 12, [](int bin, int) { return bin == 1 ? 0.0008 : 0.0; }), kScales, -kScales.reach)
+      .front();
 }
 
 TEST(FindCandidates, OfFourBinsOneMayLieOffOfThreeTheLineIsTheirMean) {
@@ -59,14 +60,14 @@ TEST(FindCandidates, OfFourBinsOneMayLieOffOfThreeTheLineIsTheirMean) {
 
 TEST(FindCandidates, NothingIsKnownOfTheSlopeOfOneBinButThatFoundationsSlopeByATenth) {
   const auto points = binsOf(1, 12, [](int, int) { return 0.0; });
-  ASSERT_EQ(findCandidates(points, kScales).size(), 1U);
-  EXPECT_NEAR(findCandidates(points, kScales)[0].sigma_slope, 0.1, 1e-9);
+  ASSERT_EQ(findCandidates(points, kScales, -kScales.reach).size(), 1U);
+  EXPECT_NEAR(findCandidates(points, kScales, -kScales.reach)[0].sigma_slope, 0.1, 1e-9);
 }
 
 /// In how many parts a flat falls with a groove 2 mm deep, so many bins wide, a hundred millimetres from the shell.
 std::size_t partsBesideGroove(int width) {
   const auto grooved = [width](int bin, int) { return bin >= 15 && bin < 15 + width ? -0.00205 : 0.0; };
-  return findCandidates(binsOf(47, 12, grooved), kScales).size();
+  return findCandidates(binsOf(47, 12, grooved), kScales, -kScales.reach).size();
 }
 
 TEST(FindCandidates, AGrooveOfEightBinsPartsTheFlatOneBinOffItDoesNot) {

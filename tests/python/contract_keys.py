@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 AGREEMENT_OF_SEVERAL = {
+    "groups_apart": 0.0,
     "told_apart_by": "",
     **dict.fromkeys(["sigma_height", "sigma_tilt_arcsec", "sigma_plan"], 0.0),
     **dict.fromkeys(["height_from", "tilt_from", "plan_from"], ""),

@@ -85,6 +85,26 @@ TEST(RoundedPoints, WhatWasTurnedSinceIsRoundedUnseen) {
   EXPECT_NE(ring.points[0].z(), given);
 }
 
+TEST(RoundedPoints, WhatWasTurnedAboutZIsSpreadInPlan) {
+  Ring ring;
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> any;
+  for (int i = 0; i < 20'000; ++i) {
+    const double azimuth = 6.28 * any(random);
+    const Eigen::Vector3d p(0.005 * std::round(1600.0 * std::cos(azimuth)),
+                            0.005 * std::round(1600.0 * std::sin(azimuth)), any(random));
+    ring.points.push_back(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitZ()) * p);
+  }
+  const Points given = ring.points;
+  spreadRounded(ring, 1.0);
+  EXPECT_EQ(ring.rounding, 0.0) << "elevations are not rounded";
+  EXPECT_EQ(ring.points[0].z(), given[0].z());
+  double most = 0.0;
+  for (std::size_t i = 0; i < given.size(); ++i)
+    most = std::max(most, (ring.points[i] - given[i]).cwiseAbs().maxCoeff());
+  EXPECT_NEAR(most, 0.0025, 1e-5);
+}
+
 TEST(RoundedPoints, OfFloatsEachAxisHasItsOwnStep) {
   const auto rounding_of_z = [](double step) {
     Ring ring;

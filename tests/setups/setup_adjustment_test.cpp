@@ -136,7 +136,7 @@ TEST(SetupAdjustment, HeightsThatNothingTellsErrByAsMuchAsPlacesAreSeenTo) {
   const SetupSpread bad = spreadOf(0.006, {});
   EXPECT_GT(bad.plan, 0.003);
   EXPECT_EQ(bad.height, bad.plan);
-  EXPECT_NEAR(bad.tilt, kAssumedTilt, 1e-13);  // levelled on the spot
+  EXPECT_NEAR(bad.tilt, kAssumedTilt, 0.05 * kAssumedTilt);  // levelled on the spot; walls tell next to nothing of it
   EXPECT_NEAR(spreadOf(0.0005, {}).height, kAssumedHeight, 1e-11);
   SetupOptions tilt_given;
   tilt_given.tilt = 1e-4;

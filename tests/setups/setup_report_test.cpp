@@ -43,6 +43,32 @@ TEST(SetupMessage, MergedScansThatDisagreeByMoreThanTwiceTheStationsOwnErrorAreT
               says(agreement, "disagree by about 0.9 mm", stations));
 }
 
+TEST(SetupMessage, GroupsThatDifferByMoreThanTwiceTheStationsOwnErrorAreTold) {
+  std::vector<Station> stations(8);
+  for (Station& s : stations) s.sigma_setup = 0.0003, s.sigma_z = 0.0005;  // 0.4 mm of its own
+  SetupAgreement agreement;
+  agreement.setups.resize(4);
+  agreement.setups[1].name = "north";
+  agreement.higher = {1, 3};
+  agreement.groups_apart = 0.00075;
+  EXPECT_EQ(setupMessage(agreement, stations), "");
+  agreement.groups_apart = 0.0051;
+  EXPECT_TRUE(says(agreement, "setup north and 1 more are higher than the others by 5.1 mm", stations));
+}
+
+TEST(SetupMessage, ARegistrationFiveTimesWorseThanUsualIsTold) {
+  SetupAgreement agreement;
+  agreement.covariance = Eigen::MatrixXd::Identity(10, 10);  // adjusted
+  agreement.spread = {0.0099, 0.0, 0.0099};
+  EXPECT_EQ(setupMessage(agreement, {}), "");
+  agreement.spread = {0.0131, 0.0, 0.0279};
+  EXPECT_EQ(
+      setupMessage(agreement, {}),
+      "setups are registered to about 13.1 mm in height only; setups are registered to about 27.9 mm in plan only");
+  agreement.given = {0.0131, 0.0, 0.0279};
+  EXPECT_EQ(setupMessage(agreement, {}), "");
+}
+
 TEST(SetupMessage, SeparateFilesAreAskedForWhereTheyHelp) {
   SetupAgreement agreement;
   agreement.merged_sigma = 0.0028;

@@ -54,6 +54,13 @@ TEST(AssumedSigma, IsTheUsualOneAsUncertainAsThreeParametersLeaveIt) {
   EXPECT_NEAR(assumedSigma(0.003), 0.003 * std::sqrt(5.0 / 3.0), 1e-15);
 }
 
+TEST(AssumedSigma, IsThatOfFewSetupsWhereTheirErrorsAreLarger) {
+  // two setups 30 mm apart: two errors of 15 mm, of which one is told
+  const double seen = std::sqrt((3.0 * 4.0 + 450.0) / 4.0) * std::sqrt(1.5);
+  EXPECT_NEAR(assumedSigma(0.002, 450e-6, 1.0), 1e-3 * seen, 1e-12);
+  EXPECT_EQ(assumedSigma(0.002, 1e-6, 1.0), assumedSigma(0.002)) << "those that agree may do so by chance";
+}
+
 TEST(TemperedSigma, OfAQuarterOfTheUsualIsDrawnTowardsItAsIfByOneAndAHalfParameters) {
   const double usual = 0.002;
   // known by as many: half way on the logarithm's scale, and wider by Student's factor for three

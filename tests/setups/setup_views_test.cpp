@@ -42,9 +42,10 @@ class Overlap {
     for (int i = 0; i < 20; ++i) add(setup, 0.025 * (i - 9.5), d, h);
   }
 
-  std::vector<ArcView> views() const {
+  std::vector<ArcView> views(const ViewScope& scope = {}) const {
     const Tank tank = madeTank();
-    return viewArcs(SetupRing(ring_, tank, 1), tank, kReach, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}, 1);
+    const std::vector<Eigen::Vector3d> origins(2, Eigen::Vector3d::Zero());
+    return viewArcs(SetupRing(ring_, tank, 1), tank, kReach, origins, scope, 1);
   }
 
  private:
@@ -80,6 +81,29 @@ TEST(ViewArcs, TheShellIsComparedAboveTheWeldAndWhereItStands) {
   EXPECT_TRUE(isCompared(0.0, 0.08));
   EXPECT_TRUE(isCompared(0.0, 0.22, 0.037, 0.22));
   EXPECT_FALSE(isCompared(0.0, 0.22, 0.043, 0.22));
+}
+
+/// What setup 1 lies above setup 0, or outside of it, that lie so far apart; NaN where they are not compared.
+double offsetSeen(double d, double h, double other_d, double other_h, const ViewScope& scope) {
+  Overlap overlap;
+  overlap.addRow(0, d, h);
+  overlap.addRow(1, other_d, other_h);
+  const std::vector<ArcView> views = overlap.views(scope);
+  return views.empty() ? kUnknown : views[0].seen.offsets[1] - views[0].seen.offsets[0];
+}
+
+TEST(ViewArcs, ASetupThatIsThoughtToBeFarOffIsComparedThere) {
+  ViewScope scope;
+  EXPECT_TRUE(std::isnan(offsetSeen(0.1, 0.0, 0.1, 0.12, scope)));
+  scope.shifts.resize(2);
+  scope.shifts[1].dz = 0.118;
+  EXPECT_NEAR(offsetSeen(0.1, 0.0, 0.1, 0.12, scope), 0.12, 1e-6) << "as the points were given";
+  const double azimuth = 0.5 * kTwoPi / 144.0;
+  scope.shifts[1] = {0.0, 0.0, 0.0, 0.117 * std::cos(azimuth), 0.117 * std::sin(azimuth)};
+  EXPECT_NEAR(offsetSeen(0.0, 0.22, 0.12, 0.22, scope), 0.12, 1e-4);
+  scope = {};
+  scope.window *= 5.0;
+  EXPECT_NEAR(offsetSeen(0.1, 0.0, 0.1, 0.12, scope), 0.12, 1e-6) << "looked for farther off";
 }
 
 TEST(ViewArcs, SetupsMeetInBinsOfTwentyMillimetresAlongTheFoundationAndFiftyUpTheShell) {

@@ -109,7 +109,7 @@ struct Cropped {
     const SetupRing polar(ring, tank, 1);
     const auto views = [&] {
       return viewArcs(polar, tank, ring.reach,
-                      std::vector<Eigen::Vector3d>(ring.setups.size(), Eigen::Vector3d::Zero()), 1);
+                      std::vector<Eigen::Vector3d>(ring.setups.size(), Eigen::Vector3d::Zero()), {}, 1);
     };
     return joinSplitSetups(ring, shellArcsOfSetups(polar, tank, ring.reach, ring.setups.size()), scan, views);
   }

@@ -102,6 +102,8 @@ struct SetupAgreement {
   SplitSetups split = SplitSetups::None;  ///< whether files or labels that are parts of one setup were joined
   bool by_order = false;                  ///< told apart by the order of the points, not by files or labels
   double rms_before = kUnknown, rms_after = kUnknown;  ///< over all [m]
+  double groups_apart = 0.0;        ///< where the setups' heights are of two groups: what these differ by [m]; else 0
+  std::vector<std::size_t> higher;  ///< numbers of the setups of the higher group, rising
   Eigen::MatrixXd covariance;       ///< of all setups' motions, in order, that are left unknown; empty for one setup
   std::size_t repeated_points = 0;  ///< points of the ring left out because they were there already
   double unlabelled_discrepancy =

@@ -102,6 +102,8 @@ class Agreement(Record):
     rms_after: float | None
     repeated_points: int | None
     unlabelled_discrepancy: float | None
+    groups_apart: float | None
+    """what two groups of setups differ by in height; 0 where there are none"""
     told_apart_by: str | None
     """whence the setups are known: labels, or the order of the points"""
     sigma_height: float | None
