@@ -29,11 +29,13 @@ std::vector<std::size_t> comparedIn(const std::vector<ArcView>& arcs, std::size_
 
 std::vector<ArcView> viewWithGrossShifts(const std::function<std::vector<ArcView>(const ViewScope&)>& view,
                                          std::size_t setups, double reach, const SetupOptions& options) {
-  constexpr double kFarther = 5.0;  // times the usual window
-  constexpr double kGross = 0.5;    // of the usual window
+  constexpr double kFarther = 5.0;     // times the usual window
+  constexpr double kGross = 0.5;       // of the usual window
+  constexpr std::size_t kFew = 3'000;  // points of an arc tell millimetres
   const std::vector<ArcView> usual = view({});
   ViewScope wide;
   wide.window *= kFarther;
+  wide.most_of_arc = kFew;
   const SetupAdjustment coarse = adjustSetups(view(wide), setups, options);
   ViewScope scope;
   for (std::size_t s = 0; s < setups; ++s) {

@@ -1,5 +1,6 @@
 #include "setups/merged_scans.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/portable_math.h"
@@ -9,18 +10,20 @@
 
 namespace tank_datum {
 
-double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given) {
+double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given, double noise) {
   constexpr double kUsual = 0.0022;   // a setup's height known to 2 mm and its tilt to 10 arc-seconds, 20 m away [m]
   constexpr double kDifferences = 5;  // that six scans round a tank tell
+  constexpr double kUnseen = 0.5;     // of the noise: two levels up to three times as far apart as it look like one
   if (discrepancy > 0.0) return temperedSigma(discrepancy / std::sqrt(2.0), kDifferences, given > 0.0 ? given : kUsual);
   if (!isSeenBySeveral(shellArcs(ring, tank), tank)) return 0.0;
-  return given > 0.0 ? given : assumedSigma(kUsual);
+  return given > 0.0 ? given : std::max(assumedSigma(kUsual), kUnseen * noise);
 }
 
 void judgeMerged(SetupAgreement& agreement, const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
                  const Eigen::Vector2d& center, const FoundationBand& band) {
   agreement.unlabelled_discrepancy = std::sqrt(2.0) * doubleDisagreement(ring, tank, stations, center, band);
-  agreement.merged_sigma = mergedSigma(ring, tank, agreement.unlabelled_discrepancy, agreement.given.height);
+  agreement.merged_sigma =
+      mergedSigma(ring, tank, agreement.unlabelled_discrepancy, agreement.given.height, band.noise);
 }
 
 Eigen::MatrixXd mergedFactors(const std::vector<Station>& stations, double sigma) {

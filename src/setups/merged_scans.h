@@ -16,7 +16,8 @@ namespace tank_datum {
 ///                     0 where nothing shows, which tells nothing: less than their noise is not seen
 /// @param given        SetupOptions::error [m]; 0 for what is usual, 2 mm and 10 arc-seconds over 20 m, and
 ///                     as uncertain as that is
-double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given);
+/// @param noise        of the foundation's points, in which what they disagree by may hide [m]
+double mergedSigma(const Ring& ring, const Tank& tank, double discrepancy, double given, double noise);
 
 /// What scans merged without labels disagree by, where the stations' foundation shows it too, and what follows of it.
 /// @param center  about which the stations stand [m]

@@ -18,14 +18,13 @@ namespace tank_datum {
 namespace {
 
 // Lengths are shares of the ring's reach, which is 0.5 m, or half of the radius of what is smaller than a metre.
-constexpr double kClear = 0.04;             // of the shell: no weld, no blend [reach]
-constexpr double kWidest = 0.7;             // the foundation is looked at so far out [reach]
-constexpr double kFootBin = 0.04;           // of distance [reach]
-constexpr double kShellFrom = 0.15;         // above the foot the shell is looked at from here [reach]
-constexpr double kShellBin = 0.1;           // of height [reach]
-constexpr double kDeepest = 0.4;            // the foundation lies no further from the coarse foot [reach]
-constexpr double kBank = 0.15;              // fall of a surface that looks another from each place [m/m]
-constexpr std::size_t kMostOfArc = 60'000;  // points of an arc; of more every n-th is taken
+constexpr double kClear = 0.04;      // of the shell: no weld, no blend [reach]
+constexpr double kWidest = 0.7;      // the foundation is looked at so far out [reach]
+constexpr double kFootBin = 0.04;    // of distance [reach]
+constexpr double kShellFrom = 0.15;  // above the foot the shell is looked at from here [reach]
+constexpr double kShellBin = 0.1;    // of height [reach]
+constexpr double kDeepest = 0.4;     // the foundation lies no further from the coarse foot [reach]
+constexpr double kBank = 0.15;       // fall of a surface that looks another from each place [m/m]
 
 struct ArcPoints {
   std::vector<ArcPoint> foot, shell;
@@ -79,7 +78,7 @@ ArcPoints pointsOf(const Look& look, ArcWidth width, std::size_t arc) {
   if (begin == end || !seesSeveral(begin, end)) return all;
   const double middle = width.middleOf(arc), foot = tank.foot(middle);
   const double side = tank.side == Side::Outside ? 1.0 : -1.0;
-  const std::size_t every = static_cast<std::size_t>(end - begin) / kMostOfArc + 1;
+  const std::size_t every = static_cast<std::size_t>(end - begin) / scope.most_of_arc + 1;
   for (const SetupRing::Entry* at = begin; at < end;
        at += std::min<std::ptrdiff_t>(end - at, static_cast<std::ptrdiff_t>(every))) {
     const double outline = ring.outlineAt(at->azimuth);

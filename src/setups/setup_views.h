@@ -12,8 +12,9 @@ namespace tank_datum {
 /// Where an arc's points are looked for: as far off from where they are thought to be, and how far off each setup is
 /// thought to be.
 struct ViewScope {
-  double window = 0.08;             ///< what lies further off its bin's densest place is something else [reach]
-  std::vector<SetupMotion> shifts;  ///< of each setup; none known where empty
+  double window = 0.08;              ///< what lies further off its bin's densest place is something else [reach]
+  std::size_t most_of_arc = 60'000;  ///< points; of more every n-th is taken
+  std::vector<SetupMotion> shifts;   ///< of each setup; none known where empty
 };
 
 /// Compares the setups in every arc that two or more of them see: the foundation's elevations in bins of distance from

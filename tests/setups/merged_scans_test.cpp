@@ -20,9 +20,11 @@ Tank madeTank() {
   return tank;
 }
 
+constexpr double kNoise = 0.001;  // of a tripod's scanner [m]
+
 /// The sigma of scans that disagree by sqrt(2) times so much.
 double sigmaOf(double of_one, double given = 0.0) {
-  return mergedSigma(Ring(), madeTank(), std::sqrt(2.0) * of_one, given);
+  return mergedSigma(Ring(), madeTank(), std::sqrt(2.0) * of_one, given, kNoise);
 }
 
 TEST(MergedSigma, IsAsUncertainAsAVarianceFromFiveDifferences) {
@@ -52,7 +54,7 @@ double sigmaOfShell(double degrees, double from = 0.2, double off = 0.0, double 
   addArc(ring, 0.0, degrees, static_cast<int>(2.0 * degrees), kRadius + off, from);
   Tank tank = madeTank();
   tank.side = side;
-  return mergedSigma(ring, tank, 0.0, given);
+  return mergedSigma(ring, tank, 0.0, given, kNoise);
 }
 
 const double kAssumed = 0.0022 * std::sqrt(5.0 / 3.0);  // usual, and uncertain itself [m]
@@ -71,7 +73,7 @@ TEST(MergedSigma, OfArcsThatNoneSeesTogetherIsWhatIsUsual) {
     addArc(ring, 0.0, 40.0, 3200);
     addArc(ring, apart, apart + 40.0, 3200);
     addArc(ring, 250.0, 252.5, beyond);
-    return mergedSigma(ring, madeTank(), 0.0, 0.0);
+    return mergedSigma(ring, madeTank(), 0.0, 0.0, kNoise);
   };
   EXPECT_EQ(sigmaOfArcs(100.0, 0), 0.0);
   EXPECT_NEAR(sigmaOfArcs(160.0, 0), kAssumed, 1e-9);
@@ -79,11 +81,22 @@ TEST(MergedSigma, OfArcsThatNoneSeesTogetherIsWhatIsUsual) {
   EXPECT_GT(sigmaOfArcs(100.0, 14), 0.0);
 }
 
+TEST(MergedSigma, OfScansThatDoNotShowToDisagreeIsHalfOfWhatTheirNoiseIsWhereThatIsMore) {
+  Ring ring;
+  addArc(ring, 0.0, 360.0, 720);
+  const auto sigmaOfNoise = [&](double noise, double given) {
+    return mergedSigma(ring, madeTank(), 0.0, given, noise);
+  };
+  EXPECT_NEAR(sigmaOfNoise(0.005, 0.0), kAssumed, 1e-9);
+  EXPECT_NEAR(sigmaOfNoise(0.012, 0.0), 0.006, 1e-9);
+  EXPECT_NEAR(sigmaOfNoise(0.012, 0.002), 0.002, 1e-9) << "given";
+}
+
 TEST(MergedSigma, ArcsOfAFewPointsAreNotSeen) {
   const auto sigmaOfPoints = [](int of_an_arc) {
     Ring ring;
     addArc(ring, 0.0, 360.0, of_an_arc * static_cast<int>(SetupRing::kArcs));
-    return mergedSigma(ring, madeTank(), 0.0, 0.0);
+    return mergedSigma(ring, madeTank(), 0.0, 0.0, kNoise);
   };
   EXPECT_EQ(sigmaOfPoints(4), 0.0);
   EXPECT_GT(sigmaOfPoints(6), 0.0);
