@@ -119,12 +119,17 @@ double BadSetupBounds::of(double parameters, double others) const {
   return parameters * fQuantile(parameters, 2.0 * (others + usual_worth), kDeviate);  // a setup has two tilts
 }
 
+std::size_t mostBad(std::size_t setups) {
+  constexpr std::size_t kOneIn = 5;
+  return std::max<std::size_t>(1, setups / kOneIn);
+}
+
 std::vector<bool> badSetups(const Overlaps& overlaps, const KindSigmas& usual, const BadSetupBounds& bounds) {
-  constexpr std::size_t kFewestSetups = 3, kOneIn = 5;
+  constexpr std::size_t kFewestSetups = 3;
   constexpr double kNearly = 0.5;
   const Survey survey{overlaps, usual, bounds};
   const SetupSystem system = overlaps.system();
-  const std::size_t setups = overlaps.setups(), most = std::max<std::size_t>(1, setups / kOneIn);
+  const std::size_t setups = overlaps.setups(), most = mostBad(setups);
   std::vector<bool> bad(setups, false);
   double last = 0.0;
   for (std::size_t found = 0; setups >= kFewestSetups; ++found) {

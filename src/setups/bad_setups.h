@@ -20,6 +20,9 @@ struct BadSetupBounds {
 /// setups that are all badly registered one is far off by chance, and the sigmas of the others are too small then.
 constexpr BadSetupBounds kNamed{6.0, false}, kFreed{3.0, true};
 
+/// Of so many setups as many may be bad: one of three to nine, one in five of more.
+std::size_t mostBad(std::size_t setups);
+
 /// The bad setups, whose error, as the overlaps alone tell it, is beyond the bound under the sigmas of the others: one
 /// of three to nine, one in five of more. Where one more is nearly as far off as the last of them none is an exception,
 /// and the sigma of all is large. What says that a setup is bad is seen in more than one place: one alone may show

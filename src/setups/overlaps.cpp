@@ -159,6 +159,7 @@ void measureDiscrepancy(const Overlaps& overlaps, SetupAdjustment& result) {
     }
   }
   std::tie(result.all_before, result.all_after) = rmsOf(all);
+  result.rms_before.clear(), result.rms_after.clear();
   for (std::size_t s = 0; s < result.bad.size(); ++s) {
     std::vector<Discrepancy> own;
     std::copy_if(all.begin(), all.end(), std::back_inserter(own), [s](const Discrepancy& d) { return d.setup == s; });

@@ -47,15 +47,30 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
   return sigmas;
 }
 
-/// Finds two groups of setups. Either may be right, or neither: all heights may err together by half of what is
-/// between.
-void findGroups(SetupAdjustment& result) {
+/// Two groups of the setups that are not bad.
+SetupGroups groupsOf(const SetupAdjustment& result) {
   std::vector<double> heights(result.bad.size(), kUnknown);
   for (std::size_t s = 0; s < heights.size(); ++s) {
     const auto at = static_cast<Eigen::Index>(s) * SetupMotion::kParameters;
     if (!result.bad[s] && std::isfinite(result.rms_before[s])) heights[s] = result.errors[at];
   }
-  result.groups = twoGroups(heights);
+  return twoGroups(heights);
+}
+
+/// Makes bad setups of the smaller group where no more may be bad than are then: they support each other, so that none
+/// of them stands out.
+bool freeSmaller(SetupAdjustment& result) {
+  if (!result.groups.found()) return false;
+  std::vector<bool> bad = result.bad;
+  for (std::size_t s = 0; s < bad.size(); ++s) bad[s] = bad[s] || result.groups.smaller()[s];
+  if (static_cast<std::size_t>(std::count(bad.begin(), bad.end(), true)) > mostBad(bad.size())) return false;
+  for (std::size_t s = 0; s < bad.size(); ++s) result.freed[s] = result.freed[s] || result.groups.smaller()[s];
+  result.bad = bad;
+  return true;
+}
+
+/// Of two groups either may be right, or neither: all heights may err together by half of what is between.
+void doubtGroups(SetupAdjustment& result) {
   const double common = square(0.5 * result.groups.apart);
   for (Eigen::Index row = 0; row < result.errors.size(); row += SetupMotion::kParameters) {
     for (Eigen::Index column = 0; column < result.errors.size(); column += SetupMotion::kParameters)
@@ -92,11 +107,21 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
     solution = solveSetups(system, priorSigmas(sigmas, result.freed));
     if (iteration + 1 < kIterations) overlaps.learnFrom(solution);
   }
-  result.errors = solution.errors;
-  result.covariance = solution.covariance;
-  result.spread = {sigmas[0], sigmas[1], sigmas[2]};
-  measureDiscrepancy(overlaps, result);
-  findGroups(result);
+  const auto take = [&] {
+    result.errors = solution.errors;
+    result.covariance = solution.covariance;
+    result.spread = {sigmas[0], sigmas[1], sigmas[2]};
+    measureDiscrepancy(overlaps, result);
+    result.groups = groupsOf(result);
+  };
+  take();
+  if (options.bad != BadSetups::Keep && freeSmaller(result)) {
+    const SetupSystem system = overlaps.system();
+    sigmas = chooseSigmas(system, usual, options, result.freed, result);
+    solution = solveSetups(system, priorSigmas(sigmas, result.freed));
+    take();
+  }
+  doubtGroups(result);
   return result;
 }
 

@@ -11,6 +11,7 @@ namespace tank_datum {
 
 /// What one arc says of the setups that see it.
 struct ArcView {
+  std::size_t number = 0;  ///< round the ring
   bool shell = false;      ///< radii of the shell, else elevations of the foundation
   double azimuth = 0.0;    ///< of its middle [rad]
   ArcOffsets seen;         ///< of the points as they were given

@@ -29,9 +29,14 @@ Run runOf(const std::vector<double>& values, std::size_t first, std::size_t last
 
 }  // namespace
 
+const std::vector<bool>& SetupGroups::smaller() const {
+  return std::count(higher.begin(), higher.end(), true) < std::count(lower.begin(), lower.end(), true) ? higher : lower;
+}
+
 SetupGroups twoGroups(const std::vector<double>& heights) {
   constexpr std::size_t kFewest = 2;  // setups of a group; one alone is a bad setup
-  SetupGroups groups{0.0, std::vector<bool>(heights.size(), false)};
+  const std::vector<bool> none(heights.size(), false);
+  SetupGroups groups{0.0, none, none};
   std::vector<double> sorted = finiteOf(heights);
   if (sorted.size() < 2 * kFewest) return groups;
   std::sort(sorted.begin(), sorted.end());
@@ -44,7 +49,10 @@ SetupGroups twoGroups(const std::vector<double>& heights) {
     if (!(between > farthest * scatter)) continue;
     farthest = between / scatter, groups.apart = between, border = 0.5 * (sorted[k - 1] + sorted[k]);
   }
-  for (std::size_t s = 0; groups.found() && s < heights.size(); ++s) groups.higher[s] = heights[s] > border;
+  for (std::size_t s = 0; groups.found() && s < heights.size(); ++s) {
+    groups.higher[s] = heights[s] > border;
+    groups.lower[s] = heights[s] < border;
+  }
   return groups;
 }
 

@@ -6,10 +6,12 @@ namespace tank_datum {
 
 /// Two groups of setups whose heights agree within each, and not from one to the other.
 struct SetupGroups {
-  double apart = 0.0;        ///< their mean heights [m]; 0: there are no two groups
-  std::vector<bool> higher;  ///< of every setup, whether it is of the higher group
+  double apart = 0.0;               ///< their mean heights [m]; 0: there are no two groups
+  std::vector<bool> higher, lower;  ///< of every setup, whether it is of that group
 
   bool found() const { return apart > 0.0; }
+  /// The group of fewer setups.
+  const std::vector<bool>& smaller() const;
 };
 
 /// Looks for two groups of two setups or more, as two surveys in one scan make, or two registrations of one: farther

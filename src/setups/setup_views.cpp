@@ -205,6 +205,7 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
       Eigen::Vector3d place;
       place << tank.circle.center + radius * out, (shell ? points.shell_z : points.foot_z);
       ArcView view;
+      view.number = arc;
       view.shell = shell;
       view.azimuth = azimuth;
       view.seen = *seen;

@@ -18,7 +18,11 @@ constexpr double kReach = 0.5;
 struct GrossSurvey {
   Recipe recipe;
   Survey survey;
-  int looks = 0;  ///< how often arcs were looked for
+  int looks = 0;        ///< how often arcs were looked for
+  double layer = 0.0;   ///< what the third setup sees upon the foundation, of others unseen [m]
+  double layer_to = 0;  ///< up to this azimuth [rad]
+  double rough = 0.0;   ///< what it lies above and below its surface in turn [m]
+  double astray = 0.0;  ///< what it is off by when it is looked for far off only [m]
 
   explicit GrossSurvey(const SetupMotion& of_third) {
     recipe.half_view = 80.0 * kDegree;
@@ -29,21 +33,30 @@ struct GrossSurvey {
     look(recipe, survey, random);
   }
 
+  /// How far off one of the setups of an arc is, by what it sees on top of its own error.
+  double off(const ArcView& arc, std::size_t setup, const ViewScope& scope) const {
+    if (setup != 2 || arc.shell) return 0.0;
+    return (arc.azimuth < layer_to ? layer : 0.0) + (arc.number % 2 == 0 ? rough : -rough) +
+           (scope.window > ViewScope().window ? astray : 0.0);
+  }
+
   /// The arc without the setups that lie outside of the window about the others.
   ArcView within(const ArcView& arc, const ViewScope& scope) const {
     ArcView kept = arc;
+    for (Eigen::Index i = 0; i < arc.motion.rows(); ++i)
+      kept.seen.offsets[i] += off(arc, arc.seen.setups[static_cast<std::size_t>(i)], scope);
     kept.seen.setups.clear();
     std::vector<Eigen::Index> rows;
     for (Eigen::Index i = 0; i < arc.motion.rows(); ++i) {
       const std::size_t setup = arc.seen.setups[static_cast<std::size_t>(i)];
       SetupMotion::Vector error = survey.errors.segment<5>(5 * static_cast<Eigen::Index>(setup));
       if (!scope.shifts.empty()) error -= scope.shifts[setup].vector();
-      if (std::abs(arc.motion.row(i).dot(error)) > scope.window * kReach) continue;
+      if (std::abs(arc.motion.row(i).dot(error) + off(arc, setup, scope)) > scope.window * kReach) continue;
       kept.seen.setups.push_back(setup);
       rows.push_back(i);
     }
     kept.motion = arc.motion(rows, Eigen::all);
-    kept.seen.offsets = arc.seen.offsets(rows);
+    kept.seen.offsets = Eigen::VectorXd(kept.seen.offsets(rows));
     kept.seen.offsets.array() -= kept.seen.offsets.mean();
     const auto count = static_cast<Eigen::Index>(rows.size());
     kept.seen.information = (Eigen::MatrixXd::Identity(count, count) -
@@ -95,6 +108,45 @@ TEST(GrossShifts, AreLargerThanHalfOfTheUsualWindow) {
   EXPECT_GT(looks({0.035, 0.0, 0.0, 0.0, 0.0}), 2);
   EXPECT_EQ(looks({0.0, 0.0, 0.0, 0.011, 0.011}), 2);
   EXPECT_GT(looks({0.0, 0.0, 0.0, 0.024, 0.024}), 2);
+}
+
+TEST(GrossShifts, AreNoneOfASetupThatSeesALayerOnAPartOfItsArcs) {
+  // 60 mm high from where its view begins, at 40 degrees, on so much of it, which ends at 200
+  const auto errorFor = [](double share) {
+    GrossSurvey survey({});
+    survey.layer = 0.060, survey.layer_to = (40.0 + share * 160.0) * kDegree;
+    return survey.adjusted().errors[10];
+  };
+  EXPECT_NEAR(errorFor(0.75), 0.0, 0.005);    // three times as many arcs as without
+  EXPECT_NEAR(errorFor(0.86), 0.060, 0.010);  // six times
+}
+
+TEST(GrossShifts, AreOfSetupsThatAreLevel) {
+  const auto errorFor = [](double arc_seconds) {
+    return GrossSurvey({0.060, toRadians(arc_seconds / 3600.0), 0.0, 0.0, 0.0}).adjusted().errors[10];
+  };
+  EXPECT_NEAR(errorFor(45.0), 0.060, 0.002);
+  EXPECT_NEAR(errorFor(80.0), 0.0, 0.005);
+}
+
+TEST(GrossShifts, LeaveNoMoreThanThoseOfAll) {
+  const auto errorFor = [](double rough) {
+    GrossSurvey survey({0.060, 0.0, 0.0, 0.0, 0.0});
+    survey.rough = rough;
+    return survey.adjusted().errors[10];
+  };
+  EXPECT_NEAR(errorFor(0.0012), 0.060, 0.002);
+  EXPECT_NEAR(errorFor(0.0020), 0.0, 0.005);
+}
+
+TEST(GrossShifts, AreAsLargeWhereTheyAreLookedForAgain) {
+  const auto errorFor = [](double astray) {
+    GrossSurvey survey({0.060, 0.0, 0.0, 0.0, 0.0});
+    survey.astray = astray;
+    return survey.adjusted().errors[10];
+  };
+  EXPECT_NEAR(errorFor(0.0075), 0.060, 0.002);
+  EXPECT_NEAR(errorFor(0.0140), 0.0, 0.005);
 }
 
 TEST(GrossShifts, AreDroppedWhereTheyLetNoMoreArcsCompare) {

@@ -57,6 +57,7 @@ TEST(SetupGroups, NameTheHigherOnesOfThoseThatAreCompared) {
   const SetupGroups groups = twoGroups(heights);
   EXPECT_NEAR(groups.apart, 0.010, 1e-4);
   EXPECT_EQ(groups.higher, (std::vector<bool>{false, false, false, false, true, true, true}));
+  EXPECT_EQ(groups.lower, (std::vector<bool>{false, true, true, true, false, false, false}));
 }
 
 /// Eight setups that see far round the ring, every other one of a survey higher by 5 mm.
@@ -82,6 +83,28 @@ TEST(SetupGroups, OfTwoSurveysHalfOfTheDifferenceIsInWhatAllErrBy) {
   }
   EXPECT_GT(std::sqrt(least), 0.0024);
   EXPECT_LT(std::sqrt(least), 0.0040);
+}
+
+TEST(SetupGroups, AsManyAsMayBeBadAreBad) {
+  const auto adjustedOf = [](std::size_t setups) {
+    Recipe recipe;
+    recipe.setups = setups;
+    recipe.half_view = 100.0 * kDegree;
+    recipe.sigma_error = recipe.sigma_plan = 0.0001, recipe.sigma_tilt = 1e-7;
+    std::mt19937_64 random(4);
+    Survey survey = made(recipe, random);
+    survey.errors[10] += 0.060, survey.errors[15] += 0.060;  // side by side
+    look(recipe, survey, random);
+    return adjustSetups(survey.arcs, setups, {});
+  };
+  const SetupAdjustment ten = adjustedOf(10);
+  EXPECT_TRUE(ten.bad[2] && ten.bad[3]);
+  EXPECT_FALSE(ten.groups.found());
+  EXPECT_NEAR(ten.errors[0], 0.0, 0.001);
+  EXPECT_NEAR(ten.errors[10], 0.060, 0.002);
+  const SetupAdjustment nine = adjustedOf(9);
+  EXPECT_FALSE(nine.bad[2] && nine.bad[3]);
+  EXPECT_NEAR(nine.groups.apart, 0.060, 0.003);
 }
 
 TEST(SetupGroups, ABadSetupIsOfNoGroup) {

@@ -41,8 +41,8 @@ struct Places {
     }
     return *this;
   }
-  Places& alone(int places, int of_each = 2) {
-    for (int k = 0; k < places; ++k, ++count) points.insert(points.end(), of_each, {10.0 * count, 0.1 * count, 0.0});
+  Places& alone(int places) {
+    for (int k = 0; k < places; ++k, ++count) points.insert(points.end(), 2, {10.0 * count, 0.1 * count, 0.0});
     return *this;
   }
   double step() const { return turnedGridStep(points, kFinest); }

@@ -44,6 +44,7 @@ inline void look(const Recipe& recipe, Survey& survey, std::mt19937_64& random) 
     const bool shell = a % 2 == 1;
     const double azimuth = (a / 2 + 0.5) * kTwoPi / kArcs;
     ArcView arc;
+    arc.number = static_cast<std::size_t>(a / 2);
     arc.shell = shell;
     arc.azimuth = azimuth;
     for (std::size_t s = 0; s < recipe.setups; ++s) {
