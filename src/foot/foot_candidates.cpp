@@ -141,8 +141,9 @@ void addParts(const std::vector<Bin>& run, const FootScales& scales, std::vector
   if (middle != run.end()) addParts({middle, run.end()}, scales, parts);
 }
 
-/// How many points a metre lie at the bottom of sorted elevations, far below any foot, as few of those above; else 0. A
-/// wet floor mirrors some beams to the shell: their points lie straight below it, as far down as it stands up.
+/// How many points a metre lie at the bottom of sorted elevations, far below any foot, where those are far fewer than
+/// above; else 0. A wet floor mirrors some beams to the shell: their points lie straight below it, as far down as it
+/// stands up.
 double mirroredIn(const std::vector<double>& z, double bottom, double reach) {
   constexpr double kDeep = 0.2;  // of the reach
   constexpr double kFew = 0.1;   // of the points a metre from there on

@@ -57,10 +57,11 @@ SetupGroups groupsOf(const SetupAdjustment& result) {
   return twoGroups(heights);
 }
 
-/// Makes bad setups of the smaller group where no more may be bad than are then: they support each other, so that none
-/// of them stands out.
-bool freeSmaller(SetupAdjustment& result) {
-  if (!result.groups.found()) return false;
+/// Makes bad setups of the smaller group where it is plainly farther off than usual, and no more may be bad than are
+/// then: its setups support each other, so that none of them stands out.
+bool freeSmaller(SetupAdjustment& result, const KindSigmas& usual) {
+  constexpr double kPlainly = 3.0;  // sigmas
+  if (!(result.groups.apart > kPlainly * usual[0])) return false;
   std::vector<bool> bad = result.bad;
   for (std::size_t s = 0; s < bad.size(); ++s) bad[s] = bad[s] || result.groups.smaller()[s];
   if (static_cast<std::size_t>(std::count(bad.begin(), bad.end(), true)) > mostBad(bad.size())) return false;
@@ -91,6 +92,10 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
   result.freed = result.bad;
   SetupSolution solution;
   KindSigmas sigmas = usual;
+  const auto solve = [&](const SetupSystem& system) {
+    sigmas = chooseSigmas(system, usual, options, result.freed, result);
+    solution = solveSetups(system, priorSigmas(sigmas, result.freed));
+  };
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const SetupSystem system = overlaps.system();
     // the first rounds learn the arcs' own errors, for which the setups' may be anything
@@ -102,9 +107,11 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
         for (std::size_t s = 0; s < setups; ++s) result.freed[s] = result.bad[s] && beyond_doubt[s];
       }
     }
-    sigmas = iteration < 2 ? KindSigmas{5.0 * usual[0], 5.0 * usual[1], 5.0 * usual[2]}
-                           : chooseSigmas(system, usual, options, result.freed, result);
-    solution = solveSetups(system, priorSigmas(sigmas, result.freed));
+    if (iteration < 2) {
+      solution = solveSetups(system, priorSigmas({5.0 * usual[0], 5.0 * usual[1], 5.0 * usual[2]}, result.freed));
+    } else {
+      solve(system);
+    }
     if (iteration + 1 < kIterations) overlaps.learnFrom(solution);
   }
   const auto take = [&] {
@@ -115,10 +122,8 @@ SetupAdjustment adjustSetups(const std::vector<ArcView>& arcs, std::size_t setup
     result.groups = groupsOf(result);
   };
   take();
-  if (options.bad != BadSetups::Keep && freeSmaller(result)) {
-    const SetupSystem system = overlaps.system();
-    sigmas = chooseSigmas(system, usual, options, result.freed, result);
-    solution = solveSetups(system, priorSigmas(sigmas, result.freed));
+  if (options.bad != BadSetups::Keep && freeSmaller(result, usual)) {
+    solve(overlaps.system());
     take();
   }
   doubtGroups(result);

@@ -86,25 +86,29 @@ TEST(SetupGroups, OfTwoSurveysHalfOfTheDifferenceIsInWhatAllErrBy) {
 }
 
 TEST(SetupGroups, AsManyAsMayBeBadAreBad) {
-  const auto adjustedOf = [](std::size_t setups) {
+  const auto adjustedOf = [](std::size_t setups, double apart) {
     Recipe recipe;
     recipe.setups = setups;
     recipe.half_view = 100.0 * kDegree;
     recipe.sigma_error = recipe.sigma_plan = 0.0001, recipe.sigma_tilt = 1e-7;
     std::mt19937_64 random(4);
     Survey survey = made(recipe, random);
-    survey.errors[10] += 0.060, survey.errors[15] += 0.060;  // side by side
+    survey.errors[10] += apart, survey.errors[15] += apart;  // side by side
     look(recipe, survey, random);
     return adjustSetups(survey.arcs, setups, {});
   };
-  const SetupAdjustment ten = adjustedOf(10);
+  const SetupAdjustment ten = adjustedOf(10, 0.060);
   EXPECT_TRUE(ten.bad[2] && ten.bad[3]);
   EXPECT_FALSE(ten.groups.found());
   EXPECT_NEAR(ten.errors[0], 0.0, 0.001);
   EXPECT_NEAR(ten.errors[10], 0.060, 0.002);
-  const SetupAdjustment nine = adjustedOf(9);
+  const SetupAdjustment nine = adjustedOf(9, 0.060);
   EXPECT_FALSE(nine.bad[2] && nine.bad[3]);
   EXPECT_NEAR(nine.groups.apart, 0.060, 0.003);
+  EXPECT_TRUE(adjustedOf(10, 0.009).bad[2]);
+  const SetupAdjustment near = adjustedOf(10, 0.0045);
+  EXPECT_FALSE(near.bad[2]) << "no farther off than is usual";
+  EXPECT_NEAR(near.groups.apart, 0.0045, 0.0003);
 }
 
 TEST(SetupGroups, ABadSetupIsOfNoGroup) {
