@@ -8,6 +8,12 @@
 namespace tank_datum {
 namespace {
 
+/// Whether noise is as wide as lips.
+bool isBlurred(const ShellStrip& strip, double reach) {
+  constexpr double kNarrowest = 0.03;  // lips, of the reach: 15 mm
+  return strip.from >= kNarrowest * reach;
+}
+
 /// What is seen nearest to the shell.
 std::vector<double> heightsNearest(const ShellStrip& strip, double reach) {
   constexpr double kNearest = 1.0 / 3.0;  // of the strip
@@ -30,6 +36,7 @@ BlurredRise riseOf(const std::vector<double>& heights) {
 BlurredRise blurredRise(const std::vector<ShellStrip>& strips, double reach) {
   std::vector<double> all;
   for (const ShellStrip& strip : strips) {
+    if (!isBlurred(strip, reach)) continue;
     const std::vector<double> heights = heightsNearest(strip, reach);
     all.insert(all.end(), heights.begin(), heights.end());
   }
@@ -37,9 +44,9 @@ BlurredRise blurredRise(const std::vector<ShellStrip>& strips, double reach) {
 }
 
 double blurredLip(const ShellStrip& strip, const BlurredRise& round_the_ring, double reach) {
-  constexpr double kNarrowest = 0.03, kUsual = 0.1;  // lips, of the reach: 15 and 50 mm
-  constexpr double kThickness = 0.02;                // of the reach: 10 mm
-  if (!strip.valid() || strip.from < kNarrowest * reach) return 0.0;
+  constexpr double kUsual = 0.1;       // lips, of the reach: 50 mm
+  constexpr double kThickness = 0.02;  // of the reach: 10 mm
+  if (!strip.valid() || !isBlurred(strip, reach)) return 0.0;
   const double hidden = strip.from < kUsual * reach ? 0.0 : kThickness * reach;
   const BlurredRise here = riseOf(heightsNearest(strip, reach));
   const BlurredRise& rise = here.isSure() ? here : round_the_ring;

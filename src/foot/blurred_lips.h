@@ -13,7 +13,7 @@ struct BlurredRise {
   bool isSure() const { return height > 3.0 * error; }
 };
 
-/// What all strips show together.
+/// What all strips show together; nothing where noise is narrower than lips.
 BlurredRise blurredRise(const std::vector<ShellStrip>& strips, double reach);
 
 /// How high a lip may be that noise blurs into the shell [m]: what is seen beside it then rises towards it, plainly

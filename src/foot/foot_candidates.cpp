@@ -141,16 +141,17 @@ void addParts(const std::vector<Bin>& run, const FootScales& scales, std::vector
   if (middle != run.end()) addParts({middle, run.end()}, scales, parts);
 }
 
-/// How many points a metre lie at the bottom of sorted elevations, far below any foot, where those are far fewer than
+/// How many points a metre lie at the bottom of some elevations, far below any foot, where those are far fewer than
 /// above; else 0. A wet floor mirrors some beams to the shell: their points lie straight below it, as far down as it
 /// stands up.
 double mirroredIn(const std::vector<double>& z, double bottom, double reach) {
   constexpr double kDeep = 0.2;  // of the reach
   constexpr double kFew = 0.1;   // of the points a metre from there on
   const double deep = bottom + kDeep * reach;
-  const auto above = std::lower_bound(z.begin(), z.end(), deep);
-  const double density = static_cast<double>(above - z.begin()) / (kDeep * reach);
-  return density * (z.back() - deep) < kFew * static_cast<double>(z.end() - above) ? density : 0.0;
+  const auto below = static_cast<double>(std::count_if(z.begin(), z.end(), [&](double at) { return at < deep; }));
+  if (below == 0.0) return 0.0;
+  const double density = below / (kDeep * reach), top = *std::max_element(z.begin(), z.end());
+  return density * (top - deep) < kFew * (static_cast<double>(z.size()) - below) ? density : 0.0;
 }
 
 /// The elevation that the shell is seen down to, but for stray points and its image.
@@ -166,9 +167,12 @@ double endOfShell(const std::vector<FootPoint>& points, const FootScales& scales
   }
   std::size_t at = kStray + z.size() / 500;
   if (at >= z.size()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(z.begin(), z.end());
   const double mirrored = mirroredIn(z, bottom, scales.reach);
-  if (mirrored == 0.0) return z[at];
+  if (mirrored == 0.0) {
+    std::nth_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(at), z.end());
+    return z[at];
+  }
+  std::sort(z.begin(), z.end());
   const auto isImage = [&](std::size_t index) {
     const double of_image = kUneven * mirrored * (z[index] - bottom);
     return static_cast<double>(index) < of_image + kChance * std::sqrt(of_image);

@@ -17,11 +17,6 @@ SetupMotion grossPartOf(const SetupMotion& error, double least) {
   return gross;
 }
 
-SetupMotion errorOf(const SetupAdjustment& adjusted, std::size_t setup) {
-  const auto at = static_cast<Eigen::Index>(setup) * SetupMotion::kParameters;
-  return SetupMotion::of(adjusted.errors.segment<SetupMotion::kParameters>(at));
-}
-
 bool isGross(const SetupMotion& shift) { return !shift.vector().isZero(0.0); }
 
 bool anyGross(const std::vector<SetupMotion>& shifts) { return std::any_of(shifts.begin(), shifts.end(), isGross); }
@@ -73,19 +68,24 @@ std::vector<ArcView> viewWithGrossShifts(const std::function<std::vector<ArcView
   wide.window *= kFarther;
   wide.most_of_arc = kFew;
   const SetupAdjustment coarse = adjustSetups(view(wide), setups, options);
-  for (std::size_t s = 0; s < setups; ++s) scope.shifts.push_back(grossPartOf(errorOf(coarse, s), kGross * window));
+  for (std::size_t s = 0; s < setups; ++s) scope.shifts.push_back(grossPartOf(coarse.errorOf(s), kGross * window));
   if (!anyGross(scope.shifts)) return usual;
   const std::vector<ArcView> shifted = view(scope);
   const SetupAdjustment again = adjustSetups(shifted, setups, options);
+  bool all = true;
   for (std::size_t s = 0; s < setups; ++s) {
     SetupMotion& shift = scope.shifts[s];
-    const SetupMotion error = errorOf(again, s);
+    if (!isGross(shift)) continue;
+    const SetupMotion looked_for = shift;
+    const SetupMotion error = again.errorOf(s);
     const bool is_level = toArcSeconds(std::hypot(error.tilt_x, error.tilt_y)) <= kLevel,
                fits = std::abs(error.dz - shift.dz) <= kSame * window && again.rms_after[s] <= kLeft * again.all_after;
     if (!is_level || !fits || !letsCompare(usual, shifted, s, false)) shift.dz = 0.0;
     if (!letsCompare(usual, shifted, s, true) || std::hypot(error.dx - shift.dx, error.dy - shift.dy) > kSame * window)
       shift.dx = shift.dy = 0.0;
+    all = all && shift.vector() == looked_for.vector();
   }
+  if (all) return shifted;
   return anyGross(scope.shifts) ? view(scope) : usual;
 }
 

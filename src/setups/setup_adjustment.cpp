@@ -51,8 +51,7 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
 SetupGroups groupsOf(const SetupAdjustment& result) {
   std::vector<double> heights(result.bad.size(), kUnknown);
   for (std::size_t s = 0; s < heights.size(); ++s) {
-    const auto at = static_cast<Eigen::Index>(s) * SetupMotion::kParameters;
-    if (!result.bad[s] && std::isfinite(result.rms_before[s])) heights[s] = result.errors[at];
+    if (!result.bad[s] && std::isfinite(result.rms_before[s])) heights[s] = result.errorOf(s).dz;
   }
   return twoGroups(heights);
 }

@@ -30,6 +30,11 @@ struct SetupAdjustment {
   std::vector<double> rms_before, rms_after;  ///< of each setup's foundation against the others', NaN without any [m]
   double all_before = kUnknown, all_after = kUnknown;
   SetupGroups groups;
+
+  SetupMotion errorOf(std::size_t setup) const {
+    const auto at = static_cast<Eigen::Index>(setup) * SetupMotion::kParameters;
+    return SetupMotion::of(errors.segment<SetupMotion::kParameters>(at));
+  }
 };
 
 /// Least squares of the differences in the overlaps with priors on every parameter (Bayes), so that the common part of

@@ -5,7 +5,6 @@
 #include <complex>
 #include <vector>
 
-#include "core/portable_math.h"
 #include "core/statistics.h"
 
 namespace tank_datum {

@@ -60,12 +60,18 @@ TEST(SetupGroups, NameTheHigherOnesOfThoseThatAreCompared) {
   EXPECT_EQ(groups.lower, (std::vector<bool>{false, true, true, true, false, false, false}));
 }
 
-/// Eight setups that see far round the ring, every other one of a survey higher by 5 mm.
-SetupAdjustment twoSurveys(double bad_height = 0.0) {
+/// Setups that see far round the ring, and err by next to nothing.
+Recipe farSeeing(std::size_t setups) {
   Recipe recipe;
-  recipe.setups = 8;
+  recipe.setups = setups;
   recipe.half_view = 100.0 * kDegree;
   recipe.sigma_error = recipe.sigma_plan = 0.0001, recipe.sigma_tilt = 1e-7;
+  return recipe;
+}
+
+/// Eight of them, every other one of a survey higher by 5 mm.
+SetupAdjustment twoSurveys(double bad_height = 0.0) {
+  const Recipe recipe = farSeeing(8);
   std::mt19937_64 random(4);
   Survey survey = made(recipe, random);
   for (Eigen::Index s = 0; s < 8; s += 2) survey.errors[5 * s] += 0.005;
@@ -87,10 +93,7 @@ TEST(SetupGroups, OfTwoSurveysHalfOfTheDifferenceIsInWhatAllErrBy) {
 
 TEST(SetupGroups, AsManyAsMayBeBadAreBad) {
   const auto adjustedOf = [](std::size_t setups, double apart) {
-    Recipe recipe;
-    recipe.setups = setups;
-    recipe.half_view = 100.0 * kDegree;
-    recipe.sigma_error = recipe.sigma_plan = 0.0001, recipe.sigma_tilt = 1e-7;
+    const Recipe recipe = farSeeing(setups);
     std::mt19937_64 random(4);
     Survey survey = made(recipe, random);
     survey.errors[10] += apart, survey.errors[15] += apart;  // side by side

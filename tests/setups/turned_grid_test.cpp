@@ -48,7 +48,7 @@ struct Places {
   double step() const { return turnedGridStep(points, kFinest); }
 };
 
-TEST(TurnedGrid, IsSeenWhatWayEverItWasTurned) {
+TEST(TurnedGrid, IsSeenWhicheverWayItWasTurned) {
   for (const double turn : {0.0, 5.0 * kDegree, 35.0 * kDegree, 45.0 * kDegree, 200.0 * kDegree}) {
     EXPECT_NEAR(turnedGridStep(wall(0.010, turn), kFinest), 0.010, 1e-9) << turn;
     EXPECT_NEAR(turnedGridStep(wall(0.004, turn), kFinest), 0.004, 1e-9) << turn;
