@@ -14,6 +14,7 @@
 #include "locate/crop.h"
 #include "locate/foot_unit.h"
 #include "locate/locate.h"
+#include "locate/narrow_ringwall.h"
 #include "refusals.h"
 #include "setups/agreement.h"
 #include "setups/merged_scans.h"
@@ -97,10 +98,7 @@ void shareErrors(Datum& datum, const Ring& ring) {
   if (ring.setupCount() == 1) judgeMerged(datum.agreement, ring, datum.tank, datum.stations, datum.circle.center, band);
   SharedErrors shared = shareSetupErrors(datum.agreement, datum.stations, shares, profile.slope);
   datum.covariance = std::move(shared.covariance);
-  datum.stations = withParts(std::move(datum.stations), shared.stations);
-  for (Station& s : datum.stations) {
-    if (std::isfinite(s.sigma_setup)) s.sigma_z = std::hypot(s.sigma_z, s.sigma_setup);
-  }
+  datum.stations = withSharedErrors(std::move(datum.stations), shared);
   for (std::size_t i = 0; i < shared.seen.size(); ++i) {
     datum.agreement.setups[i].stations = shared.seen[i].size();
     datum.agreement.setups[i].seen = std::move(shared.seen[i]);
@@ -164,6 +162,7 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
   const auto also = [&bands](std::uint64_t n, const Points& block) { bands.gather(n, block); };
   Ring ring = cropRing(scan, tank, options.crop, also, options.threads);
+  if (const std::optional<Tank> upon = onNarrowRingwall(ring, tank)) return measureDatum(*upon, scan, given, callbacks);
   datum.counts = ring.counts;
   tell(callbacks, "setups");
   datum.agreement = adjustSetups(ring, scan, tank, options);

@@ -109,7 +109,7 @@ StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
     if (scatter > std::min(least_scatter, kClear * apart)) continue;
     least_scatter = scatter;
     above = end - middle, lower_top = run[middle - 1].z;
-    step = {lowest.z + between, lowest.off + pieces.upperAt(between), apart, lowest.z, top};
+    step = {lowest.z + between, lowest.off + pieces.upperAt(between), apart, lowest.z, top, scatter};
   }
   return lower_top <= top - piece && above >= kFewest ? step : StepBack{};
 }

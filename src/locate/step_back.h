@@ -12,11 +12,12 @@ constexpr double kHighestRingwall = 2.0;  ///< above the ground [m]
 
 /// Where a wall stands behind what is seen of it below, as a shell does upon a ringwall; NaN where it nowhere does.
 struct StepBack {
-  double height = kUnknown;  ///< from which on it does [m]
-  double off = kUnknown;     ///< of the upper wall there, outside of the circle [m]
-  double width = kUnknown;   ///< how far the lower one stands out of it [m]
-  double bottom = kUnknown;  ///< of the lower one [m]
-  double top = kUnknown;     ///< of the upper one [m]
+  double height = kUnknown;   ///< from which on it does [m]
+  double off = kUnknown;      ///< of the upper wall there, outside of the circle [m]
+  double width = kUnknown;    ///< how far the lower one stands out of it [m]
+  double bottom = kUnknown;   ///< of the lower one [m]
+  double top = kUnknown;      ///< of the upper one [m]
+  double scatter = kUnknown;  ///< of both about their lines, mean of the absolute values [m]
 
   bool found() const { return std::isfinite(height); }
 };
