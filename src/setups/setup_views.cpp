@@ -12,7 +12,9 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/ring_cells.h"
+#include "setups/before_shell.h"
 #include "stations/highest_wave.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -60,6 +62,11 @@ struct Look {
   double reach;
   const ViewScope& scope;
 
+  double heightOf(const SetupRing::Entry& e) const { return e.z - tank.foot(e.azimuth); }
+  bool isShell(double off, double height) const {
+    return std::abs(off) < scope.window * reach && height >= kShellFrom * reach;
+  }
+
   /// A point without what its setup is thought to be off by.
   SetupRing::Entry unshifted(SetupRing::Entry e) const {
     if (scope.shifts.empty()) return e;
@@ -70,7 +77,8 @@ struct Look {
   }
 };
 
-ArcPoints pointsOf(const Look& look, ArcWidth width, std::size_t arc) {
+/// @param before  nothing for the foundation alone
+ArcPoints pointsOf(const Look& look, const BeforeShell* before, ArcWidth width, std::size_t arc) {
   const auto& [ring, tank, reach, scope] = look;
   const SetupRing::Entry* begin = ring.begin(arc * width.cells);
   const SetupRing::Entry* end = ring.end((arc + 1) * width.cells - 1);
@@ -90,7 +98,7 @@ ArcPoints pointsOf(const Look& look, ArcWidth width, std::size_t arc) {
       all.foot.push_back({t, e.z, static_cast<std::uint16_t>(d / (kFootBin * reach)), e.setup, part});
       all.foot_radius += e.radius;
       all.foot_z += e.z;
-    } else if (std::abs(d) < scope.window * reach && h >= kShellFrom * reach) {
+    } else if (before && look.isShell(d, h) && !before->holds(e)) {
       all.shell.push_back({t, e.radius - outline, static_cast<std::uint16_t>(h / (kShellBin * reach)), e.setup, part});
       all.shell_z += e.z;
     }
@@ -108,7 +116,7 @@ ArcWidth widthOf(const Look& look, int threads) {
   std::vector<std::vector<double>> counts(SetupRing::kArcs);
   forEachIndex(SetupRing::kArcs, threads, [&](std::size_t arc) {
     std::map<std::uint16_t, double> of_setups;
-    for (const ArcPoint& p : pointsOf(look, {}, arc).foot) of_setups[p.setup] += 1.0;
+    for (const ArcPoint& p : pointsOf(look, nullptr, {}, arc).foot) of_setups[p.setup] += 1.0;
     for (const auto& [setup, points] : of_setups) counts[arc].push_back(points);
   });
   std::vector<double> all = concatenated(counts);
@@ -185,6 +193,12 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
   constexpr double kSettlement = 0.01;  // slope of a datum along its shell [m/m]
   constexpr double kLobe = 0.02;        // slope that the shell's outline leaves over [m/m]
   const Look look{ring, tank, reach, scope};
+  const auto radius_of = [&look](const SetupRing::Entry& given) {
+    const SetupRing::Entry e = look.unshifted(given);
+    const double outline = look.ring.outlineAt(e.azimuth);
+    return look.isShell(e.radius - outline, look.heightOf(e)) ? e.radius : kUnknown;
+  };
+  const BeforeShell before(ring, tank, reach, radius_of, threads);
   const ArcWidth width = widthOf(look, threads);
   const double length = tank.circle.radius * kTwoPi / static_cast<double>(width.count());
   const ArcPrior foot_prior{kSettlement, kHighestWave / tank.circle.radius, scope.window * reach, width.parts(),
@@ -193,7 +207,7 @@ std::vector<ArcView> viewArcs(const SetupRing& ring, const Tank& tank, double re
                              kLobe * length};
   std::vector<std::optional<ArcView>> found(2 * width.count());
   forEachIndex(width.count(), threads, [&](std::size_t arc) {
-    ArcPoints points = pointsOf(look, width, arc);
+    ArcPoints points = pointsOf(look, &before, width, arc);
     for (const bool shell : {false, true}) {
       if (!shell && fallOf(points.foot, kFootBin * reach) > kBank) continue;
       std::vector<ArcPoint>& own = shell ? points.shell : points.foot;
