@@ -3,12 +3,14 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "setups/merged_scans.h"
 #include "setups/station_cells.h"
 #include "stations/station_covariance.h"
+#include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -142,12 +144,35 @@ Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares&
   return rows.bottomRows(parameters - first).colwise().reverse();
 }
 
+std::vector<double> setupRadiusErrors(const SetupAgreement& agreement, const SetupShares& shares,
+                                      const std::vector<Station>& stations) {
+  const auto count = static_cast<Eigen::Index>(stations.size());
+  std::vector<double> errors(stations.size(), 0.0);
+  if (agreement.merged_sigma > 0.0) std::fill(errors.begin(), errors.end(), agreement.merged_sigma);
+  const Eigen::Index parameters = agreement.covariance.rows();
+  if (parameters == 0) return errors;
+  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(count, parameters), centre = Eigen::MatrixXd::Zero(count, 2);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Station& station = stations[static_cast<std::size_t>(i)];
+    if (!std::isfinite(station.z)) continue;
+    const Eigen::RowVector2d outwards(portable::cos(station.direction), portable::sin(station.direction));
+    centre.row(i) = outwards;
+    for (Eigen::Index s = 0; s < shares.shell.cols(); ++s)
+      derivatives.block<1, 2>(i, s * SetupMotion::kParameters + 3) = shares.shell(i, s) * outwards;
+  }
+  derivatives -= centre * (centre.transpose() * centre).ldlt().solve(centre.transpose() * derivatives);
+  const Eigen::VectorXd variances = (derivatives * agreement.covariance).cwiseProduct(derivatives).rowwise().sum();
+  for (Eigen::Index i = 0; i < count; ++i) errors[static_cast<std::size_t>(i)] = std::sqrt(std::max(0.0, variances[i]));
+  return errors;
+}
+
 SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector<Station>& stations,
                               const SetupShares& shares, double slope) {
   SharedErrors shared;
   shared.covariance = independentCovariance(stations);
   shared.covariance.factors = agreement.merged_sigma > 0.0 ? mergedFactors(stations, agreement.merged_sigma)
                                                            : setupFactors(agreement, shares, stations, slope);
+  shared.radius_errors = setupRadiusErrors(agreement, shares, stations);
   shared.stations.resize(stations.size());
   shared.seen.resize(agreement.setups.size());
   const bool one_has_points = shares.foundation.cols() == 1;
@@ -165,6 +190,16 @@ SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector
     shared.stations[i].n_setups = seen;
   }
   return shared;
+}
+
+std::vector<Station> withSharedErrors(std::vector<Station> stations, const SharedErrors& shared) {
+  stations = withParts(std::move(stations), shared.stations);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    Station& s = stations[i];
+    if (std::isfinite(s.sigma_setup)) s.sigma_z = std::hypot(s.sigma_z, s.sigma_setup);
+    s.sigma_radius = std::hypot(s.sigma_radius, shared.radius_errors[i]);
+  }
+  return stations;
 }
 
 }  // namespace tank_datum

@@ -37,14 +37,22 @@ SetupShares setupShares(const Ring& ring, const Tank& tank, const std::vector<St
 Eigen::MatrixXd setupFactors(const SetupAgreement& agreement, const SetupShares& shares,
                              const std::vector<Station>& stations, double slope);
 
+/// What the setups' remaining errors in plan do to the stations' radii from the centre of all [m]: standard errors.
+std::vector<double> setupRadiusErrors(const SetupAgreement& agreement, const SetupShares& shares,
+                                      const std::vector<Station>& stations);
+
 /// What the setups' errors mean for the stations.
 struct SharedErrors {
   StationCovariance covariance;                ///< of the stations' elevations
+  std::vector<double> radius_errors;           ///< of the stations' radii, shared ones [m]
   std::vector<StationSetups> stations;         ///< of each that has an elevation
   std::vector<std::vector<std::size_t>> seen;  ///< by each setup: numbers of measured stations, rising
 };
 
 SharedErrors shareSetupErrors(const SetupAgreement& agreement, const std::vector<Station>& stations,
                               const SetupShares& shares, double slope);
+
+/// The stations with what they share in their standard errors.
+std::vector<Station> withSharedErrors(std::vector<Station> stations, const SharedErrors& shared);
 
 }  // namespace tank_datum

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "core/units.h"
@@ -42,6 +43,7 @@ std::vector<Station> madeStations(bool clockwise = false, int count = 360) {
     s.z = 0.0;
     s.sigma_z = 0.0003;
     s.radius = kRadius;
+    s.sigma_radius = 0.0004;
     s.x = kRadius * std::cos(s.direction);
     s.y = kRadius * std::sin(s.direction);
     s.window = kTwoPi / 360.0;
@@ -109,7 +111,7 @@ TEST(SetupShares, ErrorsOfSetupsAreSharedByTheirStations) {
   stations[10].z = stations[10].sigma_z = std::nan("");
   SetupAgreement agreement = madeAgreement();
   const SetupShares shares = setupShares(madeRing(), madeTank(), stations, {0.0, 0.0}, kBand);
-  const auto [covariance, parts, seen] = shareSetupErrors(agreement, stations, shares, 0.0);
+  const auto [covariance, radius_errors, parts, seen] = shareSetupErrors(agreement, stations, shares, 0.0);
   EXPECT_NEAR(parts[90].sigma_setup, 0.002, 1e-9);
   EXPECT_NEAR(covariance.sigma(90), std::hypot(0.002, 0.0003), 1e-9);
   EXPECT_EQ(parts[90].n_setups, 1U);
@@ -125,6 +127,40 @@ TEST(SetupShares, ErrorsOfSetupsAreSharedByTheirStations) {
   EXPECT_EQ(covariance.factors.col(10).norm(), 0.0);
   EXPECT_TRUE(fits(covariance, stations));
   EXPECT_EQ(seen[0].size(), 200U);  // 0 ... 200 without station 10, the last seen by half of its window
+}
+
+TEST(SetupShares, ErrorsInPlanAreThoseOfRadiiFromTheCentreOfAll) {
+  const auto stations = madeStations();
+  const SetupShares shares = setupShares(madeRing(), madeTank(), stations, {0.0, 0.0}, kBand);
+  SetupAgreement agreement = madeAgreement();
+  for (const double error : setupRadiusErrors(agreement, shares, stations)) EXPECT_EQ(error, 0.0);  // heights alone
+  for (const int i : {3, 8}) {
+    for (const int j : {3, 8}) agreement.covariance(i, j) = 4e-6;  // both together by 2 mm along x
+  }
+  for (const double error : setupRadiusErrors(agreement, shares, stations)) EXPECT_NEAR(error, 0.0, 1e-9);
+  agreement.covariance(3, 3) = 0.0, agreement.covariance(3, 8) = agreement.covariance(8, 3) = 0.0;  // the second alone
+  const std::vector<double> errors = setupRadiusErrors(agreement, shares, stations);
+  Eigen::MatrixXd outwards(360, 2);
+  Eigen::VectorXd moved(360);
+  for (int i = 0; i < 360; ++i) {
+    const double direction = stations[static_cast<std::size_t>(i)].direction;
+    outwards.row(i) << std::cos(direction), std::sin(direction);
+    moved[i] = 0.002 * shares.shell(i, 1) * outwards(i, 0);
+  }
+  moved -= outwards * outwards.colPivHouseholderQr().solve(moved);
+  EXPECT_GT(moved.cwiseAbs().maxCoeff(), 0.0005);
+  for (int i = 0; i < 360; ++i) EXPECT_NEAR(errors[static_cast<std::size_t>(i)], std::abs(moved[i]), 1e-9) << i;
+}
+
+TEST(SetupShares, ScansMergedWithoutLabelsErrInPlanAsInHeight) {
+  const auto stations = madeStations();
+  const SetupShares shares = setupShares(madeRing(), madeTank(), stations, {0.0, 0.0}, kBand);
+  SetupAgreement agreement;
+  agreement.merged_sigma = 0.003;
+  for (const double error : setupRadiusErrors(agreement, shares, stations)) EXPECT_EQ(error, 0.003);
+  const auto known = withSharedErrors(stations, shareSetupErrors(agreement, stations, shares, 0.0));
+  EXPECT_NEAR(known[90].sigma_z, std::hypot(0.003, 0.0003), 1e-9);
+  EXPECT_NEAR(known[90].sigma_radius, std::hypot(0.003, 0.0004), 1e-9);
 }
 
 TEST(SetupShares, ATiltMovesStationsByTheirDistanceFromTheScanner) {
@@ -161,7 +197,7 @@ TEST(SetupShares, OneSetupSharesNothing) {
   agreement.setups.resize(1);
   agreement.setups[0].points = ring.points.size();
   const SetupShares shares = setupShares(ring, madeTank(), stations, {0.0, 0.0}, kBand);
-  const auto [covariance, parts, seen] = shareSetupErrors(agreement, stations, shares, 0.0);
+  const auto [covariance, radius_errors, parts, seen] = shareSetupErrors(agreement, stations, shares, 0.0);
   EXPECT_EQ(covariance.factors.rows(), 0);
   EXPECT_EQ(parts[5].sigma_setup, 0.0);
   EXPECT_EQ(covariance.sigma(5), 0.0003);
