@@ -97,7 +97,8 @@ def built(copy: Path, compile_time: frozenset[str], wanted: list[str]) -> list[C
     tests = sorted(
         p.stem for p in paths if any(text in str(p.relative_to(copy)) for text in wanted)
     )
-    configure = ["cmake", "-S", copy, "-B", build, "-G", "Ninja", "-DTANK_DATUM_VIEWER=OFF"]
+    configure = ["cmake", "-S", copy, "-B", build, "-G", "Ninja",
+                 "-DTANK_DATUM_VIEWER=OFF", "-DTANK_DATUM_SINGLE_TESTS=ON"]  # fmt: skip
     for command in (configure, ["cmake", "--build", build, "--target", *tests]):
         done = subprocess.run(
             [str(w) for w in command], capture_output=True, text=True, check=False

@@ -12,14 +12,14 @@ namespace tank_datum {
 namespace {
 
 /// A value, and how many are alike to it.
-struct Level {
+struct ValueLevel {
   double value = 0.0;
   std::size_t count = 0;
 };
 
 /// @param alike  what values differ by that are one
-std::vector<Level> levelsOf(const std::vector<double>& sorted, double alike) {
-  std::vector<Level> levels;
+std::vector<ValueLevel> levelsOf(const std::vector<double>& sorted, double alike) {
+  std::vector<ValueLevel> levels;
   for (std::size_t first = 0, end = 0; first < sorted.size(); first = end) {
     for (end = first + 1; end < sorted.size() && sorted[end] - sorted[end - 1] <= alike; ++end) continue;
     levels.push_back({sorted[first], end - first});
@@ -29,9 +29,9 @@ std::vector<Level> levelsOf(const std::vector<double>& sorted, double alike) {
 
 /// How many values the fewest-valued of those levels has that hold so many together, the most-valued first, and are at
 /// least so many.
-std::size_t fewestOfFullest(const std::vector<Level>& levels, double values, std::size_t many) {
+std::size_t fewestOfFullest(const std::vector<ValueLevel>& levels, double values, std::size_t many) {
   std::vector<std::size_t> counts;
-  for (const Level& level : levels) counts.push_back(level.count);
+  for (const ValueLevel& level : levels) counts.push_back(level.count);
   std::sort(counts.rbegin(), counts.rend());
   double held = 0.0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -46,8 +46,8 @@ struct Shared {
   std::vector<double> levels;
   std::size_t held = 0;  ///< values that are so
 
-  Shared(const std::vector<Level>& all, std::size_t fewest) {
-    for (const Level& level : all) {
+  Shared(const std::vector<ValueLevel>& all, std::size_t fewest) {
+    for (const ValueLevel& level : all) {
       if (level.count >= fewest) levels.push_back(level.value), held += level.count;
     }
   }
@@ -85,7 +85,7 @@ double roundingStep(std::vector<double> values, double finest) {
   constexpr std::size_t kFewest = 4;  // levels
   constexpr double kFar = 8.5;        // steps
   std::sort(values.begin(), values.end());
-  const std::vector<Level> levels = levelsOf(values, kAlike * finest);
+  const std::vector<ValueLevel> levels = levelsOf(values, kAlike * finest);
   const double enough = kShare * static_cast<double>(values.size());
   // a few values may be alike by chance, many are not: fullest first, as means of rounded values lie in between
   std::vector<std::size_t> wanted{kMany, 3, 2, 1};
@@ -102,7 +102,7 @@ double roundingStep(std::vector<double> values, double finest) {
 
 double roundingStepBesideFloor(std::vector<double> values, double finest) {
   std::sort(values.begin(), values.end());
-  const std::vector<Level> levels = levelsOf(values, kAlike * finest);
+  const std::vector<ValueLevel> levels = levelsOf(values, kAlike * finest);
   const std::size_t fewest = fewestOfFullest(levels, kShare * static_cast<double>(values.size()), kFewestSingle);
   if (fewest <= kMany) return 0.0;
   const double step = stepBetween(Shared(levels, fewest).levels, kFewestSingle, HUGE_VAL);

@@ -47,7 +47,7 @@ double usualDifference(const FootCandidate& a, const FootCandidate& b, double ar
 }
 
 /// The places as states of a path: state s of place i is candidate s, the last state is none of them.
-struct Ring {
+struct RingPath {
   const Places& places;
   std::vector<std::vector<double>> costs;
   double arc, reach;
@@ -62,7 +62,7 @@ struct Ring {
 };
 
 /// The cheapest path that begins and ends in the best state of the clearest place.
-Choice cheapestPath(const Ring& ring) {
+Choice cheapestPath(const RingPath& ring) {
   const std::size_t count = ring.places.size();
   std::size_t start = 0;
   const auto least = [&](std::size_t i) { return *std::min_element(ring.costs[i].begin(), ring.costs[i].end()); };
@@ -102,7 +102,7 @@ struct Run {
   double cost = 0;  ///< mean of its members', less what its length is worth
 };
 
-std::vector<Run> runsOf(const Ring& ring, const Choice& choice) {
+std::vector<Run> runsOf(const RingPath& ring, const Choice& choice) {
   std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < choice.size(); ++i) {
     if (choice[i]) seen.push_back(i);
@@ -138,7 +138,7 @@ std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, do
   }
   if (noises.empty()) return Choice(places.size());
   const Usual usual{quantile(beginnings, 0.25), std::max(quantile(noises, 0.1), 1e-7)};
-  Ring ring{places, {}, arc, reach};
+  RingPath ring{places, {}, arc, reach};
   for (const auto& place : places) {
     ring.costs.emplace_back();
     for (const FootCandidate& c : place) ring.costs.back().push_back(costOf(c, usual, reach));

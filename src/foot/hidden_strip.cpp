@@ -10,7 +10,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kStrips = 20;
+constexpr std::size_t kNearest = 20;
 constexpr std::size_t kFewest = 3;  // beside the shell that may be hidden
 constexpr std::size_t kBeyond = 6;  // strips that those beside the shell are compared with
 
@@ -155,7 +155,7 @@ StripScales stripScales(const Foot& foot, const FootPass& pass) {
 double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vector<double>& levels) {
   constexpr double kShell = 2.0;  // of the shell's noise, within which its points lie
   const StripScales scales = stripScales(foot, pass);
-  FootStrips seen{scales.width, std::vector<FootStrip>(kStrips), std::vector<FootStrip>(kStrips), {}, 0.0};
+  FootStrips seen{scales.width, std::vector<FootStrip>(kNearest), std::vector<FootStrip>(kNearest), {}, 0.0};
   // a station that has points of what is mostly hidden stands, its neighbours that have none do not
   const std::vector<bool> about = closeTo(foot, elevationsOf(standing(pass.fits, pass.outliers.reasons)));
   for (std::size_t i = 0; i < about.size(); ++i) {
@@ -163,8 +163,8 @@ double hiddenBesideShell(const Foot& foot, const FootPass& pass, const std::vect
     for (const FootPoint& p : foot.points[i]) {
       const double height = p.z - levels[i] - pass.priors.slope[i] * p.d;
       if (std::abs(p.d) <= kShell * foot.scales.shell_noise) seen.shell.push_back(height);
-      const std::size_t strip = scales.stripAt(p.d, kStrips);
-      if (strip == kStrips) continue;
+      const std::size_t strip = scales.stripAt(p.d, kNearest);
+      if (strip == kNearest) continue;
       if (std::abs(height) < scales.within) seen.surface[strip].push_back(height);
       if (strip == 0 && height >= scales.within && height < 3.0 * scales.within) seen.of_shell += 1.0;
       seen.all[strip].push_back(height);

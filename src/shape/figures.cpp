@@ -17,10 +17,6 @@
 namespace tank_datum {
 namespace {
 
-PlacedValue largestOf(const RingRows& rows, const RingSeries& series) {
-  return rows.empty() ? PlacedValue{} : rows.of(rows.largest(series.values()), series.values());
-}
-
 /// The values themselves.
 RingRows valueRows(const RingSeries& series) {
   RingRows rows;
@@ -77,15 +73,15 @@ void Figures::addNeighbours(const SecondDifferences& differences, const SurveyPl
              (differences.message.empty() ? "" : "; " + differences.message);
   }
   const RingRows distortions = distortionRows(seen_.u, plan, radius_), slopes = neighbourRows(seen_.z, plan, radius_);
-  add("neighbour_bend", largestOf(distortions, seen_.u), kTooFew).interval =
+  add("neighbour_bend", distortions.largestOf(seen_.u.values()), kTooFew).interval =
       intervalOf(distortions, distortionRows(whole_.u, plan, radius_), true);
-  add("neighbour_slope", largestOf(slopes, seen_.z), kTooFew).interval =
+  add("neighbour_slope", slopes.largestOf(seen_.z.values()), kTooFew).interval =
       intervalOf(slopes, neighbourRows(whole_.z, plan, radius_), false);
 }
 
 void Figures::addLevels(Analysis& analysis) {
   const RingRows slopes = slopeRows(seen_.z, radius_, 10.0);
-  add("slope_10m", largestOf(slopes, seen_.z), kTooFew).interval =
+  add("slope_10m", slopes.largestOf(seen_.z.values()), kTooFew).interval =
       intervalOf(slopes, slopeRows(whole_.z, radius_, 10.0), false);
   for (const auto& [quantity, arc] : {std::pair("level_9m", 9.0), {"level_3m", 3.0}}) {
     const LevelWithin seen(seen_.z, radius_, arc), whole(whole_.z, radius_, arc);
@@ -118,7 +114,7 @@ void Figures::addCurvature(OutOfPlane& fit) {
 
 void Figures::addOutOfPlane(OutOfPlane& fit) {
   const RingRows rows = valueRows(seen_.u);
-  Measure& measure = add("out_of_plane", largestOf(rows, seen_.u), kTooFew);
+  Measure& measure = add("out_of_plane", rows.largestOf(seen_.u.values()), kTooFew);
   measure.interval = fit.u_interval = intervalOf(rows, valueRows(whole_.u), true);
 }
 

@@ -9,7 +9,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kRounding = 1e-6;
+constexpr double kRoundedArc = 1e-6;
 
 RingPlace atValue(std::size_t i) { return {i, i, 0.0}; }
 
@@ -34,7 +34,7 @@ LevelWithin::LevelWithin(const RingSeries& series, double radius, double arc) {
   std::size_t k = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto within = [&](std::size_t ahead) {
-      return radius * turnAhead(v[i].azimuth, v[(i + ahead) % v.size()].azimuth) <= arc * (1.0 + kRounding);
+      return radius * turnAhead(v[i].azimuth, v[(i + ahead) % v.size()].azimuth) <= arc * (1.0 + kRoundedArc);
     };
     k = k == 0 ? 0 : k - 1;  // the window's end never goes back
     while (k + 1 < v.size() && within(k + 1)) ++k;

@@ -3,17 +3,9 @@
 #include "shape/level_rows.h"
 
 namespace tank_datum {
-namespace {
-
-PlacedValue largestOf(const RingRows& rows, const RingSeries& series) {
-  return rows.empty() ? PlacedValue{} : rows.of(rows.largest(series.values()), series.values());
-}
-
-}  // namespace
-
 PlacedValue steepest(const std::vector<Station>& stations, double radius, double arc, double Station::*quantity) {
   const RingSeries series(stations, quantity, &Station::sigma_z);
-  return largestOf(slopeRows(series, radius, arc), series);
+  return slopeRows(series, radius, arc).largestOf(series.values());
 }
 
 PlacedValue unevennessWithin(const std::vector<Station>& stations, double radius, double arc) {

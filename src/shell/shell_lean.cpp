@@ -16,7 +16,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr int kOrder = 8;           // highest of the shell's lobes that may pass for a lean beside a gap
+constexpr int kLeanOrder = 8;       // highest of the shell's lobes that may pass for a lean beside a gap
 constexpr Eigen::Index kLobes = 3;  // the first coefficient of lobes
 
 /// What a coefficient's variance is, over that of the second harmonic's: lobes of a shell fall off with their number.
@@ -87,7 +87,7 @@ Lean leanOf(const std::vector<Plumbness>& plumbness, const StationOptions& optio
     directions[i] = p.direction, slopes[i] = p.slope;
     height = std::max(height, p.height);
   }
-  const LeanFit fit = fitLean(harmonicRows(directions, kOrder), slopes, worthOf(plumbness));
+  const LeanFit fit = fitLean(harmonicRows(directions, kLeanOrder), slopes, worthOf(plumbness));
   lean.gradient = fit.coefficients.segment<2>(1);
   lean.sigma = std::sqrt(std::max(fit.covariance(1, 1), fit.covariance(2, 2)));
   if (!(2.0 * lean.sigma <= kSteepestShell)) return {};

@@ -13,7 +13,7 @@ namespace tank_datum {
 namespace {
 
 constexpr double kWidestGap = 120.0 * kPi / 180.0;  // of a circle that the rest still determines [rad]
-constexpr int kOrder = 8;  // harmonics that fill gaps; half as many tell how well they can be filled
+constexpr int kOvalOrder = 8;  // harmonics that fill gaps; half as many tell how well they can be filled
 constexpr std::size_t kFewestStations = 8;
 constexpr double kWidestSmooth = 15.0;  // half the arc that extremes are smoothed over [deg]
 
@@ -91,8 +91,8 @@ Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const st
   const double gap = static_cast<double>(widestGap(row)) * kTwoPi / static_cast<double>(row.size());
   if (roundness.stations < kFewestStations || 2 * roundness.stations < row.size() || gap > kWidestGap) return roundness;
   roundness.widest_gap = gap * datum_circle.radius;
-  const Circle circle = circleThrough(row, stations, datum_circle, kOrder);
-  const Circle plainer = circleThrough(row, stations, datum_circle, kOrder / 2);
+  const Circle circle = circleThrough(row, stations, datum_circle, kOvalOrder);
+  const Circle plainer = circleThrough(row, stations, datum_circle, kOvalOrder / 2);
   if (!circle.valid() || !plainer.valid()) return roundness;
   roundness.circle = circle;
   for (std::size_t i = 0; i < row.size(); ++i) {

@@ -28,6 +28,11 @@ class RingRows {
   /// The row with the largest scaled |value|.
   std::size_t largest(const std::vector<RingValue>& values) const;
 
+  /// |row| of that one, as of() gives it; nothing without rows.
+  PlacedValue largestOf(const std::vector<RingValue>& values) const {
+    return empty() ? PlacedValue{} : of(largest(values), values);
+  }
+
   /// The largest scaled |value| of plain numbers, one per value of the ring.
   double largest(const double* values) const;
 

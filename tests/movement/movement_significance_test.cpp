@@ -89,7 +89,7 @@ Epoch levelled(int count, double oval, unsigned seed) {
 }
 
 TEST(CompareEpochs, ATankThatBecameOvalHasMovedByFewPointsToo) {
-  for (const int count : {8, 9, 10, 12, 16, 24, 31, 36}) {
+  for (const int count : {8, 9, 16, 31}) {
     const double oval = count < 11 ? 0.025 : 0.010;
     int found = 0, alarms = 0;
     for (unsigned run = 1; run <= 60; ++run) {

@@ -59,7 +59,7 @@ def test_names_of_ctest() -> None:
 
 def test_parameters_of_the_unit_tests() -> None:
     """What a failing test prints of its parameter, which ctest's names leave out."""
-    programs = sorted(executable("tank_datum").parent.glob("*_test"))
+    programs = sorted(executable("tank_datum").parent.glob("*_tests"))
     assert programs
     for program in programs:
         listed = subprocess.run(
