@@ -31,6 +31,7 @@
 #include "trust/ground_inside.h"
 #include "trust/tank_tests.h"
 #include "trust/tests_of_tank.h"
+#include "upper_foot.h"
 
 namespace tank_datum {
 namespace {
@@ -151,7 +152,9 @@ Datum withChecks(Datum datum, const DatumOptions& options) {
 }
 
 /// The stages after the search for tanks.
-Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given, const Callbacks& callbacks) {
+/// @param upon  the tank on a narrow ringwall, if it may stand on one
+Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given, const Callbacks& callbacks,
+                   std::optional<Tank>& upon) {
   if (!tank.circle.valid()) return withoutTank(scan, given);
   const ThreadScope threads(given.threads);
   const DatumOptions options = inUnits(given, footUnit(tank.circle.radius, tank.resolution));
@@ -162,7 +165,7 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
   const auto also = [&bands](std::uint64_t n, const Points& block) { bands.gather(n, block); };
   Ring ring = cropRing(scan, tank, options.crop, also, options.threads);
-  if (const std::optional<Tank> upon = onNarrowRingwall(ring, tank)) return measureDatum(*upon, scan, given, callbacks);
+  upon = onNarrowRingwall(ring, tank);
   datum.counts = ring.counts;
   tell(callbacks, "setups");
   datum.agreement = adjustSetups(ring, scan, tank, options);
@@ -200,13 +203,6 @@ Datum extractPicked(const std::vector<Tank>& tanks, const Scan& scan, const Datu
   return withSighting(endDatum(std::move(datum), Status::NoTank, why), scan, options);
 }
 
-/// The scan turned about the tank's foot so that the shell, whose lean is known, stands upright.
-Scan levelled(const Scan& scan, const Datum& datum) {
-  const Eigen::Vector2d& center = datum.tank.circle.center;
-  const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
-  return scan.turnedAbout(foot + datum.origin, uprightTurn(datum.lean));
-}
-
 }  // namespace
 
 void requireValid(const DatumOptions& options) { refuseFirst(firstError(options)); }
@@ -224,7 +220,10 @@ std::vector<Tank> findTanks(const Scan& scan, const DatumOptions& options, const
 
 Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
   requireValid(options);
-  return withSighting(measureDatum(tank, scan, options, callbacks), scan, options);
+  std::optional<Tank> upon, none;
+  Datum datum = measureDatum(tank, scan, options, callbacks, upon);
+  if (upon) datum = upperOrLower(measureDatum(*upon, scan, options, callbacks, none), std::move(datum));
+  return withSighting(std::move(datum), scan, options);
 }
 
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
@@ -234,7 +233,7 @@ Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callback
   if (!options.level || !datum.lean.known()) return datum;
   DatumOptions upright = options;
   upright.level = false;
-  return extractDatum(levelled(scan, datum), upright, {callbacks.stage, {}, callbacks.normals});
+  return extractDatum(turnedUpright(scan, datum), upright, {callbacks.stage, {}, callbacks.normals});
 }
 
 std::vector<Datum> extractEveryDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {

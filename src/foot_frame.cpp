@@ -48,6 +48,12 @@ Eigen::Matrix3d uprightTurn(const ShellLean& lean) {
   return Eigen::Quaterniond::FromTwoVectors(lean.axis(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
+Scan turnedUpright(const Scan& scan, const Datum& datum) {
+  const Eigen::Vector2d& center = datum.tank.circle.center;
+  const Eigen::Vector3d foot(center.x(), center.y(), datum.tank.foot.coefficients[0]);
+  return scan.turnedAbout(foot + datum.origin, uprightTurn(datum.lean));
+}
+
 Tank onItsFoot(Tank tank, const ShellEvidence& evidence) {
   if (evidence.known() && FootFrame(tank, evidence.lean).isTurned()) tank.circle = evidence.at_foot;
   return tank;

@@ -14,6 +14,9 @@ DatumOptions inUnits(DatumOptions options, double unit);
 /// The turn that puts a shell that leans so upright.
 Eigen::Matrix3d uprightTurn(const ShellLean& lean);
 
+/// The scan turned about the tank's foot so that the shell, whose lean is known, stands upright.
+Scan turnedUpright(const Scan& scan, const Datum& datum);
+
 /// The tank with the circle of its foot. That of all its height stands beside it where the shell leans, and stations
 /// about it lie beside their azimuths, on a foundation that climbs there once the shell is turned upright.
 Tank onItsFoot(Tank tank, const ShellEvidence& evidence);

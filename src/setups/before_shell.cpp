@@ -51,15 +51,21 @@ BeforeShell::BeforeShell(const SetupRing& ring, const Tank& tank, double reach, 
   constexpr double kClear = 0.01;     // plates, welds and noise [reach]
   const double length = kTwoPi * tank.circle.radius / static_cast<double>(kArcs);
   const double side = tank.side == Side::Outside ? 1.0 : -1.0;
-  for (const ArcRadii& middles : middlesOf(ring, radius_of, threads)) {
+  const std::vector<ArcRadii> middles = middlesOf(ring, radius_of, threads);
+  for (const ArcRadii& own : middles) {
     OfArcs& before = before_.emplace_back();
+    before.fill(false);
     for (std::size_t arc = 0; arc < kArcs; ++arc) {
-      const auto stands_out = [&](std::size_t other, std::size_t apart) {
-        return side * (middles[arc] - middles[other]) > kClear * reach + kBend * length * static_cast<double>(apart);
+      const auto stands_out = [&](std::size_t beside, std::size_t apart) {
+        const double clear = kClear * reach + kBend * length * static_cast<double>(apart);
+        const double out = side * (own[arc] - own[beside]);
+        return out > clear && std::any_of(middles.begin(), middles.end(), [&](const ArcRadii& other) {
+                 return side * (other[arc] - other[beside]) < out - clear;
+               });
       };
-      before[arc] = false;
       for (std::size_t apart = 1; apart <= kBeside; ++apart)
-        before[arc] |= stands_out((arc + apart) % kArcs, apart) || stands_out((arc + kArcs - apart) % kArcs, apart);
+        before[arc] =
+            before[arc] || stands_out((arc + apart) % kArcs, apart) || stands_out((arc + kArcs - apart) % kArcs, apart);
     }
   }
 }

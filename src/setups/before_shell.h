@@ -11,8 +11,8 @@
 namespace tank_datum {
 
 /// Arcs in which a setup sees something that stands before the shell, such as the gussets of anchor chairs, where it
-/// is taken to see the shell: farther from what is behind it than what the same setup sees up to four arcs beside, by
-/// more than a shell bends. Two setups see such a thing from two sides, or one of them alone.
+/// is taken to see the shell: it stands out of what the same setup sees up to four arcs beside by more than a shell
+/// bends, and by as much more than another setup sees there. A lobe of the shell stands out alike for all.
 class BeforeShell {
  public:
   /// The radius of a point if it may be one of the shell, else NaN [m].

@@ -15,8 +15,8 @@ constexpr double kRadius = 30.0, kReach = 0.5;
 constexpr double kArc = kTwoPi / static_cast<double>(SetupRing::kArcs);
 
 /// In which of twenty arcs of a shell, which one setup sees, another sees something before it, where it sees so many
-/// arcs from the sixth on so far out of the shell.
-std::vector<bool> heldBefore(double out, int arcs, Side side = Side::Outside) {
+/// arcs from the sixth on so far out of the shell, and the first one so far too.
+std::vector<bool> heldBefore(double out, int arcs, Side side = Side::Outside, double first_out = 0.0) {
   Ring ring;
   ring.reach = kReach;
   ring.setups = {{0, 0}, {1, 0}};
@@ -27,8 +27,9 @@ std::vector<bool> heldBefore(double out, int arcs, Side side = Side::Outside) {
   for (int arc = 0; arc < 20; ++arc) {
     for (int i = 0; i < 30; ++i) {
       const double azimuth = kArc * (arc + (i + 0.5) / 30.0);
-      add(0, azimuth, kRadius);
-      add(1, azimuth, kRadius + (arc >= 6 && arc < 6 + arcs ? out : 0.0));
+      const bool stands_out = arc >= 6 && arc < 6 + arcs;
+      add(0, azimuth, kRadius + (stands_out ? first_out : 0.0));
+      add(1, azimuth, kRadius + (stands_out ? out : 0.0));
     }
   }
   Tank tank;
@@ -58,6 +59,11 @@ TEST(BeforeShell, IsFourArcsFromTheShellAtMost) {
   const std::vector<bool> held = heldBefore(0.2, 10);
   EXPECT_EQ(countOf(held), 8);
   EXPECT_FALSE(held[10] || held[11]);
+}
+
+TEST(BeforeShell, IsNoLobeWhichStandsOutForAll) {
+  EXPECT_EQ(countOf(heldBefore(0.06, 1, Side::Outside, 0.045)), 0);
+  EXPECT_EQ(countOf(heldBefore(0.06, 1, Side::Outside, 0.035)), 1);
 }
 
 TEST(BeforeShell, StandsInsideOfAShellThatIsSeenFromWithin) {

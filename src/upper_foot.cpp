@@ -1,0 +1,33 @@
+#include "upper_foot.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/statistics.h"
+#include "locate/foot_unit.h"
+
+namespace tank_datum {
+namespace {
+
+/// How far the stations of one datum lie below the foot of another's tank, in the middle [m].
+double heightBelow(const Tank& tank, const std::vector<Station>& stations) {
+  std::vector<double> heights;
+  for (const Station& s : stations) {
+    if (std::isfinite(s.z)) heights.push_back(tank.foot(s.direction) - s.z);
+  }
+  return median(std::move(heights));
+}
+
+}  // namespace
+
+Datum upperOrLower(Datum upper, Datum lower) {
+  constexpr double kWell = 0.06;  // below the step, as high as a ringwall's face is at least [footUnit]
+  if (upper.usable() != lower.usable()) return upper.usable() ? upper : lower;
+  if (!upper.usable()) return upper.hasStations() && !lower.hasStations() ? upper : lower;
+  const double unit = footUnit(lower.tank.circle.radius, lower.tank.resolution);
+  const bool is_on_plate = lower.refined.profile.surface == Surface::AnnularPlate;
+  return is_on_plate && heightBelow(upper.tank, lower.stations) > kWell * unit ? lower : upper;
+}
+
+}  // namespace tank_datum
