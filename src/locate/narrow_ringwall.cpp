@@ -68,14 +68,6 @@ bool goesPast(const std::vector<Hit>& hits, double height) {
   return std::abs(median(std::move(below)) - median(std::move(above))) < kNarrowest;
 }
 
-double medianOf(const std::vector<StepBack>& steps, double (*value)(const StepBack&)) {
-  std::vector<double> values;
-  for (const StepBack& step : steps) {
-    if (step.found()) values.push_back(value(step));
-  }
-  return median(std::move(values));
-}
-
 }  // namespace
 
 std::optional<Tank> onNarrowRingwall(const Ring& ring, const Tank& tank) {
@@ -104,7 +96,7 @@ std::optional<Tank> onNarrowRingwall(const Ring& ring, const Tank& tank) {
   raised.foot = fitFootHeights(feet, kLayer * unit, {kFewestVoxels * kLayer * unit, ring.reach});
   if (!raised.circle.valid() || !raised.foot.valid()) return {};
   raised.ringwall_width = unit * medianOf(steps, [](const StepBack& step) { return step.width; });
-  raised.ringwall_height = unit * medianOf(steps, [](const StepBack& step) { return step.height - step.bottom; });
+  raised.ringwall_height = unit * medianOf(steps, [](const StepBack& step) { return step.faceHeight(); });
   return raised;
 }
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/statistics.h"
+
 namespace tank_datum {
 namespace {
 
@@ -76,6 +78,14 @@ std::size_t firstFrom(const std::vector<Hit>& run, double height) {
 }
 
 }  // namespace
+
+double medianOf(const std::vector<StepBack>& steps, double (*value)(const StepBack&)) {
+  std::vector<double> values;
+  for (const StepBack& step : steps) {
+    if (step.found()) values.push_back(value(step));
+  }
+  return median(std::move(values));
+}
 
 StepBack findStepBack(std::vector<Hit> hits, double voxel, double least) {
   constexpr double kClear = 0.2;      // of what the pieces are apart: a wall that leans or bends has no step

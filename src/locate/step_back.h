@@ -20,7 +20,11 @@ struct StepBack {
   double scatter = kUnknown;  ///< of both about their lines, mean of the absolute values [m]
 
   bool found() const { return std::isfinite(height); }
+  double faceHeight() const { return height - bottom; }  ///< of the lower one [m]
 };
+
+/// The middle of what the steps that were found say; NaN without any.
+double medianOf(const std::vector<StepBack>& steps, double (*value)(const StepBack&));
 
 /// The face of a ringwall stands out by more than `least`, all the way down, and is two metres high at the most.
 /// @param hits   of all that stands or lies around [m]

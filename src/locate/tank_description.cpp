@@ -88,20 +88,20 @@ std::vector<WallView> viewsOf(const Points& points, double voxel, const Circle& 
   return views;
 }
 
-double medianStep(const std::vector<WallView>& views, double (*value)(const StepBack&)) {
-  std::vector<double> values;
-  for (const WallView& view : views) {
-    if (view.step.found()) values.push_back(value(view.step));
-  }
-  return median(values);
+std::vector<StepBack> stepsOf(const std::vector<WallView>& views) {
+  std::vector<StepBack> steps;
+  for (const WallView& view : views) steps.push_back(view.step);
+  return steps;
 }
 
-double faceHeight(const StepBack& step) { return step.height - step.bottom; }
+double faceHeight(const std::vector<StepBack>& steps) {
+  return medianOf(steps, [](const StepBack& step) { return step.faceHeight(); });
+}
 
 /// Whether walls step back over most of the azimuths that tell: those at which a step is seen, or a wall that goes
 /// straight past where the others have theirs.
 bool standsOnRingwall(const std::vector<WallView>& views, double voxel) {
-  const double past = medianStep(views, faceHeight) + kFewestVoxels * voxel;
+  const double past = faceHeight(stepsOf(views)) + kFewestVoxels * voxel;
   std::size_t steps = 0, straight = 0;
   for (const WallView& view : views) {
     if (view.step.found()) ++steps;
@@ -213,8 +213,9 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
   std::vector<WallView> views = viewsOf(points, sample.voxel, circle, rms);
   look(tank, views, least);
   if (tank.side == Side::Outside && standsOnRingwall(views, sample.voxel)) {
-    tank.ringwall_width = medianStep(views, [](const StepBack& step) { return step.width; });
-    tank.ringwall_height = medianStep(views, faceHeight);
+    const std::vector<StepBack> steps = stepsOf(views);
+    tank.ringwall_width = medianOf(steps, [](const StepBack& step) { return step.width; });
+    tank.ringwall_height = faceHeight(steps);
     double above = rms;
     const Circle shell = setBackCircle(views, circle, above);
     const double moved = (shell.center - circle.center).norm() + std::abs(shell.radius - circle.radius);
