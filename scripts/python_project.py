@@ -24,7 +24,7 @@ PARTS = (
 # what scripts/pyproject.toml says of the folder above it, and what holds at the root
 MOVED = {
     'source-dir = ".."': 'source-dir = "."',
-    'build-dir = "../build-python/': 'build-dir = "build-python/',
+    'build-dir = "../build-python-': 'build-dir = "build-python-',
     'input = "../CMakeLists.txt"': 'input = "CMakeLists.txt"',
     'license = { text = "BSD-3-Clause" }': 'license = "BSD-3-Clause"\nlicense-files = ["LICENSE"]\n'
     'readme = "README.md"',

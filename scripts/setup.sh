@@ -36,7 +36,7 @@ apt_install() {
 # them once.
 compile_once() {
   apt_install ccache
-  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR="$root"
 }
 
 # configure: makes the build folder $build once, with the options in TANK_DATUM_CMAKE_OPTIONS. Sources are compiled several
