@@ -71,6 +71,7 @@ bool goesPast(const std::vector<Hit>& hits, double height) {
 }  // namespace
 
 std::optional<Tank> onNarrowRingwall(const Ring& ring, const Tank& tank) {
+  constexpr double kFewest = 0.25;  // of the sectors in which a wall is seen: fewer may be things that stand about
   if (tank.side != Side::Outside || tank.standsOnRingwall()) return {};
   const double unit = footUnit(tank.circle.radius, tank.resolution);
   const auto hits = hitsOf(ring, tank, unit);
@@ -79,8 +80,9 @@ std::optional<Tank> onNarrowRingwall(const Ring& ring, const Tank& tank) {
   const double usual = medianOf(steps, [](const StepBack& step) { return step.height; });
   std::vector<double> feet;
   std::vector<Eigen::Vector2d> plan;
-  std::size_t straight = 0;
+  std::size_t seen = 0, straight = 0;
   for (std::size_t i = 0; i < kSectors; ++i) {
+    seen += !hits[i].empty();
     const double azimuth = middleOfCell(i, kSectors);
     feet.push_back(steps[i].found() ? tank.foot(azimuth) + unit * steps[i].height : kUnknown);
     const Eigen::Vector2d direction(portable::cos(azimuth), portable::sin(azimuth));
@@ -90,7 +92,7 @@ std::optional<Tank> onNarrowRingwall(const Ring& ring, const Tank& tank) {
       ++straight;
     }
   }
-  if (plan.size() <= straight) return {};
+  if (plan.size() <= straight || static_cast<double>(plan.size()) < kFewest * static_cast<double>(seen)) return {};
   Tank raised = tank;
   raised.circle = fitCircleRobust(plan, tank.circle);
   raised.foot = fitFootHeights(feet, kLayer * unit, {kFewestVoxels * kLayer * unit, ring.reach});

@@ -20,6 +20,7 @@ struct Scene {
   double height = 0.15;   ///< above the ground [m]
   double scatter = 0.0;   ///< of the points about shell and face [m]
   double straight = 0.0;  ///< share of the ring where the shell goes straight down
+  double hidden = 0.0;    ///< share where all is hidden up to a quarter of a metre above the foot
   std::function<double(double)> face = [](double) { return 0.0; };  ///< what it stands out less, by height [m]
 };
 
@@ -38,7 +39,9 @@ Ring ringOf(const Scene& scene) {
   int number = 0;
   for (int i = 0; i < 1440; ++i) {
     const double azimuth = (i + 0.5) * kTwoPi / 1440.0;
+    const bool hides = azimuth > (1.0 - scene.hidden) * kTwoPi;
     const auto add = [&](double off, double z) {
+      if (hides && z < 0.25) return;
       const double radius = kRadius + off + (++number % 2 == 0 ? scene.scatter : -scene.scatter);
       ring.points.push_back({radius * std::cos(azimuth), radius * std::sin(azimuth), z});
     };
@@ -78,17 +81,22 @@ TEST(NarrowRingwall, ItsFaceIsStraight) {
   EXPECT_TRUE(upon({0.05, 0.15, 0.003}));
   EXPECT_FALSE(upon({0.05, 0.15, 0.0065}));
   const auto bulging = [](double by) {  // an arc of a circle, through the face's ends
-    return upon({0.1, 0.1, 0.0, 0.0, [by](double z) { return by * square((z + 0.05) / 0.05); }}).has_value();
+    return upon({0.1, 0.1, 0.0, 0.0, 0.0, [by](double z) { return by * square((z + 0.05) / 0.05); }}).has_value();
   };
   EXPECT_TRUE(bulging(0.005));
   EXPECT_FALSE(bulging(0.012));
   const auto pipe = [](double z) { return 0.05 - std::sqrt(std::max(0.0, square(0.05) - square(z + 0.05))); };
-  EXPECT_FALSE(upon({0.1, 0.1, 0.0, 0.0, pipe}));  // along the foot
+  EXPECT_FALSE(upon({0.1, 0.1, 0.0, 0.0, 0.0, pipe}));  // along the foot
 }
 
 TEST(NarrowRingwall, StandsUnderMostOfTheShell) {
   EXPECT_TRUE(upon({0.05, 0.15, 0.0, 0.45}));
   EXPECT_FALSE(upon({0.05, 0.15, 0.0, 0.55}));
+}
+
+TEST(NarrowRingwall, IsSeenUnderAQuarterOfTheShell) {
+  EXPECT_TRUE(upon({0.05, 0.15, 0.0, 0.0, 0.7}));
+  EXPECT_FALSE(upon({0.05, 0.15, 0.0, 0.0, 0.8}));
 }
 
 TEST(NarrowRingwall, IsLookedForFromOutsideAlone) {
