@@ -59,6 +59,6 @@ def test_commands_are_functions(project: Path, described: dict[str, Any]) -> Non
 
 
 def test_one_build_folder_an_interpreter(described: dict[str, Any]) -> None:
-    assert described["tool"]["scikit-build"]["build-dir"].endswith("/{wheel_tag}")
+    assert described["tool"]["scikit-build"]["build-dir"].endswith("-{wheel_tag}")
     versions = described["tool"]["cibuildwheel"]["build"]
     assert all(f"cp3{minor}-" in versions for minor in (11, 12, 13, 14))
