@@ -3,6 +3,7 @@
 #include "shape/level_rows.h"
 
 namespace tank_datum {
+
 PlacedValue steepest(const std::vector<Station>& stations, double radius, double arc, double Station::*quantity) {
   const RingSeries series(stations, quantity, &Station::sigma_z);
   return slopeRows(series, radius, arc).largestOf(series.values());
