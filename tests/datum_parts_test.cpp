@@ -7,8 +7,7 @@
 #include "locate/foot_unit.h"
 #include "refusals.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_parts_test {
 
 TEST(WarningsOf, ARadiusOfMoreThanAHundredMetresIsOfAScanInOtherUnits) {
   const auto warned = [](double radius) {
@@ -132,5 +131,4 @@ TEST(FootUnit, IsAMetreForTinsSeenByFewerThanSixtyPointsToARadius) {
   EXPECT_DOUBLE_EQ(footUnit(0.5, 0.5 / 65.0), 0.05);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_parts_test

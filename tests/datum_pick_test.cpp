@@ -8,8 +8,7 @@
 #include "support/made_clouds.h"
 #include "tank_datum/datum.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_pick_test {
 
 using namespace made_clouds;
 
@@ -71,5 +70,4 @@ TEST(WithSighting, AScanCutNearItsShellIsTold) {
   EXPECT_EQ(saidOfCut(0.16, 0.0, 0.0013), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_pick_test

@@ -10,8 +10,7 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/search/estimate_normals.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_test {
 
 using namespace made_clouds;
 
@@ -242,5 +241,4 @@ TEST(DatumOptions, AreRefusedByNameAndThrown) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_test

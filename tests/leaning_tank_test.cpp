@@ -5,8 +5,7 @@
 #include "support/scanned_tanks.h"
 #include "tank_datum/datum.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::leaning_tank_test {
 
 using namespace scanned_tanks;
 
@@ -32,5 +31,4 @@ TEST(ExtractDatum, OfAShellThatLeansIsTheTruth) {
   EXPECT_LT(worstQuarter(datum, truthOf(scene)), 0.0004);  // about the middle of the seen shell's axis it is 2 mm
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::leaning_tank_test

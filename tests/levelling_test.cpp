@@ -11,8 +11,7 @@
 #include "tank_datum/report/report.h"
 #include "tank_datum/stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::levelling_test {
 
 std::string refusal(const std::string& text) {
   return refusalOf(Error::Kind::Option, [&] { levellingStations(text, "l.csv", 1.0, 10.0, {}); });
@@ -142,5 +141,4 @@ TEST(DatumOfLevelling, DiametersAreOfStationsThatLieAcross) {
   EXPECT_TRUE(std::isnan(datum.antipodal.max_h));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::levelling_test

@@ -4,8 +4,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::upper_foot_test {
 
 /// A datum at a height, of a tank whose foot is there.
 Datum datumAt(double height, Status status, Surface surface = Surface::Foundation) {
@@ -51,5 +50,4 @@ TEST(UpperOrLower, OfTwoThatAreNoneTheOneWithStationsIsShownElseTheLower) {
   EXPECT_EQ(chosen(Status::NoCrease, Status::NoCrease, 0.4, Surface::Foundation), -0.4);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::upper_foot_test

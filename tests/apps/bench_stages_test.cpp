@@ -4,8 +4,7 @@
 
 #include "bench/memory_speed.h"
 
-namespace tank_datum::bench {
-namespace {
+namespace tank_datum::bench::bench_stages_test {
 
 /// 1000 rows of 16 bytes; every fifth row located, all cropped.
 RunSizes sizes() {
@@ -94,5 +93,4 @@ TEST(KeepFastest, TakesEachStageByItself) {
   EXPECT_EQ(best[1].seconds, 1.0);
 }
 
-}  // namespace
-}  // namespace tank_datum::bench
+}  // namespace tank_datum::bench::bench_stages_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::flag_names_test {
 
 TEST(FlagNames, AnOptionOfATextBecomesItsFlag) {
   EXPECT_EQ(flagOf("setup_error"), "--setup-error");
@@ -31,5 +30,4 @@ TEST(FlagNames, WhatTheUserTypedStaysAsItIs) {
   EXPECT_EQ(lineOf(option), "movement: --baseline, " + name + ", expected a result");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::flag_names_test

@@ -7,8 +7,7 @@
 #include "support/refused.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::output_file_test {
 
 using OutputFileTest = ResultFolderFixture;
 
@@ -73,5 +72,4 @@ TEST_F(OutputFileTest, FilesAreKnownByTheirHead) {
   for (const char* other : {"b.pcd", "c.pcd", "d.pcd"}) EXPECT_FALSE(own(path(other))) << other;
   EXPECT_THROW(own(path("none")), Error);  // what cannot be read is not taken for anything
 }
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::output_file_test

@@ -9,8 +9,7 @@
 #include "io/sha256.h"
 #include "results/manifest.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::result_folder_test {
 
 using ResultFolderTest = ResultFolderFixture;
 
@@ -159,5 +158,4 @@ TEST_F(ResultFolderTest, OnlyStagingFoldersOfTheDeadGo) {
   EXPECT_FALSE(has("out/.tank_datum-55-1"));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::result_folder_test

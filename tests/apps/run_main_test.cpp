@@ -12,8 +12,7 @@
 #include "results/stop_signals.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::run_main_test {
 
 struct Outcome {
   int status;
@@ -67,5 +66,4 @@ TEST(RunMain, EndsEveryExceptionAsOneLineAndAStatusOfTheContract) {
   EXPECT_EQ(other.said.find('\n'), other.said.size() - 1);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::run_main_test

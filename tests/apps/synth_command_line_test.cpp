@@ -6,8 +6,7 @@
 #include "synth/command_line.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_command_line_test {
 
 bool parse(std::vector<std::string> words, Command& command, int& status) {
   words.insert(words.begin(), "tank_datum_synth");
@@ -60,5 +59,4 @@ TEST(SynthCommandLine, WrongUseIsRefused) {
   EXPECT_THROW(parse({"-o", "a.pcd", "--set", "tanks/0/nothing=1"}, command, status), Error);
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_command_line_test

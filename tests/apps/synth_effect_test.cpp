@@ -5,8 +5,7 @@
 #include "support/synth_scenes.h"
 #include "synth/scene_file.h"
 
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_effect_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -212,5 +211,4 @@ TEST(SynthEffect, TheOtherTankHidesAndTheScannersMayStandRoundIt) {
   EXPECT_EQ(truthOf(built, 4).tanks.size(), 2u);
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_effect_test

@@ -3,8 +3,7 @@
 #include "support/refused.h"
 #include "support/synth_scenes.h"
 
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_foot_test {
 
 /// Sloping lip, kerbs that keep to the circle under a shell that does not, a sector higher than the rest.
 SceneOptions oddFoot(const std::string& kind) {
@@ -116,5 +115,4 @@ TEST(SynthFoot, SoilLiesOnEverySurface) {
   EXPECT_EQ(hit.surface, Surface::Soil);
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_foot_test

@@ -6,8 +6,7 @@
 #include "synth/truth.h"
 
 /// An output whose frame does not stand upright.
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_frame_test {
 
 SceneOptions tiltedScene(double tilt_deg, double direction_deg) {
   SceneOptions scene = plainScene();
@@ -46,5 +45,4 @@ TEST(SynthFrame, TiltsByTenDegreesAtMost) {
   EXPECT_FALSE(firstError(tiltedScene(9.9, 0.0)).has_value());
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_frame_test

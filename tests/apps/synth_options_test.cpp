@@ -8,8 +8,7 @@
 #include "synth/scene_file.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_options_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -202,5 +201,4 @@ TEST(SynthSceneFile, EverySceneOfTheTestsIsUsable) {
   EXPECT_THROW(readScene("/no/such/scene.json"), Error);
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_options_test

@@ -8,8 +8,7 @@
 #include "synth/output.h"
 
 /// Scanners whose points are brought into the common frame with an error.
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_registration_test {
 
 SceneOptions scenesWith(const RegistrationError& error) {
   SceneOptions scene = plainScene();
@@ -104,5 +103,4 @@ TEST(SynthRegistration, FilesPerSetupHoldTheViewpointAndMergedOnesALabel) {
   EXPECT_EQ(last.substr(last.rfind(' ')), " 2");
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_registration_test

@@ -8,8 +8,7 @@
 #include "synth/measurement.h"
 #include "synth/output.h"
 
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_scan_test {
 
 /// Range and square deviation of each row from the same scan without noise, and the cosine of its incidence.
 struct Residual {
@@ -240,5 +239,4 @@ TEST(SynthOutput, WritesScanAndTruthOrOneFilePerStation) {
   EXPECT_NEAR(static_cast<double>(first + second), static_cast<double>(summary.points * 28), 1000.0);
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_scan_test

@@ -4,8 +4,7 @@
 #include "synth/root.h"
 #include "synth/value_noise.h"
 
-namespace tank_datum::synth {
-namespace {
+namespace tank_datum::synth::synth_test {
 
 Ray rayTo(const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return {from, (to - from).normalized()}; }
 
@@ -227,5 +226,4 @@ TEST(SynthTruth, KnowsWhatSoilCovers) {
   EXPECT_EQ(hit.surface, Surface::Soil);
 }
 
-}  // namespace
-}  // namespace tank_datum::synth
+}  // namespace tank_datum::synth::synth_test

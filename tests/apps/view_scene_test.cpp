@@ -7,8 +7,7 @@
 #include "tank_datum/core/unknown.h"
 #include "view/scene.h"
 
-namespace tank_datum::view {
-namespace {
+namespace tank_datum::view::view_scene_test {
 
 /// The octagon about (1, 2), R 10 m, whose elevations are 0.5 m + 1 mm a station; station 6 is missing.
 ViewedResult octagon() {
@@ -212,5 +211,4 @@ TEST(NearestMark, IsWithinReachAndKnown) {
   EXPECT_EQ(nearestMark({}, {0, 0}, 12.0), -1);
 }
 
-}  // namespace
-}  // namespace tank_datum::view
+}  // namespace tank_datum::view::view_scene_test

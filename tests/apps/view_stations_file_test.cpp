@@ -5,8 +5,7 @@
 #include "support/refused.h"
 #include "view/stations_file.h"
 
-namespace tank_datum::view {
-namespace {
+namespace tank_datum::view::view_stations_file_test {
 
 using made_datums::octagon;
 using pcd_files::Folder;
@@ -50,5 +49,4 @@ TEST(ReadStations, NamesWhatIsWrong) {
   EXPECT_NE(refusal.find("0.00o25"), std::string::npos) << refusal;
 }
 
-}  // namespace
-}  // namespace tank_datum::view
+}  // namespace tank_datum::view::view_stations_file_test

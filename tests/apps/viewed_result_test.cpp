@@ -7,8 +7,7 @@
 #include "support/pcd_files.h"
 #include "support/refused.h"
 
-namespace tank_datum::view {
-namespace {
+namespace tank_datum::view::viewed_result_test {
 
 using made_datums::octagon;
 using pcd_files::Folder;
@@ -132,5 +131,4 @@ TEST(NearTank, KeepsAQuarterOfTheRadiusAround) {
   EXPECT_EQ(nearTank(cloud, result).size(), 2U);
 }
 
-}  // namespace
-}  // namespace tank_datum::view
+}  // namespace tank_datum::view::viewed_result_test

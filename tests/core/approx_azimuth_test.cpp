@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::approx_azimuth_test {
 
 TEST(QuickTurn, IsTheDirectionAsAShareOfATurn) {
   for (int i = 0; i < 100'000; ++i) {
@@ -25,5 +24,4 @@ TEST(QuickTurn, OfTheAxesIsExactAndOfTheCentreIsNone) {
 
 TEST(QuickTurn, NeverReachesAWholeTurn) { EXPECT_EQ(approxTurn(1.0, -1e-300), 0.0); }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::approx_azimuth_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::azimuth_test {
 
 TEST(WithinTurn, IsFromZeroToAFullTurn) {
   EXPECT_EQ(withinTurn(0.0), 0.0);
@@ -23,5 +22,4 @@ TEST(AzimuthOfArm, IsLessThanAFullTurn) {
   EXPECT_GT(azimuthOfArm(1.0, -1e-300), 6.28);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::azimuth_test

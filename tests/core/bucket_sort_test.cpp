@@ -6,8 +6,7 @@
 #include <functional>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::bucket_sort_test {
 
 using Values = std::vector<unsigned, DefaultInitAllocator<unsigned>>;
 
@@ -33,5 +32,4 @@ TEST(SortByBuckets, IsASortForAnyNumberOfValuesBucketsAndThreads) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::bucket_sort_test

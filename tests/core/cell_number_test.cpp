@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::cell_number_test {
 
 TEST(CellNumber, IsTheWholeNumberBelow) {
   EXPECT_EQ(cellNumber(0.0), 0);
@@ -19,5 +18,4 @@ TEST(CellNumber, OfWhatLiesBeyondIsTheLast) {
   EXPECT_EQ(cellNumber(static_cast<double>(last / 2)), last / 2);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::cell_number_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::least_without_test {
 
 TEST(LeastWithout, IsWhereAFallingExcessEnds) {
   const auto excess = [](double x) { return 0.3 - x; };
@@ -16,5 +15,4 @@ TEST(LeastWithout, IsZeroWithoutAnExcessAndTheMostWhereItStays) {
   EXPECT_EQ(leastWithout([](double) { return 1.0; }, 0.5, 20), 0.5);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::least_without_test

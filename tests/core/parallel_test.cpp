@@ -13,8 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::parallel_test {
 
 TEST(ForEachIndex, DoesEachOnce) {
   for (const int threads : {0, 1, 3}) {
@@ -131,5 +130,4 @@ TEST(ThreadScope, IsWhatNoNumberMeansUntilItEnds) {
   EXPECT_EQ(threadCount(0), cores);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::parallel_test

@@ -5,8 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::parts_test {
 
 std::vector<std::size_t> indices(std::size_t begin, std::size_t end) {
   std::vector<std::size_t> all(end - begin);
@@ -54,5 +53,4 @@ TEST(CountWhere, IsOfAllThatPass) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::parts_test

@@ -4,8 +4,7 @@
 
 #include <set>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::point_hash_test {
 
 /// Another frame moves a coordinate by its rounding, two rows of a scan by more.
 TEST(PointHash, IsOfStepsOfAHundredthOfAMillimetre) {
@@ -34,5 +33,4 @@ TEST(PointHash, OfAGridHardlyMeet) {
   EXPECT_GT(hashes.size(), 9'995U);  // of 2^32, one pair meets by chance once in a hundred times
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::point_hash_test

@@ -6,8 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::portable_math_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -124,5 +123,4 @@ TEST(PortableMath, PowersOfTenAndTwoAreExact) {
 
 TEST(PortableMath, Square) { EXPECT_EQ(square(-1.5), 2.25); }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::portable_math_test

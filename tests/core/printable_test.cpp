@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::printable_test {
 
 TEST(Printable, HasNoControlCharacters) {
   EXPECT_EQ(printable("a\x1b[31mb\nc\r\td\x7f" + std::string(1, '\0')), "a?[31mb?c??d??");
@@ -22,5 +21,4 @@ TEST(PrintableLines, KeepsTheLines) {
   EXPECT_EQ(printableLines(""), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::printable_test

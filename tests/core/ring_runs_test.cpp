@@ -4,8 +4,7 @@
 
 #include <utility>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_runs_test {
 
 using Ends = std::vector<std::pair<std::size_t, std::size_t>>;
 
@@ -50,5 +49,4 @@ TEST(RunsBetween, AreNoneWithFewerThanTwoBegins) {
   EXPECT_TRUE(runsBetween(0, [](std::size_t) { return true; }).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_runs_test

@@ -7,8 +7,7 @@
 
 #include "core/portable_math.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::rounding_step_test {
 
 /// Values over a range, rounded to a step; 0: not.
 std::vector<double> valuesOver(double range, double step, int count, double from = 0.0) {
@@ -170,5 +169,4 @@ TEST(Rounding, ValuesBetweenTwoStepsScatterByMoreThanTheyDidBefore) {
   EXPECT_NEAR(alone.errorOf(0.2, 0.3), roundingError(1.0, 0.3), 1e-9);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::rounding_step_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::statistics_test {
 
 TEST(FiniteOf, LeavesOutWhatIsNotKnownOrHasNoEnd) {
   EXPECT_EQ(finiteOf({3.0, NAN, -1.0, HUGE_VAL, 2.0}), (std::vector<double>{3.0, -1.0, 2.0}));
@@ -150,5 +149,4 @@ TEST(FQuantile, IsThatOfTables) {
   EXPECT_NEAR(3.0 * fQuantile(3.0, 1e9, k99) / chiSquareQuantile(3.0, k99), 1.0, 1e-6);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::statistics_test

@@ -6,8 +6,7 @@
 
 #include "core/parallel.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::thread_limit_test {
 
 TEST(ForEachIndex, GoesOnWithoutTheThreadsThatCannotBeHad) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
@@ -21,5 +20,4 @@ TEST(ForEachIndex, GoesOnWithoutTheThreadsThatCannotBeHad) {
   EXPECT_EXIT(work(), testing::ExitedWithCode(0), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::thread_limit_test

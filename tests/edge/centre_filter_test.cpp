@@ -10,8 +10,7 @@
 #include "tank_datum/edge/find_edge_points.h"
 #include "tank_datum/fit/curves.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::centre_filter_test {
 
 using Indices = std::vector<std::int32_t>;
 constexpr double kTurn = 6.283185307179586;
@@ -172,5 +171,4 @@ TEST(CentreFilterOptions, RefuseAToleranceBelowZeroByName) {
   EXPECT_NE(said(firstError(within(INFINITY))), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::centre_filter_test

@@ -11,8 +11,7 @@
 #include "tank_datum/edge/find_edge_points.h"
 #include "tank_datum/search/estimate_normals.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::region_growing_test {
 
 using Indices = std::vector<std::int32_t>;
 
@@ -163,5 +162,4 @@ TEST(GrowingOptions, RefuseAnAngleThatIsNotAcuteByName) {
   EXPECT_NE(said(firstError(above(NAN))), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::region_growing_test

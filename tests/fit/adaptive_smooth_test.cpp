@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::adaptive_smooth_test {
 
 constexpr double kTurn = 6.283185307179586;
 
@@ -108,5 +107,4 @@ TEST(BetweenValues, AreMeansOrTheOneThatIsKnown) {
   EXPECT_NEAR(BetweenValues(series, 1, 4).mean(series, &SeriesValue::sigma), 0.2, 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::adaptive_smooth_test

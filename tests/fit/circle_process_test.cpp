@@ -9,8 +9,7 @@
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::circle_process_test {
 
 constexpr double kUsual = 0.03, kError = 0.005;
 
@@ -151,5 +150,4 @@ TEST(FollowCircle, NoValueAtAllTellsNothing) {
   EXPECT_EQ(values[1].sigma, kUsual);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::circle_process_test

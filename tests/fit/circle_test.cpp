@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::circle_test {
 
 using Plan = std::vector<Eigen::Vector2d>;
 const Eigen::Vector2d kCenter(3.0, -4.0);
@@ -165,5 +164,4 @@ TEST(FindCircle, DrawsTwoThousandTimes) {
   EXPECT_NEAR(found, 76, 12);  // of 1000 draws 51, of 4000 draws 94
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::circle_test

@@ -7,8 +7,7 @@
 #include "support/refused.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::curve_comparison_test {
 
 constexpr CurveKind kAll[] = {CurveKind::Lagrange, CurveKind::Bezier, CurveKind::Polynomial, CurveKind::BSpline};
 constexpr CurveKind kThroughPoints[] = {CurveKind::Lagrange, CurveKind::BSpline};
@@ -177,5 +176,4 @@ TEST(CompareCurves, OvershootIsLookedForAtTwentiethsOfTheWayBetweenPoints) {
   EXPECT_NEAR(overshootOf(2.525), 0.475 * 0.475 - 0.025 * 0.025, 1e-12);  // looked for at 2.5 and at 2.55
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::curve_comparison_test

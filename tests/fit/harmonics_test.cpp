@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::harmonics_test {
 
 constexpr double kTurn = 6.283185307179586;
 
@@ -136,5 +135,4 @@ TEST(FitHarmonics, CovarianceForetellsTheScatterOfTheCoefficients) {
   EXPECT_NEAR(squares / foretold, 1.0, 0.25);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::harmonics_test

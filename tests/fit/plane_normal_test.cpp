@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::plane_normal_test {
 
 SymmetricMatrix partsOf(const Eigen::Matrix3d& m) { return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)}; }
 
@@ -63,5 +62,4 @@ TEST(PlaneNormal, OfABallOrASinglePlaceIsSomeDirection) {
   EXPECT_NEAR(planeNormal({}).norm(), 1.0, 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::plane_normal_test

@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_bends_test {
 
 constexpr std::size_t kCount = 360;
 constexpr double kSigma = 0.001;
@@ -87,5 +86,4 @@ TEST(RingBends, ThereAreNoneWhereNothingIsKnown) {
   EXPECT_EQ(bent(data).sigma[220], smoothed(data, kStiff).sigma[220]);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_bends_test

@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_cells_test {
 
 /// The value in the middle of a place of a ring of twelve cells of which some are known.
 double at(double place, std::vector<double> first_cells) {
@@ -58,5 +57,4 @@ TEST(DensestOfCell, IsOfFiveAtLeast) {
   EXPECT_EQ(values.front(), 1.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_cells_test

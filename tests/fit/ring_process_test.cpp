@@ -9,8 +9,7 @@
 #include "core/statistics.h"
 #include "fit/ring_scatter.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_process_test {
 
 constexpr std::size_t kCount = 360;
 constexpr double kSigma = 0.0003, kFlexible = 0.005;
@@ -243,5 +242,4 @@ TEST(RingProcess, NorHasARingOfTwelveUnlikeValuesThatTheProcessFollowsFarApart) 
   for (std::size_t i = 0; i < kCount; ++i) EXPECT_NEAR(a.value[i], b.value[(i + 180) % kCount], 4e-5);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_process_test

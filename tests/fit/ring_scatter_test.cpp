@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_scatter_test {
 
 constexpr double kSigma = 0.0003;
 
@@ -80,5 +79,4 @@ TEST(RingScatter, ValuesFourDegreesApartAreCloseEnough) {
   EXPECT_EQ(ofEvery(5), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_scatter_test

@@ -9,8 +9,7 @@
 
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::spline_test {
 
 constexpr double kTurn = 6.283185307179586;
 using Wave = std::function<double(double)>;
@@ -205,5 +204,4 @@ TEST(SplineOptions, AreRefusedByName) {
   EXPECT_NE(said(firstError(withControls(0, 0))), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::spline_test

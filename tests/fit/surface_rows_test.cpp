@@ -8,8 +8,7 @@
 
 #include "core/statistics.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::surface_rows_test {
 
 /// Rows of a known surface, with noise; of every tenth one z is far off.
 SurfaceRows rowsOf(const Eigen::Vector4d& surface, std::size_t count, double noise) {
@@ -72,5 +71,4 @@ TEST(SurfaceRows, WeightsAndSigmaAreThoseOfTheStatistics) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::surface_rows_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::two_levels_test {
 
 /// So many values, this share of them about 1.0 and the others about 1.0 + apart, with a standard deviation of 1e-3.
 std::vector<double> valuesOf(int count, double share, double apart) {
@@ -68,5 +67,4 @@ TEST(FitTwoLevels, AValueBelongsToTheLikelierLevel) {
   EXPECT_TRUE(levels.isHigh(0.65));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::two_levels_test

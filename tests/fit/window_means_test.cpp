@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::window_means_test {
 
 std::vector<double> quarters() { return {0.0, 90 * kDegree, 180 * kDegree, 270 * kDegree}; }
 
@@ -38,5 +37,4 @@ TEST(WindowMeans, OfNoValuesAreNone) {
   EXPECT_TRUE(windowsOver({}, 1.0).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::window_means_test

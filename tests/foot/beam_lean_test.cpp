@@ -8,8 +8,7 @@
 #include "foot/slanting_beams.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::beam_lean_test {
 
 TEST(BeamLean, IsThatOfLevelLipsSeenByWideBeams) {
   // slopes fitted to level lips in a simulated scan with mixed pixels, by the rays' steepness, lip to 54 mm
@@ -153,5 +152,4 @@ TEST(BlendedSlope, IsWhatIsSeenBeyondTheLipsOwnAndNoMoreThanBeamsCan) {
   EXPECT_EQ(blendedSlope({-0.03, 0.01, 1.0}, kUnknown, 0.05).value, 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::beam_lean_test

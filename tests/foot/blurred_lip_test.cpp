@@ -2,8 +2,7 @@
 
 #include "support/made_narrow_lips.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::blurred_lip_test {
 
 using namespace made_narrow_lips;
 
@@ -73,5 +72,4 @@ TEST(BlurredLip, OfTheUsualWidthMayBeHiddenWhole) {
   EXPECT_NEAR(sigmaOf(blurred(0.021, 0.0)), 0.005, 1e-4);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::blurred_lip_test

@@ -5,8 +5,7 @@
 
 #include "foot/foot_check.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::common_sigma_test {
 
 /// A level ring, measured with errors `truth` and standard errors `said`.
 std::vector<FootFit> noisyRing(double truth, double said) {
@@ -64,5 +63,4 @@ TEST(CommonSigma, IsNothingWhereThereIsTooLittleToTell) {
   EXPECT_EQ(commonSigma(noisyRing(0.0008, 0.0002), 90), 0.0);  // three windows round the tank
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::common_sigma_test

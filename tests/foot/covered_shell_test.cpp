@@ -6,8 +6,7 @@
 #include "foot/shell_line.h"
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::covered_shell_test {
 
 constexpr double kRadius = 10.0, kReach = 0.5, kNoise = 0.001;
 
@@ -44,5 +43,4 @@ TEST(OutlineShell, IsAsNoisyAsItsUsualCellUpToFourTimesTheQuietest) {
   EXPECT_LT(noiseWithSoil(0.33, 0.006), 0.0015);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::covered_shell_test

@@ -2,8 +2,7 @@
 
 #include "support/made_narrow_lips.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::edge_beside_test {
 
 using namespace made_narrow_lips;
 
@@ -85,5 +84,4 @@ TEST(EdgeBeside, IsAQuarterOfWhatStandsThereAtLeast) {
   EXPECT_GT(lipsOf(endsAbove(10, 0.009, 25))[100].sigma, 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::edge_beside_test

@@ -6,8 +6,7 @@
 
 #include "support/made_sections.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_band_test {
 
 using namespace made_sections;
 
@@ -19,14 +18,14 @@ double roughBeforeAnObject(double d) {
 }
 
 TEST(StackProfile, TheBandIsTheWidestWhereTheFlattestIsASmallPart) {
-  const FootProfile profile = Foot(roughBeforeAnObject, 2000).profile();
+  const FootProfile profile = MadeFoot(roughBeforeAnObject, 2000).profile();
   EXPECT_LT(profile.band_from, 0.03);
   EXPECT_GT(profile.band_to, 0.21);
 }
 
 TEST(StackProfile, TheBandIsTheWidestOfAFoundationOnly) {
   const auto band = [](double slope) {
-    return Foot([=](double d) { return roughBeforeAnObject(d) + slope * d; }, 2000).profile();
+    return MadeFoot([=](double d) { return roughBeforeAnObject(d) + slope * d; }, 2000).profile();
   };
   EXPECT_LT(band(-0.045).band_from, 0.05);
   EXPECT_GT(band(-0.06).band_from, 0.05);
@@ -36,9 +35,9 @@ TEST(StackProfile, TheBandLiesAboutTheFlattestWhereThatIsHalfOfTheSurface) {
   const auto stepped = [](double d) {
     return d < 0.16 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.17 ? 0.003 : 0.0;
   };
-  EXPECT_LT(Foot(stepped, 2000).profile().band_to, 0.165);
+  EXPECT_LT(MadeFoot(stepped, 2000).profile().band_to, 0.165);
   const auto half = [](double d) { return d < 0.13 ? 0.005 * (std::fmod(d, 0.03) - 0.015) : d < 0.14 ? 0.003 : 0.0; };
-  EXPECT_GT(Foot(half, 2000).profile().band_from, 0.13);
+  EXPECT_GT(MadeFoot(half, 2000).profile().band_from, 0.13);
 }
 
 /// A lip that is level for 60 mm, and falls from there to a gap before a crown, where one point in four is seen.
@@ -59,5 +58,4 @@ TEST(StackProfile, WhatLiesMoreThanAMillimetreBelowTheBandsLineBesideTheShellIsT
   EXPECT_NEAR(bentDown(0.06).offset, 0.0, 0.0003);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_band_test

@@ -7,8 +7,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_banks_test {
 
 using namespace made_feet;
 
@@ -229,5 +228,4 @@ TEST(FindBanks, NeighboursAreLookedForWithinTenDegrees) {
   EXPECT_TRUE(isBank(sector));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_banks_test

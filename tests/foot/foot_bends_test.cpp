@@ -8,8 +8,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_bends_test {
 
 using namespace made_feet;
 
@@ -115,5 +114,4 @@ TEST(Disagreement, OfAWindowThreeStandardErrorsOffTheProcessIsAsOfTheOneOrTheOth
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_bends_test

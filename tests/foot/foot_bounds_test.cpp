@@ -9,8 +9,7 @@
 #include "foot/station_section.h"
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_bounds_test {
 
 using namespace made_feet;
 
@@ -224,5 +223,4 @@ TEST(StackProfile, APlateUpToThreeCentimetresThickLiesOnTheRingwallBesideIt) {
   EXPECT_NEAR(slopeOf(0.035), 0.0, 0.25);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_bounds_test

@@ -7,8 +7,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_bridges_test {
 
 using namespace made_feet;
 
@@ -127,5 +126,4 @@ TEST(WithGapsBridged, BesideSuchAGapFewPointsBelowWillDo) {
   EXPECT_TRUE(standsBeside(0, 0));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_bridges_test

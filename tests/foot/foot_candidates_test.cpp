@@ -4,8 +4,7 @@
 
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_candidates_test {
 
 constexpr FootScales kScales{0.3, 0.001, 0.013};
 
@@ -124,5 +123,4 @@ TEST(FindCandidates, TheShellEndsAtItsThirdLowestPoint) {
   EXPECT_NEAR(findCandidates(points, kScales, -kScales.reach)[0].over_foot, -0.010, 0.001);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_candidates_test

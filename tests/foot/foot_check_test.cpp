@@ -8,8 +8,7 @@
 #include "foot/foot_profile.h"
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_check_test {
 
 using made_clouds::kTurn;
 using made_clouds::uniform;
@@ -244,5 +243,4 @@ TEST(FindSteps, OfNothingDropNothing) {
   EXPECT_TRUE(droppedOf({fitOf(2.0)}).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_check_test

@@ -6,8 +6,7 @@
 
 #include "foot/foot_profile.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_choice_test {
 
 constexpr double kReach = 0.5, kArc = 0.2;
 constexpr std::size_t kPlaces = 360;
@@ -110,5 +109,4 @@ TEST(ChooseRoundRing, ADatumMayClimbByItsArc) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_choice_test

@@ -7,8 +7,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_doubts_test {
 
 using namespace made_feet;
 
@@ -153,5 +152,4 @@ TEST(WithPipeDoubted, TwoStandardErrorsHoldIt) {
   EXPECT_FALSE(doubted[1].valid());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_doubts_test

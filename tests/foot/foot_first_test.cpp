@@ -5,8 +5,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_first_test {
 
 using namespace made_feet;
 
@@ -131,5 +130,4 @@ TEST(FirstElevations, MoreThanThreeHundredAndSixtyStationsShareTheirStretches) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_first_test

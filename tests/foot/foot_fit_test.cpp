@@ -11,8 +11,7 @@
 #include "foot/foot_profile.h"
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_fit_test {
 
 using made_clouds::uniform;
 
@@ -236,5 +235,4 @@ TEST(FitFoot, ARowCutByTheBandIsLessSureThanItsNoise) {
   EXPECT_GT(cut.sigma, 2.0 * cut.noise / std::sqrt(static_cast<double>(cut.points)));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_fit_test

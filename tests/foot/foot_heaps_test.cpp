@@ -6,8 +6,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_heaps_test {
 
 using namespace made_feet;
 
@@ -194,5 +193,4 @@ TEST(IsHeapBefore, LiesUpToThreeTenthsOfTheReachAbove) {
   EXPECT_FALSE(isBankBefore({-0.3, 0.1, 0.28, 0.0, 0.2, 0.1}));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_heaps_test

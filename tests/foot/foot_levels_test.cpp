@@ -4,8 +4,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_levels_test {
 
 using namespace made_feet;
 
@@ -224,5 +223,4 @@ TEST(LevelStations, AQuietDatumMayStillDipByAHundredthOfTheReach) {
   EXPECT_NEAR(level(quiet).amplitude, 0.01 * kReach, 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_levels_test

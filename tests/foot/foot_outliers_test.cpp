@@ -6,8 +6,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_outliers_test {
 
 using namespace made_feet;
 
@@ -242,5 +241,4 @@ TEST(WithoutOutliers, ElevationsThatAreNotKnownDoNotCount) {
   EXPECT_TRUE(std::isfinite(withoutOutliers(elevations, outliers, true)[1]));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_outliers_test

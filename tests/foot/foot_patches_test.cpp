@@ -8,8 +8,7 @@
 #include "support/made_feet.h"
 #include "support/rough_surface.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_patches_test {
 
 using made_feet::RoughSurface;
 
@@ -204,5 +203,4 @@ TEST(LevelRoughness, AProcessLeavesOutWhatStationsThatItAveragesShare) {
   EXPECT_NEAR(level.leftOutBy(process, 0, 0.001), level.over(4.0 * kArc) - 0.0625 * level.variance, 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_patches_test

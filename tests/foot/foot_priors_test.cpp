@@ -4,8 +4,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_priors_test {
 
 using namespace made_feet;
 
@@ -246,5 +245,4 @@ TEST(LearnPriors, WhereBeamsSlantWhatALipLeansBeyondItsOwnSlopeIsFeigned) {
   EXPECT_NEAR(priors.blends.level_at, 0.5 * (kScales.weld + 0.06), 1e-9);  // beyond the weld, before the edge
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_priors_test

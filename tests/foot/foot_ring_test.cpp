@@ -5,8 +5,7 @@
 #include "foot/foot_fit.h"
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_ring_test {
 
 using made_clouds::kTurn;
 
@@ -70,5 +69,4 @@ TEST(FootRing, LeavesOutWhereTheShellIsUnknown) {
   EXPECT_TRUE(ring.add(1.0, 0.1, 3.0).ring().around(1.0, 0.1, 3.0, 0.5).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_ring_test

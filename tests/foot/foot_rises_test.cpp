@@ -7,8 +7,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_rises_test {
 
 using namespace made_feet;
 
@@ -116,5 +115,4 @@ TEST(FindRises, UpToSixStationsTellTogether) {
   EXPECT_FALSE(leavesOut({2.0, 0.002}, 9, 12, 0.0026));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_rises_test

@@ -10,8 +10,7 @@
 #include "support/level_fits.h"
 #include "support/rough_surface.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_roughness_test {
 
 using made_feet::levelOf, made_feet::RoughSurface;
 
@@ -172,5 +171,4 @@ TEST(RoughnessOf, NothingSeenIsNoRoughness) {
   EXPECT_EQ(roughnessOf({FittedPoints{}}, pad(), 0.0).slopes(), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_roughness_test

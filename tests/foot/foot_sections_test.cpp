@@ -8,8 +8,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_sections_test {
 
 using namespace made_feet;
 
@@ -246,5 +245,4 @@ TEST(AlignedElevations, GoByWhatLiesWithinATenthOfTheReachOfTheSurface) {
   EXPECT_GT(scatterBesideFace(0.05), 0.001) << "as high as a crown";
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_sections_test

@@ -9,8 +9,7 @@
 #include "support/made_feet.h"
 #include "support/rough_surface.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_shadows_test {
 
 using namespace made_feet;
 
@@ -149,5 +148,4 @@ TEST(WithShadowsDoubted, ASmoothSurfaceIsNotDoubted) {
   EXPECT_NEAR(doubtAt(doubtedStations(RoughSurface(0.0005, 0.03), 300, 300), 90), 0.0, 1e-6);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_shadows_test

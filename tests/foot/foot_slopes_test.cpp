@@ -8,8 +8,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_slopes_test {
 
 using namespace made_feet;
 
@@ -126,5 +125,4 @@ TEST(LearnPriors, BeamsThatMeetACrownBesideALipMayHaveRaisedItsEnd) {
   EXPECT_GT(beside.sigma_slope[7], 2.0 * apart.sigma_slope[7]);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_slopes_test

@@ -5,8 +5,7 @@
 
 #include "foot/foot_candidates.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_stretches_test {
 
 constexpr FootScales kScales{0.3, 0.001, 0.013};  // bins of 6 mm from 13 mm on
 constexpr double kBin = 0.006001;
@@ -75,5 +74,4 @@ TEST(FindCandidates, AGrooveOfEightBinsPartsTheFlatOneBinOffItDoesNot) {
   EXPECT_GT(partsBesideGroove(8), 1U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_stretches_test

@@ -8,8 +8,7 @@
 #include "foot/section_end.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_surface_end_test {
 
 /// Where the surface beside the shell ends, in a section of a hundred bins of 3 mm without noise [m].
 template <typename Section>
@@ -225,5 +224,4 @@ TEST(HeightOfPipe, IsSixCentimetresAtMost) {
   EXPECT_EQ(heightOfPipe(lipAbove(0.062, -0.062, -0.062), kFootReach), 0.0) << "the edge of a ringwall";
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_surface_end_test

@@ -4,8 +4,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::grazed_arcs_test {
 
 using namespace made_feet;
 
@@ -189,5 +188,4 @@ TEST(FindGrazedArcs, TakesFewPointsBelowForNoEnd) {
 
 TEST(FindGrazedArcs, CannotTellWhereTheShellShowsFewPoints) { EXPECT_FALSE(isGrazed(Slope{0.06 * 60.0, 7.2 * 10.0})); }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::grazed_arcs_test

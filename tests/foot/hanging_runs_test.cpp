@@ -6,8 +6,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::hanging_runs_test {
 
 using namespace made_feet;
 
@@ -107,5 +106,4 @@ TEST(FindHangingRuns, AWholeRingHasNoEnds) {
   EXPECT_EQ(std::count(hanging.begin(), hanging.end(), true), 0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::hanging_runs_test

@@ -3,8 +3,7 @@
 #include "foot/hidden_strip.h"
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::hidden_beside_shell_test {
 
 using namespace made_feet;
 
@@ -104,5 +103,4 @@ TEST(HiddenBesideShell, LeavesOutWhatIsRefused) {
   EXPECT_EQ(hiddenBesideShell(made.foot(), pass, std::vector<double>(360, 0.0)), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::hidden_beside_shell_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::hidden_strip_test {
 
 constexpr double kBend = 0.001, kWidth = 0.01;
 
@@ -170,5 +169,4 @@ TEST(HiddenStrips, AreComparedWithSixBeyond) {
   EXPECT_EQ(hidden({{3, 10, kOff}, {5, 1000}}), 3U);              // a narrow crown
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::hidden_strip_test

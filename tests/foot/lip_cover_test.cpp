@@ -8,8 +8,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::lip_cover_test {
 
 using namespace made_feet;
 
@@ -145,5 +144,4 @@ TEST(FindLipCover, LeavesOutWhatIsFartherOffThanATenthOfTheReach) {
   EXPECT_GT(beyond(-0.05), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::lip_cover_test

@@ -11,8 +11,7 @@
 #include "support/made_rings.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::mixed_levels_test {
 
 constexpr double kRadius = 5.0, kArc = kRadius * kDegree, kReach = 0.5;
 
@@ -110,5 +109,4 @@ TEST(RefineStations, ADuctInTheCornerOfAnArcHidesThatArcAloneAndMayBeAPlateOfMos
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::mixed_levels_test

@@ -5,8 +5,7 @@
 
 #include "support/made_narrow_lips.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::narrow_lip_or_not_test {
 
 using namespace made_narrow_lips;
 
@@ -142,5 +141,4 @@ TEST(NarrowLips, OnAPlateAreWiderThanHigh) {
   EXPECT_GT(lipsOf(lip(0.008, 0.030, 0.0120))[100].height, 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::narrow_lip_or_not_test

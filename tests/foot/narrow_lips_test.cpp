@@ -8,8 +8,7 @@
 
 #include "support/made_narrow_lips.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::narrow_lips_test {
 
 using namespace made_narrow_lips;
 
@@ -133,5 +132,4 @@ TEST(NarrowLips, OfMostStationsHaveAUsualHeight) {
   EXPECT_EQ(usualLip({{0.008, 0.0}, {}, {}, {}}, fits), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::narrow_lips_test

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::other_walls_test {
 
 constexpr double kArc = 0.2;  // between lines [m]
 
@@ -76,5 +75,4 @@ TEST(OtherWalls, AStepIsFourStandardErrors) {
   EXPECT_EQ(ring.others(), 0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::other_walls_test

@@ -7,8 +7,7 @@
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::outer_sections_test {
 
 using namespace made_feet;
 
@@ -76,5 +75,4 @@ TEST(SectionSeen, ShowsWhatLiesFartherInTwoBins) {
   EXPECT_FALSE(SectionSeen(all, 0).shows(0.7));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::outer_sections_test

@@ -5,8 +5,7 @@
 
 #include "foot/foot_check.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::outnumbered_islands_test {
 
 constexpr std::size_t kFar = 10;
 
@@ -67,5 +66,4 @@ TEST(FindOutnumberedIslands, WhereMostStandTheyStay) {
   EXPECT_FALSE(isOutnumbered(reasons, 2));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::outnumbered_islands_test

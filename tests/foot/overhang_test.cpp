@@ -9,8 +9,7 @@
 #include "foot/section_bins.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::overhang_test {
 
 using Heights = std::vector<std::vector<double>>;
 
@@ -163,5 +162,4 @@ TEST(StackBins, AnOverhangIsOverAFifthOfTheReachAtMost) {
   EXPECT_EQ(overhangOfLip(0.03, 0.065), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::overhang_test

@@ -4,8 +4,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::pad_scatter_test {
 
 using namespace made_feet;
 
@@ -44,5 +43,4 @@ TEST(PadScatter, IsThatOfPlacesWhereManyRowsAreSeen) {
   EXPECT_NEAR(scatterOf(made), 0.0015, 0.0003);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::pad_scatter_test

@@ -7,8 +7,7 @@
 
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::polar_ring_test {
 
 using made_clouds::kTurn;
 using made_clouds::uniform;
@@ -145,5 +144,4 @@ TEST(PolarRing, OfNoPointsHasEmptyWindows) {
   EXPECT_TRUE(turnsIn(ring, 1.0, 3.0).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::polar_ring_test

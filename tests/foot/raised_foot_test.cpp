@@ -8,8 +8,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::raised_foot_test {
 
 using made_feet::kScales;
 using made_feet::MadeFoot;
@@ -105,5 +104,4 @@ TEST(RaisedAboveRest, TenPointsOfTheShellTellWhereItIsSeen) {
   EXPECT_TRUE(std::isnan(raised(scene)));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::raised_foot_test

@@ -8,8 +8,7 @@
 #include "support/refined_scans.h"
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::refine_options_test {
 
 using namespace refined_scans;
 
@@ -87,5 +86,4 @@ TEST(RefineOptions, AreRefusedByName) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::refine_options_test

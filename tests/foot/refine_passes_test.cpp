@@ -8,8 +8,7 @@
 #include "foot/refine.h"
 #include "support/made_rings.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::refine_passes_test {
 
 using namespace made_rings;
 
@@ -96,5 +95,4 @@ TEST(RefineStations, WhatABankLeavesMustBeGentlerThanBanksEnd) {
   EXPECT_EQ(measuredBesideBank(0.107).size(), 0U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::refine_passes_test

@@ -7,8 +7,7 @@
 #include "tank_datum/foot/refined.h"
 #include "tank_datum/stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::refine_test {
 
 using namespace refined_scans;
 
@@ -161,5 +160,4 @@ TEST(RefineStations, OfAShellAloneAreNotValid) {
   EXPECT_EQ(scanned.measured, 0U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::refine_test

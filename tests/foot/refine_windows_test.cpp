@@ -7,8 +7,7 @@
 #include "foot/refine.h"
 #include "support/made_rings.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::refine_windows_test {
 
 using namespace made_rings;
 
@@ -71,5 +70,4 @@ TEST(RefineStations, WhatStandsUprightBeforeTheShellIsNoFoundation) {
   EXPECT_NEAR(stations[89].z, 0.0, 0.0005);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::refine_windows_test

@@ -7,8 +7,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_slope_test {
 
 constexpr double kError = 0.006, kLean = 0.05;
 constexpr ExpectedSlope kLevel{0.0, 0.0, 0.0};
@@ -121,5 +120,4 @@ TEST(DrawTogether, OfWhatBeamsMayFeignBesidesSixTenthsAreDoubted) {
   EXPECT_NEAR(sigma, 1.0 / std::hypot(1.0 / 0.012, 1.0 / 0.03), 1e-5);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_slope_test

@@ -8,8 +8,7 @@
 #include "foot/slanting_beams.h"
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_steepness_test {
 
 constexpr double kReach = 0.5, kLevel = 2.0;
 constexpr double kFrom = 0.090, kTo = 0.150;  // of what is counted beyond the edge
@@ -82,5 +81,4 @@ TEST(LearnPriors, ALipIsAsWideAsItIsSeenForWhatBeamsFeign) {
   EXPECT_LT(learntBeside(0, 3, 0.045).sigma_slope[100], 0.008);  // 0.017 if it were as wide as it is plain
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_steepness_test

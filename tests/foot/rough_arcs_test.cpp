@@ -12,8 +12,7 @@
 #include "foot/foot_heaps.h"
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::rough_arcs_test {
 
 using namespace made_feet;
 
@@ -158,5 +157,4 @@ TEST(WithoutRoughArcs, TheirStationsAreOfAnotherSurfaceAndMayBeTheDatumNeverthel
   EXPECT_EQ(pass.outliers.reasons[50], Unmeasured::None);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::rough_arcs_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::section_stretches_test {
 
 constexpr StepScales kScales{0.0025, 0.008, 0.06};
 
@@ -157,5 +156,4 @@ TEST(BinsBeforeStep, AGapTellsNoStepFromASlope) {
   EXPECT_EQ(apart(0.012), 8U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::section_stretches_test

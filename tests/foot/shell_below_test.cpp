@@ -7,8 +7,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_below_test {
 
 using namespace made_feet;
 
@@ -211,5 +210,4 @@ TEST(ShareAboveShell, IsNotKnownWhereNothingStands) {
   EXPECT_TRUE(std::isnan(shareAboveShell(made.foot(), std::vector<FootFit>(360))));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_below_test

@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_circle_test {
 
 constexpr double kRadius = 10.0;
 
@@ -143,5 +142,4 @@ TEST(PriorOf, KnowsTheRadiusByTheCellsAndTheCentreByTheLean) {
   EXPECT_NEAR(prior.sigma_center, std::hypot(0.002, 0.05), 1e-9);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_circle_test

@@ -2,8 +2,7 @@
 
 #include "foot/foot_candidates.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_image_test {
 
 constexpr FootScales kScales{0.3, 0.001, 0.013};
 
@@ -50,5 +49,4 @@ TEST(ShellImage, OfAFewPointsMayBeUnevenByChance) {
   EXPECT_GT(Wall().add(2, -0.3, -0.24).add(44, -0.24, 0.0).seenBelow(), 0.1);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_image_test

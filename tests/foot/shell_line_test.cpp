@@ -9,8 +9,7 @@
 #include "support/made_clouds.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_line_test {
 
 using made_clouds::kTurn;
 using made_clouds::uniform;
@@ -243,5 +242,4 @@ TEST(ShellModel, LeansOnOneNeighbourAndIsUnknownWithoutBoth) {
   EXPECT_NEAR(model.at(11.5 * kStep), truth(11.5 * kStep), 1e-3);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_line_test

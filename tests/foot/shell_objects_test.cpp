@@ -8,8 +8,7 @@
 
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_objects_test {
 
 constexpr double kRadius = 5.0, kArc = 0.02;
 
@@ -102,5 +101,4 @@ TEST(MostTurn, IsFourDeviationsAndFifteenHundredthsOfTheArc) {
   EXPECT_NEAR(mostTurn({{}, 0.002, kArc}, 1.0), 0.158, 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_objects_test

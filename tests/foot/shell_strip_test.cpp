@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_strip_test {
 
 constexpr double kReach = 0.5;
 
@@ -75,5 +74,4 @@ TEST(UnseenHeight, IsNoneWhereNoLipWouldFit) {
   EXPECT_EQ(scene.unseen(), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_strip_test

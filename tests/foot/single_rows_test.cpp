@@ -12,8 +12,7 @@
 #include "support/made_feet.h"
 #include "support/rough_surface.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::single_rows_test {
 
 using made_feet::levelOf, made_feet::RoughSurface;
 
@@ -195,5 +194,4 @@ TEST(LevelStations, OfSingleRowsWhosePointsErrAloneHaveNoRoughness) {
   EXPECT_LT(sigmaOf(kSteepness), 0.6 * sigmaOf(0.0));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::single_rows_test

@@ -8,8 +8,7 @@
 
 #include "foot/foot_profile.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::slanting_beams_test {
 
 FootProfile lip() {
   FootProfile profile;
@@ -154,5 +153,4 @@ TEST(IsGrazed, WhatRisesByAQuarterOfTheBeamsSlopeTowardsSomethingHigherIsNoSurfa
   EXPECT_FALSE(isGrazedBy(0.055, 0.008, 0.02));  // may be level
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::slanting_beams_test

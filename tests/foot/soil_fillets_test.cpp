@@ -8,8 +8,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::soil_fillets_test {
 
 using namespace made_feet;
 
@@ -145,5 +144,4 @@ TEST(FindFillets, GoOnOverTwoDegrees) {
   EXPECT_FALSE(goes_on(3));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::soil_fillets_test

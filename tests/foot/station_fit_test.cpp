@@ -2,8 +2,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::station_fit_test {
 
 using namespace made_feet;
 
@@ -112,5 +111,4 @@ TEST(FitStation, ASparseWindowGrowsToFiveDegreesEitherWay) {
   EXPECT_NEAR(sparseWindow(1, 3), std::pow(1.4, 7), 1e-9) << "half a degree times so much is 5.3";
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::station_fit_test

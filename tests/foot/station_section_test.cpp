@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::station_section_test {
 
 constexpr double kRadius = 10.0, kBand = 0.2;
 
@@ -107,5 +106,4 @@ TEST(ProfileOf, WithoutFitsHasPointsAndNoLines) {
 
 TEST(ProfileOf, OfNothingIsEmpty) { EXPECT_TRUE(profileOf(ringOf({}), window(), {}, {}, 60).points.empty()); }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::station_section_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::station_stretches_test {
 
 constexpr std::size_t kLongest = 5;
 
@@ -43,5 +42,4 @@ TEST(StretchesOf, AStretchWhoseMiddleIsHiddenIsFittedBesideIt) {
   EXPECT_EQ(stretches({1, 2, 3, 1, 1}, {true, false, false, true, true})[0].at, 3U) << "has no fit";
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::station_stretches_test

@@ -7,8 +7,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::under_shell_test {
 
 using namespace made_feet;
 
@@ -138,5 +137,4 @@ TEST(UnderShell, StationsThatDoNotStandAreNotAsked) {
   EXPECT_TRUE(std::isnan(findUnderShell(made.foot(), std::vector<FootFit>(360), std::vector<double>(360, 0.0)).share));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::under_shell_test

@@ -4,8 +4,7 @@
 
 #include "support/made_feet.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::upright_faces_test {
 
 using namespace made_feet;
 
@@ -58,5 +57,4 @@ TEST(LeaveOutUprights, TheShellStays) {
   EXPECT_EQ(ring.around(kAt, 0.1, 0.0, kReach).size(), 40U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::upright_faces_test

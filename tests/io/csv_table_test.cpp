@@ -8,8 +8,7 @@
 #include "support/refused.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::csv_table_test {
 
 using pcd_files::Folder;
 
@@ -42,5 +41,4 @@ TEST(CsvTable, NamesWhatIsWrong) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::csv_table_test

@@ -4,8 +4,7 @@
 
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::csv_test {
 
 using Cells = std::vector<std::string>;
 
@@ -36,5 +35,4 @@ TEST(CsvRows, MarksAndOddEnds) {
   EXPECT_EQ(csvRows("\"open,\n").size(), 1U);  // a quote that never ends takes the rest
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::csv_test

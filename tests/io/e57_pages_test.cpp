@@ -4,8 +4,7 @@
 
 #include "support/pcd_files.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::e57_pages_test {
 
 std::uint32_t sumOf(const std::string& text) {
   return crc32c(reinterpret_cast<const unsigned char*>(text.data()), text.size());
@@ -65,5 +64,4 @@ TEST(E57Pages, APageThatIsCutShortIsNone) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::e57_pages_test

@@ -6,8 +6,7 @@
 #include "support/pcd_files.h"
 #include "tank_datum/io/scan.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::file_bounds_test {
 
 using pcd_files::errorOf;
 using pcd_files::Folder;
@@ -67,5 +66,4 @@ TEST(FileBounds, FortyLettersOfAValueAreEchoed) {
   EXPECT_EQ(echo(std::string(41, 'a')), std::string(40, 'a') + "...");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::file_bounds_test

@@ -17,8 +17,7 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/io/scan.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::input_file_test {
 
 using Change = std::function<void(const std::string& path)>;
 
@@ -168,5 +167,4 @@ TEST(WholeFile, IsNoLargerThanAnyTable) {
   EXPECT_NE(refusalOf(Error::Kind::File, [&] { wholeFile(path, "limits"); }).find("at most 256 MB"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::input_file_test

@@ -6,8 +6,7 @@
 #include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::json_file_test {
 
 class JsonFile : public testing::Test {
  protected:
@@ -37,5 +36,4 @@ TEST_F(JsonFile, ThatIsNoneOfOursIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::json_file_test

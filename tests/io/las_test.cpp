@@ -9,8 +9,7 @@
 #include "support/read_scans.h"
 
 /// LAS files: scale and offset, classes, setups, and headers that lie.
-namespace tank_datum {
-namespace {
+namespace tank_datum::las_test {
 
 using las_files::Las;
 using read_scans::passOf;
@@ -222,5 +221,4 @@ TEST(Las, CutAnywhereOrWithAnyByteChanged) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::las_test

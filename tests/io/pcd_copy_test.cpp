@@ -10,8 +10,7 @@
 #include "io/pcd_header.h"
 #include "support/read_scans.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::pcd_copy_test {
 
 using pcd_files::errorOf;
 using pcd_files::Folder;
@@ -186,5 +185,4 @@ TEST(LocalOrigin, IsAWholeHundredTowardsZero) {
   EXPECT_EQ(localOrigin({-250, 100, 0}), Eigen::Vector3d(-200, 100, 0));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::pcd_copy_test

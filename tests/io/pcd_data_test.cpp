@@ -10,8 +10,7 @@
 #include "support/pcd_files.h"
 #include "tank_datum/io/scan.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::pcd_data_test {
 
 using pcd_files::errorOf;
 using pcd_files::Folder;
@@ -209,5 +208,4 @@ TEST_P(Hostile, RandomBytes) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::pcd_data_test

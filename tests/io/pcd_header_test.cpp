@@ -4,8 +4,7 @@
 
 #include "support/pcd_files.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::pcd_header_test {
 
 using pcd_files::errorOf;
 using pcd_files::Folder;
@@ -214,5 +213,4 @@ TEST(PcdHeader, FilesThatCannotBeRead) {
   EXPECT_NE(errorOf([&] { readPcdHeader(std::string("a\nb")); }).find("a?b"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::pcd_header_test

@@ -10,8 +10,7 @@
 #include "support/pcd_files.h"
 #include "tank_datum/io/scan.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::pcd_pcl_files_test {
 
 using pcd_files::Folder;
 
@@ -101,5 +100,4 @@ TYPED_TEST(PclWriters, CutFilesAreRefusedAllTheSame) {
   EXPECT_NE(pcd_files::errorOf([&] { Scan::open({this->path("binary")}); }).find("POINTS of "), std::string::npos);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::pcd_pcl_files_test

@@ -8,8 +8,7 @@
 #include "support/pcd_files.h"
 #include "tank_datum/io/scan.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::pcd_real_files_test {
 
 struct RealFile {
   const char* path;
@@ -100,5 +99,4 @@ TEST(PcdRealFiles, BadOnes) {
   expectRefusal("bad/derived/pcd_bc_truncated_200k.pcd", "compressed size of ");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::pcd_real_files_test

@@ -16,7 +16,7 @@ namespace tank_datum {
 std::string nameOf(PcdWriter::Format format) { return format == PcdWriter::Format::Ascii ? "ascii" : "binary"; }
 void PrintTo(PcdWriter::Format format, std::ostream* out) { *out << nameOf(format); }
 
-namespace {
+namespace pcd_writer_test {
 
 using pcd_files::errorOf;
 using pcd_files::Folder;
@@ -180,5 +180,5 @@ TEST(PcdWriter, WrongUse) {
   errorOf([&] { writer.commit(); }, Error::Kind::Option);
 }
 
-}  // namespace
+}  // namespace pcd_writer_test
 }  // namespace tank_datum

@@ -7,8 +7,7 @@
 #include "support/read_scans.h"
 
 /// PLY files made byte by byte: both byte orders and ascii, what stands beside the vertices, headers that lie.
-namespace tank_datum {
-namespace {
+namespace tank_datum::ply_test {
 
 using read_scans::passOf;
 using read_scans::refusalOf;
@@ -238,5 +237,4 @@ TEST(Ply, CutAnywhereOrWithAnyByteChanged) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ply_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::point_extent_test {
 
 /// Points at every centimetre of a line of so many metres.
 Points line(int metres) {
@@ -34,5 +33,4 @@ TEST(Extent, WhatIsFiveHundredTimesAsFarAwayIsOfNoScan) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::point_extent_test

@@ -7,8 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::read_ahead_test {
 
 /// Blocks 0, 1, 2, ... by their setup, and who read them.
 struct Counted {
@@ -122,5 +121,4 @@ TEST(ReadAhead, MayBeLeftAtAnyBlock) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::read_ahead_test

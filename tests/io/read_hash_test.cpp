@@ -9,8 +9,7 @@
 #include "support/pcd_files.h"
 #include "tank_datum/io/scan.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::read_hash_test {
 
 using pcd_files::Folder;
 
@@ -100,5 +99,4 @@ TEST(Scan, HashIsTakenFromWhatAPassReads) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::read_hash_test

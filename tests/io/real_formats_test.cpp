@@ -8,8 +8,7 @@
 
 /// Real files of other people's programs: counts and bounds as independent readers (laspy, plyfile, a small one for
 /// text) found them, which stand in NOTE.txt beside the files.
-namespace tank_datum {
-namespace {
+namespace tank_datum::real_formats_test {
 
 struct Known {
   std::uint64_t points = 0, finite = 0;
@@ -161,5 +160,4 @@ TEST(RealFormats, OddOnesThatAreRead) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::real_formats_test

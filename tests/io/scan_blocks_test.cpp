@@ -9,8 +9,7 @@
 #include "support/read_scans.h"
 
 /// Scan::fromBlocks: points that somebody else reads.
-namespace tank_datum {
-namespace {
+namespace tank_datum::scan_blocks_test {
 
 using read_scans::passOf;
 
@@ -235,5 +234,4 @@ TEST(ScanBlocks, AForeignFileThatNobodyReadsIsRefused) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::scan_blocks_test

@@ -5,8 +5,7 @@
 #include "support/read_scans.h"
 
 /// Scan::everyNth of points that somebody else reads in parts, of which some can be left unread.
-namespace tank_datum {
-namespace {
+namespace tank_datum::scan_parts_test {
 
 using read_scans::passOf;
 
@@ -55,5 +54,4 @@ TEST(ScanParts, FewPartsAreAllRead) {
   EXPECT_EQ(every, 1U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::scan_parts_test

@@ -11,8 +11,7 @@
 #include "tank_datum/io/scan.h"
 
 /// Scan::forEachChosen, the pass in several threads; forEachBlock is the oracle.
-namespace tank_datum {
-namespace {
+namespace tank_datum::scan_pass_test {
 
 constexpr std::size_t kRows = 1'200'000;  // more than one round of blocks
 
@@ -164,5 +163,4 @@ TEST(ScanForEachChosen, PassesOnWhatIsThrown) {
                std::logic_error);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::scan_pass_test

@@ -9,8 +9,7 @@
 #include "tank_datum/io/scan.h"
 
 /// Which setup of the scanner a point comes from.
-namespace tank_datum {
-namespace {
+namespace tank_datum::scan_setups_test {
 
 using Found = std::map<std::pair<std::uint32_t, std::uint32_t>, Points>;
 
@@ -117,5 +116,4 @@ TEST(ScanSetups, FilesWithLabelsAreNamedByBoth) {
   EXPECT_FALSE(scan.setupOrigin({0, 3}));  // one viewpoint cannot be that of several setups
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::scan_setups_test

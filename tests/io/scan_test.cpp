@@ -9,8 +9,7 @@
 
 #include "support/pcd_files.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::scan_test {
 
 using pcd_files::errorOf;
 using pcd_files::Field;
@@ -241,5 +240,4 @@ TEST(Scan, CoordinateStepOfFloatsInMemoryIsThatOfAFile) {
   EXPECT_EQ(Scan::fromRows(1, row, {false}).coordinateStep(), 0.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::scan_test

@@ -6,8 +6,7 @@
 #include "io/up_axis.h"
 #include "tank_datum/io/scan.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::scan_turned_test {
 
 const Points kPoints = {{4e6, 2.0, 3.0}, {4e6 + 1.0, 2.5, 7.0}, {4e6, 3.0, -1.0}};
 
@@ -81,5 +80,4 @@ TEST(ScanTurned, AndRelativeToAnotherOrigin) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::scan_turned_test

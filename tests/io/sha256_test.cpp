@@ -4,8 +4,7 @@
 
 #include "support/pcd_files.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::sha256_test {
 
 TEST(Sha256, KnownAnswers) {  // FIPS 180-4 examples
   const pcd_files::Folder folder;
@@ -37,5 +36,4 @@ TEST(Sha256, FileThatCannotBeRead) {
   EXPECT_NE(pcd_files::errorOf([&] { sha256OfFile(folder.path("")); }).find("a folder"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::sha256_test

@@ -7,8 +7,7 @@
 #include "support/read_scans.h"
 
 /// PTS and PTX: setups one after the other in a text, and counts and poses that lie.
-namespace tank_datum {
-namespace {
+namespace tank_datum::text_blocks_test {
 
 using read_scans::passOf;
 using read_scans::refusalOf;
@@ -187,5 +186,4 @@ TEST(TextBlocks, CutAnywhereOrWithAnyByteChanged) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::text_blocks_test

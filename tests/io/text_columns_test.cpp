@@ -6,8 +6,7 @@
 #include "support/read_scans.h"
 
 /// Text of columns: what parts them, what names them, and what must not be read as other numbers.
-namespace tank_datum {
-namespace {
+namespace tank_datum::text_columns_test {
 
 using read_scans::passOf;
 using read_scans::refusalOf;
@@ -212,5 +211,4 @@ TEST(TextColumns, CutAnywhereOrWithAnyByteChanged) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::text_columns_test

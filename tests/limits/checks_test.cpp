@@ -6,8 +6,7 @@
 #include "support/refused.h"
 #include "tank_datum/stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::checks_test {
 
 const std::string kHeader =
     "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation\n";
@@ -224,5 +223,4 @@ TEST(Verdict, HasTheNamesOfTheFiles) {
   EXPECT_STREQ(nameOf(Verdict::Undecided), "undecided");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::checks_test

@@ -2,8 +2,7 @@
 
 #include "limits/checks.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::headline_test {
 
 Check named(const char* quantity, Verdict verdict, double share, const char* role = "judged") {
   Check check;
@@ -95,5 +94,4 @@ TEST(HeadlineOf, AFigureFarFromItsLimitIsNotNearIt) {
   EXPECT_EQ(meaning(1.01, {0.99, 1.7}, false), ", too near it to decide");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::headline_test

@@ -10,8 +10,7 @@
 #include "support/refused.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::limits_test {
 
 const std::string kHeader =
     "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation\n";
@@ -110,5 +109,4 @@ TEST(ParseLimits, RefusesAnotherTable) {
   EXPECT_THROW(parseLimits(kHeader, "mine"), Error);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::limits_test

@@ -9,8 +9,7 @@
 #include "core/approx_azimuth.h"
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::arc_meter_test {
 
 constexpr StandingRule kRule{0.3, 0.94};
 constexpr double kBin = 0.5;
@@ -78,5 +77,4 @@ TEST(ArcMeter, IsWhatTheRuleSaysOfEachWall) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::arc_meter_test

@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::circle_search_test {
 
 constexpr double kVoxel = 0.05;
 
@@ -60,5 +59,4 @@ TEST(FindWallCircles, FortyAtMostAreLookedFor) {
   EXPECT_EQ(findWallCircles(walls, kVoxel, {}).size(), 40U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::circle_search_test

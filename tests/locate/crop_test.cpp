@@ -10,8 +10,7 @@
 #include "support/made_clouds.h"
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::crop_test {
 
 using made_clouds::kTurn;
 using made_clouds::uniform;
@@ -225,5 +224,4 @@ TEST(RowStride, IsWorthItFromTwoAndAHalfTimesWhatTheFitsTake) {
   EXPECT_EQ(rowStride(scan, tank, {}), 3U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::crop_test

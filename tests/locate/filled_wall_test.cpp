@@ -7,8 +7,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::filled_wall_test {
 
 constexpr double kVoxel = 0.1;  // [m]
 
@@ -73,5 +72,4 @@ TEST(ShareFilled, IsOfWhatLiesUpToHalfAWallAboveIt) {
   EXPECT_EQ(shareOf(0.8, {{0.8, 0.3}}), 0.0) << "of what is seen through an opening";
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::filled_wall_test

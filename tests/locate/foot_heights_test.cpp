@@ -6,8 +6,7 @@
 
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_heights_test {
 
 constexpr std::size_t kSectors = 180;  // of 2 degrees
 constexpr double kVoxel = 0.1;
@@ -63,5 +62,4 @@ TEST(FitFootHeights, FeetAgreeWithinThreeVoxels) {
   EXPECT_GT(fitOverLowArc(31, 0.9, 0.33), 0.6);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_heights_test

@@ -9,8 +9,7 @@
 #include "support/scanned_tanks.h"
 #include "tank_datum/fit/curves.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::known_circle_test {
 
 using scanned_tanks::kTurn;
 using scanned_tanks::pointsOf;
@@ -63,5 +62,4 @@ TEST(LocateOptions, AreRefusedByName) {
   EXPECT_EQ(said(firstError(options)), "locate.sample_points, 9999, expected >= 10000");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::known_circle_test

@@ -10,8 +10,7 @@
 #include "support/made_clouds.h"
 #include "support/scanned_tanks.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::locate_test {
 
 using scanned_tanks::pointsOf;
 using scanned_tanks::yard;
@@ -215,5 +214,4 @@ TEST(LocateTanks, SamplePointsBoundTheSample) {
   EXPECT_GT(coarse.tanks[0].resolution, fine.tanks[0].resolution);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::locate_test

@@ -9,8 +9,7 @@
 #include "core/portable_math.h"
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::narrow_ringwall_test {
 
 constexpr double kRadius = 10.0;
 
@@ -118,5 +117,4 @@ TEST(NarrowRingwall, OfThingsInOtherUnitsIsInProportion) {
   EXPECT_NEAR(found->foot(1.0), 0.0, 6.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::narrow_ringwall_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::nested_tanks_test {
 
 /// A tank seen all round on the ground, as a sample with so long voxels shows it.
 Tank tankOf(double radius, double height, double foot = 0.0, double resolution = 0.05) {
@@ -116,5 +115,4 @@ TEST(DropNested, TanksBesideEachOtherStay) {
   EXPECT_EQ(tanks.size(), 2U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::nested_tanks_test

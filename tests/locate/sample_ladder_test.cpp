@@ -6,8 +6,7 @@
 
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::sample_ladder_test {
 
 TEST(StrideOf, AboutTwoMillionPointsAreLookedAtEveryOddNth) {
   EXPECT_EQ(strideOf(0), 1U);
@@ -46,5 +45,4 @@ TEST(SamplesOf, EndBeyondAnEighthOfTheSmallestTankOrASixtiethOfTheScan) {
   EXPECT_EQ(coarsestOf(0.1), 0.064);  // after 1/60 of the 2.5 m within which two in five points lie
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::sample_ladder_test

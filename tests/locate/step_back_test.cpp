@@ -6,8 +6,7 @@
 
 #include "support/made_walls.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::step_back_test {
 
 using namespace made_walls;
 
@@ -136,5 +135,4 @@ TEST(StepBackHeight, AQuarterOfAMetreOfTheShellMayBeHidden) {
   EXPECT_TRUE(std::isnan(stepBelowHidden(0.49)));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::step_back_test

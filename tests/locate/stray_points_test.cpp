@@ -8,8 +8,7 @@
 #include "io/point_extent.h"
 #include "locate/foot_unit.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::stray_points_test {
 
 Points uniformPoints(std::size_t count, const Eigen::Vector3d& size, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -190,5 +189,4 @@ TEST(FindStrays, SixInTenPointsAreStraysAtMost) {
   EXPECT_EQ(straysOf(1600, 1), 0);     // 0.62
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::stray_points_test

@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "support/made_faces.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::tank_description_test {
 
 using namespace made_faces;
 
@@ -237,5 +236,4 @@ TEST(Describe, TheFootIsNoFartherAboveALowArcThanIsCroppedBelowIt) {
   EXPECT_NEAR(footOfArc(0.8), 0.3, 0.03);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::tank_description_test

@@ -7,8 +7,7 @@
 
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::wall_map_test {
 
 using made_clouds::kTurn;
 using made_clouds::uniform;
@@ -161,5 +160,4 @@ TEST(MapWalls, ARowIsAWallUpToFifteenHundredthsOfItsVarianceAcrossIt) {
   EXPECT_FALSE(linesUp(std::sqrt(0.25 * 0.08 / 0.96)));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::wall_map_test

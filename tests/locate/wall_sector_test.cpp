@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "support/made_walls.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::wall_sector_test {
 
 using namespace made_walls;
 
@@ -119,5 +118,4 @@ TEST(HasFoundation, TheGroundMayDropHalfAMetreAtARingwall) {
   EXPECT_FALSE(hasFoundation({-0.52}, 0.0, kFine, 10.0));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::wall_sector_test

@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::walls_behind_test {
 
 constexpr double kRadius = 10.0;
 
@@ -107,5 +106,4 @@ TEST(WallsBehind, OneColumnMayBeAPoleAndTwoAreAWall) {
   EXPECT_NEAR(wallsBehind(walls, tankOf(Side::Outside)).share, 1.0 / 72.0, 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::walls_behind_test

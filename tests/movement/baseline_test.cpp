@@ -15,8 +15,7 @@
 #include "tank_datum/locate/tank.h"
 #include "tank_datum/report/report.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::baseline_test {
 
 using made_datums::octagon;
 using made_datums::provenance;
@@ -122,5 +121,4 @@ TEST_F(BaselineFile, MustBeAmongTheTanksOfTheScan) {
   EXPECT_THROW(requireAmong({same}, origin, baseline), Error);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::baseline_test

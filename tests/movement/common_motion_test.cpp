@@ -6,8 +6,7 @@
 #include "movement/movement_errors.h"
 #include "support/made_differences.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::common_motion_test {
 
 using made_differences::differences;
 
@@ -84,5 +83,4 @@ TEST(CommonPart, ASectorThatMovedDoesNotMoveTheOthers) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::common_motion_test

@@ -7,8 +7,7 @@
 
 #include "tank_datum/movement/movement.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::limit_rates_test {
 
 constexpr double kSigma = 0.0001;  ///< of every figure [m]
 
@@ -160,5 +159,4 @@ TEST(MonthOf, IsThatOfTheCalendar) {
   EXPECT_EQ(monthOf(2031.9999), "2031-12");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::limit_rates_test

@@ -8,8 +8,7 @@
 #include "movement/movement_significance.h"
 #include "support/made_epochs.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::movement_bounds_test {
 
 using namespace made_epochs;
 
@@ -171,5 +170,4 @@ TEST(ShownErrors, AreAWaveWhereAGapMakesWavesFiveTimesAsUncertain) {
   EXPECT_LT(dearest, 10.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::movement_bounds_test

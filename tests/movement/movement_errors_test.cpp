@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "support/made_differences.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::movement_errors_test {
 
 using made_differences::differences;
 
@@ -166,5 +165,4 @@ TEST(WidenErrors, TakesTheLargerAndTheDeclaredArc) {
   EXPECT_NEAR(stations[0].window, 30.0 * kDegree, 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::movement_errors_test

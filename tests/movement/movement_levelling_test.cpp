@@ -10,8 +10,7 @@
 #include "tank_datum/movement/movement.h"
 #include "tank_datum/stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::movement_levelling_test {
 
 double shapeAt(double direction) { return 1.0 + 0.006 * std::cos(2.0 * direction) + 0.004 * std::sin(3.0 * direction); }
 
@@ -134,5 +133,4 @@ TEST(EpochOf, ALevellingKeepsThatItIsOne) {
   EXPECT_FALSE(epochOf(Datum(), Method::Refined, "scan").levelled);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::movement_levelling_test

@@ -8,8 +8,7 @@
 #include "core/units.h"
 #include "support/made_epochs.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::movement_significance_test {
 
 using made_epochs::Survey;
 using made_epochs::with;
@@ -238,5 +237,4 @@ TEST(CompareEpochs, ASingleStationOffIsNoMovement) {
   coarse.stations[5].z += 0.003;  // 10 degrees from its neighbours it is all there is
   EXPECT_EQ(compareEpochs(before, coarse, {}).significant, 1U);
 }
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::movement_significance_test

@@ -8,8 +8,7 @@
 #include "support/made_epochs.h"
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::movement_test {
 
 using made_epochs::kShared;
 using made_epochs::refusal;
@@ -215,5 +214,4 @@ TEST(MovementOptions, AreRefusedByName) {
   EXPECT_NE(refusal(Survey().epoch(), Survey().epoch(), both), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::movement_test

@@ -10,8 +10,7 @@
 #include "support/made_differences.h"
 #include "support/made_epochs.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_pairs_test {
 
 using made_differences::differences;
 using made_epochs::Survey;
@@ -84,5 +83,4 @@ TEST(RingPairs, StepIsThatOfNeighboursWhateverTheGaps) {
   EXPECT_EQ(RingPairs(stations).widest(), 0U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_pairs_test

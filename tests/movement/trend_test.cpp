@@ -8,8 +8,7 @@
 #include "core/units.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::trend_test {
 
 /// A comparison of `count` stations that moved by `dz`, 0.3 mm of error in each survey, its frame turned by `turned`.
 Movement moved(double dz, std::size_t count = 360, double turned = 0.0) {
@@ -108,5 +107,4 @@ TEST(YearOf, ReadsDatesAndYears) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::trend_test

@@ -9,8 +9,7 @@
 #include "options/option_json.h"
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::option_table_test {
 
 /// Sets a number to just beyond an end of its bounds, whatever it is kept in.
 struct Beyond {
@@ -124,5 +123,4 @@ TEST(OptionTable, TheListHasWhatPeopleCanGive) {
   EXPECT_TRUE(named("locate.min_arc_deg").is_null());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::option_table_test

@@ -6,8 +6,7 @@
 
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::option_test {
 
 constexpr double kRightAngle = 1.5707963267948966;
 
@@ -111,5 +110,4 @@ TEST(Option, AChoiceIsOneOfItsWords) {
   EXPECT_EQ(said(option), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::option_test

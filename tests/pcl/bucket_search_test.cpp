@@ -8,8 +8,7 @@
 #include "support/pcl_clouds.h"
 #include "tank_datum/pcl/datum_filter.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::bucket_search_test {
 
 using pcl_clouds::tankCloud;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -81,5 +80,4 @@ TEST_F(BucketSearchOfATank, ServesTheFilterAsItsOwnSearchDoes) {
   EXPECT_EQ(edge(std::make_shared<BucketSearch<pcl::PointXYZ>>()), own);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::bucket_search_test

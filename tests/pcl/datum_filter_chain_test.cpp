@@ -11,8 +11,7 @@
 #include "support/pcl_clouds.h"
 #include "tank_datum/pcl/datum_filter.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_filter_chain_test {
 
 using pcl_clouds::tankCloud;
 using pcl_clouds::toTheEdge;
@@ -108,5 +107,4 @@ TEST(DatumFilterChain, StandsInAChainOfFilters) {
   EXPECT_EQ(datum->getDatum().counts.points, sizes[1]);
   EXPECT_EQ(datum->getDatum().edge_points.size(), sizes[2]);
 }
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_filter_chain_test

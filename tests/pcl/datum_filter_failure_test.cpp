@@ -6,8 +6,7 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/pcl/datum_filter.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_filter_failure_test {
 
 using made_clouds::floorPoints;
 using pcl_clouds::cloudOf;
@@ -140,5 +139,4 @@ TEST(DatumFilterFailure, AnIndexOutsideOfTheCloudIsNamedAndNothingStale) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_filter_failure_test

@@ -21,8 +21,7 @@ struct EIGEN_ALIGN16 ReflectancePoint {
 POINT_CLOUD_REGISTER_POINT_STRUCT(ReflectancePoint,
                                   (float, x, x)(float, y, y)(float, z, z)(float, reflectance, reflectance))
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_filter_search_test {
 
 using made_clouds::kRadius;
 using pcl_clouds::tankCloud;
@@ -206,5 +205,4 @@ TEST(DatumFilterOfAnyPointType, WorksWithOneHeader) {
   EXPECT_EQ(edge.size(), filter.getDatum().edge_points.size());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_filter_search_test

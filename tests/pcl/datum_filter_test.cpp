@@ -12,8 +12,7 @@
 #include "support/pcl_clouds.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_filter_test {
 
 using made_clouds::kRadius;
 using pcl_clouds::tankCloud;
@@ -211,5 +210,4 @@ TEST(DatumFilter, OptionsReachTheChain) {
   EXPECT_LT(edge.size(), edgeIndices().size());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_filter_test

@@ -10,8 +10,7 @@
 #include "tank_datum/edge/find_edge_points.h"
 #include "tank_datum/search/estimate_normals.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::pcl_stages_test {
 
 using made_clouds::elevation;
 using made_clouds::kRadius;
@@ -125,5 +124,4 @@ TEST(PclStages, TanksAndRefinedStationsAreInTheCloudsFrame) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::pcl_stages_test

@@ -6,8 +6,7 @@
 
 #include "tank_datum/pcl/pcl_stages.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::scan_rows_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -37,5 +36,4 @@ TEST(RowsOf, APointOfNoScanIsAnError) {
   EXPECT_THROW(rowsOf({{0.5, 0, 0}}, Scan::fromPoints({{1, 0, 0}})), std::logic_error);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::scan_rows_test

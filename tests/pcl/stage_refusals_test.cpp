@@ -13,8 +13,7 @@
 #include "tank_datum/pcl/datum_filter.h"
 #include "tank_datum/pcl/pcl_stages.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::stage_refusals_test {
 
 using pcl_clouds::tankCloud;
 using pcl_clouds::toTheEdge;
@@ -204,5 +203,4 @@ TEST(StageRefusals, AFilterCanBeCancelled) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::stage_refusals_test

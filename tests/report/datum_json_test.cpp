@@ -6,8 +6,7 @@
 
 #include "support/made_datums.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::datum_json_test {
 
 using Json = nlohmann::ordered_json;
 using made_datums::octagon;
@@ -119,5 +118,4 @@ TEST(DatumJson, SaysWhatWentInAndEveryOption) {
                                       "up", "las_classes", "tank", "movement"}));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::datum_json_test

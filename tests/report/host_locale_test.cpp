@@ -17,8 +17,7 @@
 #include "tank_datum/movement/movement.h"
 #include "tank_datum/report/report.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::host_locale_test {
 
 /// The locale de_DE, made in a folder of its own, for this process as long as it lives.
 class German {
@@ -103,5 +102,4 @@ TEST(HostLocale, PlainNumbers) {
   EXPECT_STREQ(text, "1234.50");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::host_locale_test

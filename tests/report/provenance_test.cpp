@@ -10,8 +10,7 @@
 #include "support/made_datums.h"
 #include "support/pcd_files.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::provenance_test {
 
 using Json = nlohmann::json;
 
@@ -80,5 +79,4 @@ TEST(ReadRecordedLevelling, HasAHashOfTheKindAskedFor) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::provenance_test

@@ -11,8 +11,7 @@
 #include "tank_datum/foot/refined.h"
 #include "tank_datum/locate/tank.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::report_page_test {
 
 using Json = nlohmann::json;
 using made_datums::octagon;
@@ -110,5 +109,4 @@ TEST(WriteReportPage, WritesItOrNamesThePath) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::report_page_test

@@ -14,8 +14,7 @@
 #include "tank_datum/foot/refined.h"
 #include "tank_datum/stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::report_test {
 
 /// Nothing of units and language.
 const Provenance& nothingSaid() {
@@ -226,5 +225,4 @@ TEST(Summary, DrawsFortyEightBlocks) {
   EXPECT_EQ(blocks, 48U) << text;
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::report_test

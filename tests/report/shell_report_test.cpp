@@ -6,8 +6,7 @@
 
 #include "support/made_datums.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_report_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -98,5 +97,4 @@ TEST(ShellSummary, SaysTheWorstOrWhyThereIsNone) {
             "plumbness      the shell is seen at one height only\n");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_report_test

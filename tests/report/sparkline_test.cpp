@@ -4,8 +4,7 @@
 
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::sparkline_test {
 
 std::vector<Station> at(const std::vector<double>& elevations) {
   std::vector<Station> stations(elevations.size());
@@ -35,5 +34,4 @@ TEST(Sparkline, IsBlankWhereNothingIsKnown) {
 
 TEST(Sparkline, OfALevelDatumIsALine) { EXPECT_EQ(sparkline(at({3, 3, 3}), 3), "▅▅▅"); }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::sparkline_test

@@ -4,8 +4,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::station_arcs_test {
 
 /// Stations ten degrees apart, of which some lie on another surface.
 std::vector<Station> stationsOn(const std::vector<int>& other) {
@@ -50,5 +49,4 @@ TEST(StationArcs, AWholeRingIsAllOfIt) {
   EXPECT_EQ(jsonOf(stations).dump(), "[[0.0,360.0]]");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::station_arcs_test

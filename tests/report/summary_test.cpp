@@ -4,8 +4,7 @@
 #include "tank_datum/report/report.h"
 #include "tank_datum/stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::summary_test {
 
 using made_datums::octagon;
 
@@ -63,5 +62,4 @@ TEST(Summary, NoHeaveIsNamedWhereTheShellIsSeenBelow) {
   EXPECT_NE(summary(datum).find("in doubt       at 90 to 90 deg"), std::string::npos) << summary(datum);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::summary_test

@@ -9,8 +9,7 @@
 
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::bucket_kernels_test {
 
 struct Columns {
   std::vector<float> x, y, z;
@@ -101,5 +100,4 @@ TEST(BucketKernels, OfTheEquallyFarForTheLastPlaceTheLowerNumberHasIt) {
   EXPECT_EQ(numberIn(found[3]), 103U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::bucket_kernels_test

@@ -11,8 +11,7 @@
 
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::bucket_tree_test {
 
 using made_clouds::uniform;
 using Places = std::vector<Eigen::Vector3f>;
@@ -177,5 +176,4 @@ TEST(BucketTree, TellsEveryPointOnceWhenItsRowIsFilled) {
   EXPECT_EQ(unfilled, 0U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::bucket_tree_test

@@ -5,8 +5,7 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/search/estimate_normals.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::normals_range_test {
 
 /// Both engines square coordinates in float32: what is infinite there ended the process.
 TEST(Normals, OfPointsFurtherApartThanFloatsBearAreRefused) {
@@ -30,5 +29,4 @@ TEST(Normals, OfPointsFurtherApartThanFloatsBearAreRefused) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::normals_range_test

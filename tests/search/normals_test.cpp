@@ -13,8 +13,7 @@
 #include "tank_datum/core/error.h"
 #include "tank_datum/search/estimate_normals.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::normals_test {
 
 NormalOptions withK(int k) {
   NormalOptions options;
@@ -243,5 +242,4 @@ TEST(FitNormals, GoByTheNeighboursGiven) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::normals_test

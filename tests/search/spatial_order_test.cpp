@@ -7,8 +7,7 @@
 
 #include "support/made_clouds.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::spatial_order_test {
 
 using made_clouds::uniform;
 
@@ -41,5 +40,4 @@ TEST(MortonOrder, OfNothingAndOfOnePlaceIsTheGivenOne) {
   EXPECT_EQ(mortonOrder({{1, 2, 3}, {1, 2, 3}}), (Order{0, 1}));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::spatial_order_test

@@ -8,8 +8,7 @@
 #include <random>
 #include <set>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::voxel_sample_test {
 
 Points randomPoints(std::size_t count, double size, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -130,5 +129,4 @@ TEST(VoxelSample, ItsSizeIsThatOfItsPoints) {
   EXPECT_EQ(VoxelSample({}, 100).size(), 0U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::voxel_sample_test

@@ -12,8 +12,7 @@
 #include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::agreement_test {
 
 using namespace scanned_tanks;
 
@@ -230,5 +229,4 @@ TEST(SetupAgreement, MoreThanTwoHundredLabelsAreTakenTogetherAndSaid) {
   EXPECT_EQ(setupMessage(many, {}), told);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::agreement_test

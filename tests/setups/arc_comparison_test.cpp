@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::arc_comparison_test {
 
 constexpr ArcPrior kPrior{0.01, 0.001, 0.04};
 
@@ -195,5 +194,4 @@ TEST(ArcComparison, SettledIsNothingWhereHalfOfThePointsAreFittedExactly) {
   EXPECT_TRUE(compareArc(sparseArc(6, 0.001, random), kSparse));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::arc_comparison_test

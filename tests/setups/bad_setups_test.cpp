@@ -4,8 +4,7 @@
 
 #include "support/made_overlaps.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::bad_setups_test {
 
 using namespace made_overlaps;
 
@@ -142,5 +141,4 @@ TEST(SetupAdjustment, SigmasAreEstimatedFromThreeParametersThatAreDetermined) {
   EXPECT_TRUE(tellTheirSigmas(3));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::bad_setups_test

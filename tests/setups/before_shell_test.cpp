@@ -8,8 +8,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::before_shell_test {
 
 constexpr double kRadius = 30.0, kReach = 0.5;
 constexpr double kArc = kTwoPi / static_cast<double>(SetupRing::kArcs);
@@ -73,5 +72,4 @@ TEST(BeforeShell, StandsInsideOfAShellThatIsSeenFromWithin) {
   EXPECT_TRUE(held[6]);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::before_shell_test

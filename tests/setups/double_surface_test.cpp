@@ -9,8 +9,7 @@
 #include "core/units.h"
 #include "stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::double_surface_test {
 
 constexpr double kRadius = 10.0, kReach = 0.5, kNoise = 0.0005;
 const FoundationBand kBand{0.02, 0.25, 0.0, kNoise};
@@ -159,5 +158,4 @@ TEST(DoubleSurface, FewPointsTellNothing) {
   EXPECT_GT(made.disagreement(), 0.002);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::double_surface_test

@@ -7,8 +7,7 @@
 
 #include "support/made_overlaps.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::gross_shifts_test {
 
 using namespace made_overlaps;
 
@@ -162,5 +161,4 @@ TEST(GrossShifts, AreDroppedWhereTheyLetNoMoreArcsCompare) {
   EXPECT_NEAR(adjustSetups(views, far.recipe.setups, {}).errors[10], 0.0, 0.005);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::gross_shifts_test

@@ -8,8 +8,7 @@
 #include "setups/setup_ring.h"
 #include "stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::merged_scans_test {
 
 constexpr double kRadius = 10.0, kReach = 0.5;
 
@@ -134,5 +133,4 @@ TEST(MergedScans, TheShortestWaveOfTheFactorsHasAHundredthOfThePowerOfTheLongest
   EXPECT_LT(power, 0.03);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::merged_scans_test

@@ -7,8 +7,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::overlaps_test {
 
 /// The median of chi squared with one degree of freedom over its mean (Wilson and Hilferty), as the misfit has it.
 const double kMedian = std::pow(1.0 - 2.0 / 9.0, 3);
@@ -111,5 +110,4 @@ TEST(Overlaps, PlacesAreThoseAtWhichASetupIsSeen) {
   EXPECT_TRUE(overlaps.placesOf(4).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::overlaps_test

@@ -8,8 +8,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::parts_by_order_test {
 
 constexpr double kRadius = 10.0;
 
@@ -171,5 +170,4 @@ TEST(PartsByOrder, OfAVastCloudEveryNthPointIsLookedAt) {
   expectBegins(cloud.parts(), begins, 60.0 * static_cast<double>(times));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::parts_by_order_test

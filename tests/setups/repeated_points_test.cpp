@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::repeated_points_test {
 
 Points madePoints(std::size_t count, double step, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -72,5 +71,4 @@ TEST(RepeatedPoints, PointsThatAThirdOfASetupSharesAreNoChance) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::repeated_points_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::rounded_points_test {
 
 /// Points at random places of a foot, rounded to a step; 0: not.
 Points pointsRoundedTo(double step, std::uint64_t seed) {
@@ -135,5 +134,4 @@ TEST(RoundedPoints, OneSetupMayBeRoundedAndAnotherNot) {
   EXPECT_EQ(ring.points[1], whole[0]);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::rounded_points_test

@@ -8,8 +8,7 @@
 
 #include "support/made_overlaps.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_adjustment_test {
 
 using namespace made_overlaps;
 
@@ -211,5 +210,4 @@ TEST(SetupAdjustment, ArcsWithErrorsTheyDoNotSayAreGivenThem) {
   EXPECT_GT(tally.within, 0.85);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_adjustment_test

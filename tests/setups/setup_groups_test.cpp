@@ -9,8 +9,7 @@
 #include "setups/setup_adjustment.h"
 #include "support/made_overlaps.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_groups_test {
 
 using namespace made_overlaps;
 
@@ -120,5 +119,4 @@ TEST(SetupGroups, ABadSetupIsOfNoGroup) {
   EXPECT_FALSE(adjusted.groups.higher[1]);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_groups_test

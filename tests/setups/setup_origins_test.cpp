@@ -4,8 +4,7 @@
 #include "support/test_folder.h"
 #include "tank_datum/core/error.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_origins_test {
 
 std::map<std::string, Eigen::Vector3d> read(const std::string& text, double metres = 1.0) {
   const TestFolder folder;
@@ -36,5 +35,4 @@ TEST(SetupOrigins, BadRowsAreRefusedByLine) {
   EXPECT_THROW(readSetupOrigins("/no/such/file.csv"), Error);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_origins_test

@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_report_test {
 
 SetupAgreement badSetup(double dz, double tilt, double dx) {
   SetupAgreement agreement;
@@ -85,5 +84,4 @@ TEST(SetupMessage, PartsOfSetupsAreTold) {
   EXPECT_TRUE(says(agreement, "show the same of the shell are taken to be parts of one setup"));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_report_test

@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_ring_test {
 
 constexpr double kRadius = 10.0, kCell = kTwoPi / 1440.0;
 
@@ -61,5 +60,4 @@ TEST(SetupRing, ArcsAreNumberedFromTheXAxisAndATurnBegunAtNoAngleEndsInTheLast) 
   EXPECT_EQ(SetupRing::arcOf({1.0, -1e-300, 0.0}, {0.0, 0.0}), SetupRing::kArcs - 1);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_ring_test

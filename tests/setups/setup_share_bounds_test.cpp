@@ -6,8 +6,7 @@
 #include "setups/setup_shares.h"
 #include "stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_share_bounds_test {
 
 constexpr double kRadius = 10.0, kReach = 0.5;
 
@@ -96,5 +95,4 @@ TEST(ShareSetupErrors, OfMergedScansAreWhatOneOfThemIsUncertainBy) {
   EXPECT_NEAR(shareSetupErrors(agreement, stationsRound(36, 0.01), {}, 0.0).stations[5].sigma_setup, 0.003, 1e-9);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_share_bounds_test

@@ -9,8 +9,7 @@
 #include "stations/station_covariance.h"
 #include "stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_shares_test {
 
 constexpr double kRadius = 10.0;
 
@@ -219,5 +218,4 @@ TEST(ShareSetupErrors, OfSeveralSetupsOfWhichOneHasPointsThatOneSeesAll) {
   for (const StationSetups& s : shared.stations) ASSERT_EQ(s.n_setups, 1U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_shares_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_system_test {
 
 /// A system that tells every parameter by itself, with the same weight.
 SetupSystem systemOf(const Eigen::VectorXd& errors, double weight) {
@@ -82,5 +81,4 @@ TEST(TemperedSigma, AboveTheUsualItIsOnlyWidened) {
   EXPECT_NEAR(temperedSigma(0.004, 8.0, 0.002), 0.004 * std::sqrt(1.25), 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_system_test

@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_verdicts_test {
 
 /// A setup whose height was corrected by so many of its standard errors.
 Setup corrected(double sigmas) {
@@ -68,5 +67,4 @@ TEST(DropBad, OnlyInTheArcsThatOthersSee) {
   EXPECT_EQ(ring.point_setups.size(), 210U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_verdicts_test

@@ -8,8 +8,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::setup_views_test {
 
 constexpr double kRadius = 30.0, kReach = 0.5;
 constexpr double kArcLength = kTwoPi * kRadius / 144.0;  // of the arcs that are compared
@@ -227,5 +226,4 @@ TEST(ViewArcs, StepsDownAtAPlatesAndARingwallsEdgeAreNoBank) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::setup_views_test

@@ -8,8 +8,7 @@
 
 #include "setups/setup_ring.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_arcs_test {
 
 /// A hundred points in each arc from one on to another, in so many of them.
 ShellArcs seen(std::size_t from, std::size_t count) {
@@ -98,5 +97,4 @@ TEST(ShellArcs, OfSetupsAreThoseOfAllPointsSetupBySetup) {
   for (std::size_t arc = 0; arc < all.size(); ++arc) EXPECT_EQ(of_setups[0][arc] + of_setups[1][arc], all[arc]) << arc;
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_arcs_test

@@ -12,8 +12,7 @@
 #include "locate/crop.h"
 #include "support/test_folder.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::split_setups_test {
 
 constexpr int kDegrees = 360;
 constexpr int kSetups = 4;  // each sees half of a shell
@@ -220,5 +219,4 @@ TEST_F(SplitSetupsTest, FilesOfOneLabelEachStay) {
   EXPECT_EQ(Cropped(scan).join(), SplitSetups::None) << "numbered from 0 on in each of two days";
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::split_setups_test

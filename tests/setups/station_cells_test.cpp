@@ -8,8 +8,7 @@
 #include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::station_cells_test {
 
 TEST(StationCells, ThereAreAtLeast360AndAWholeNumberToAStation) {
   StationOptions options;
@@ -40,5 +39,4 @@ TEST(StationCells, ACellHasTheLevelOfTheNearestKnownStation) {
   EXPECT_EQ(z_at(260.0), 0.1);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::station_cells_test

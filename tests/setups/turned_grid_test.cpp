@@ -8,8 +8,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::turned_grid_test {
 
 constexpr double kFinest = 2e-4;
 
@@ -91,5 +90,4 @@ TEST(TurnedGrid, StepsAreAlikeToAFiftieth) {
 
 TEST(TurnedGrid, FinerStepsAreNone) { EXPECT_EQ(Places().add(0.00019, 0.3, 50).step(), 0.0); }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::turned_grid_test

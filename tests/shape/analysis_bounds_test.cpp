@@ -10,8 +10,7 @@
 #include "shape/survey_rows.h"
 #include "support/made_analyses.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::analysis_bounds_test {
 
 using namespace made_surveys;
 constexpr double kFoot = 0.3048;
@@ -226,5 +225,4 @@ TEST(LevelWithin, StationsAMillionthFurtherApartThanTheArcAreWithinIt) {
   EXPECT_LT(most(1.3e-6), 0.5);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::analysis_bounds_test

@@ -10,8 +10,7 @@
 #include "support/refused.h"
 #include "tank_datum/limits/limits.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::analysis_test {
 
 using namespace made_surveys;
 
@@ -187,5 +186,4 @@ TEST(AnalysisOptions, AreRefusedByName) {
   EXPECT_EQ(said(firstError(options)), "height, 0, expected > 0 and <= 100 m");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::analysis_test

@@ -10,8 +10,7 @@
 #include "stations/stations.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::deformation_test {
 
 using made_surveys::takeTilt;
 
@@ -204,5 +203,4 @@ TEST(FitTilt, ExplainsNothingOfAnOval) {
   }
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::deformation_test

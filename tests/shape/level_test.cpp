@@ -10,8 +10,7 @@
 #include "stations/stations.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::level_test {
 
 using made_surveys::survey;
 
@@ -89,5 +88,4 @@ TEST(AntipodalOf, IsUnknownForAnOddCountOrNoPair) {
   EXPECT_TRUE(std::isnan(antipodalOf({}).angle()));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::level_test

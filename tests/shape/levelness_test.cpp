@@ -8,8 +8,7 @@
 #include "stations/ring_series.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::levelness_test {
 
 using namespace made_surveys;
 
@@ -124,5 +123,4 @@ TEST(UnevennessOfAll, IsFromTheMean) {
   EXPECT_TRUE(std::isnan(unevennessOfAll({}).value));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::levelness_test

@@ -10,8 +10,7 @@
 #include "shape/ring_model.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::local_shapes_test {
 
 using made_surveys::kTurn;
 using made_surveys::noisy;
@@ -186,5 +185,4 @@ TEST(LocalSettlements, WavesAndNoiseAloneHaveNone) {
   EXPECT_LE(found, 1);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::local_shapes_test

@@ -6,8 +6,7 @@
 #include "stations/stations.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::out_of_plane_test {
 
 using namespace made_surveys;
 
@@ -172,5 +171,4 @@ TEST(LongestGap, IsAnArc) {
   EXPECT_NEAR(longestGap(emptyStations({}), 30.0), kTurn * 30.0, 1e-9);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::out_of_plane_test

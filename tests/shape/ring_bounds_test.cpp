@@ -10,8 +10,7 @@
 #include "shape/ring_model.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_bounds_test {
 
 using namespace made_surveys;
 
@@ -127,5 +126,4 @@ TEST(RingModel, MeanAndTiltOfAnArcAreWithinTenTimesWhatIsLeftOfItsBestPlane) {
   EXPECT_NEAR(std::cbrt((covariance * each).determinant()), 10.0 * 10.0, 10.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_bounds_test

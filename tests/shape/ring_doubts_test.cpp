@@ -6,8 +6,7 @@
 #include "fit/harmonics.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_doubts_test {
 
 /// 360 stations; where something so high was refused above a datum of 1 m.
 RingDoubts doubts(const std::vector<std::pair<std::size_t, double>>& refused) {
@@ -104,5 +103,4 @@ TEST(RingDoubts, NoneWhereNothingWasRefusedOrNothingWasMeasured) {
   EXPECT_TRUE(doubts(all).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_doubts_test

@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_likelihood_test {
 
 /// What many stations without errors say: the squares of the waves' amplitudes from n = 2 on.
 RingPriors priorsFrom(const std::vector<double>& squares, const RingHyperprior& hyperprior, double weight = 1e16) {
@@ -71,5 +70,4 @@ TEST(WaveVariances, FallWithThePower) {
   EXPECT_NEAR(variances[16], 1.6e-5 / std::pow(4.0, 3.0), 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_likelihood_test

@@ -12,8 +12,7 @@
 #include "shape/partial_ring_tilt.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_model_test {
 
 using namespace made_surveys;
 
@@ -166,5 +165,4 @@ TEST(ArcPoints, AreTwentyFeetApartAndEightToSixtyFour) {
   EXPECT_EQ(points(100.0), 64U);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_model_test

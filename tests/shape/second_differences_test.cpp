@@ -8,8 +8,7 @@
 #include "support/made_surveys.h"
 #include "tank_datum/stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::second_differences_test {
 
 using namespace made_surveys;
 
@@ -111,5 +110,4 @@ TEST(SecondDifferencesOf, LeavesOutPointsInAGap) {
   }));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::second_differences_test

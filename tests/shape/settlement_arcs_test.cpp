@@ -6,8 +6,7 @@
 #include "shape/out_of_plane.h"
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::settlement_arcs_test {
 
 using namespace made_surveys;
 
@@ -65,5 +64,4 @@ TEST(SettlementArcs, NoneWithoutASignChange) {
   EXPECT_TRUE(settlementArcs({}, 20.0).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::settlement_arcs_test

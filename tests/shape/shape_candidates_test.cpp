@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "shape/local_shapes.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shape_candidates_test {
 
 Eigen::VectorXd allRound(Eigen::Index count) {
   return Eigen::VectorXd::LinSpaced(count, 0.0, kTwoPi * static_cast<double>(count - 1) / static_cast<double>(count));
@@ -79,5 +78,4 @@ TEST(LikeliestShape, IsNoneThatTheModelMakesButForAMillionth) {
   EXPECT_TRUE(found(0.010, 1.3e-6).has_value());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shape_candidates_test

@@ -5,8 +5,7 @@
 
 #include "support/made_analyses.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::stated_errors_test {
 
 using namespace made_surveys;
 
@@ -35,5 +34,4 @@ TEST(Analyse, PointsTooFarApartAreNamed) {
   EXPECT_FALSE(notes(analysed(level(120), 30.0, 0.001), "Neighbouring elevations"));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::stated_errors_test

@@ -7,8 +7,7 @@
 #include "locate/crop.h"
 #include "support/made_shells.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_bands_test {
 
 using namespace made_shells;
 
@@ -155,5 +154,4 @@ TEST(ShellBands, OfAHugeScanEveryNthPointIsLookedAt) {
   EXPECT_EQ(gathered(9 * kPointsLookedAt, 2), 11U);  // 2, 11, ... 92: blocks do not all begin with their first
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_bands_test

@@ -4,8 +4,7 @@
 #include "shell/shell_grid.h"
 #include "support/made_shells.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_cell_test {
 
 using namespace made_shells;
 
@@ -108,5 +107,4 @@ TEST(ShellCell, KnownToHalfAMillimetreItIsOneHoweverSureTheOthersAre) {
   EXPECT_NEAR(pastAnEdge(usual, 0.0019).sigma, 0.00038, 0.00005);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_cell_test

@@ -5,8 +5,7 @@
 #include "support/made_shells.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_grid_test {
 
 using namespace made_shells;
 
@@ -152,5 +151,4 @@ TEST(KeepConnected, NothingStaysNothing) {
   EXPECT_TRUE(grid.cells.empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_grid_test

@@ -5,8 +5,7 @@
 #include "shell/shell_roundness.h"
 #include "support/made_shells.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_limits_test {
 
 using namespace made_shells;
 
@@ -96,5 +95,4 @@ TEST(PlumbnessOf, OffsetsAreSmoothedOverFifteenDegreesOnEitherSide) {
   EXPECT_NEAR(plumbnessOf(grid, stations()).front().sigma, alone * kSmoothed, 1e-5);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_limits_test

@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_measures_test {
 
 Roundness at(double height, double out, double gap) {
   Roundness r;
@@ -79,5 +78,4 @@ TEST(ShellMeasures, PlumbnessInOnePlaceIsNotOfTheRing) {
 
 TEST(ShellMeasures, NothingOfAShellNotSeen) { EXPECT_TRUE(shellMeasures({}, {}, kRadius).empty()); }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_measures_test

@@ -5,8 +5,7 @@
 #include "shell/shell_lean.h"
 #include "support/made_shells.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_plumbness_test {
 
 using namespace made_shells;
 
@@ -164,5 +163,4 @@ TEST(LeanOf, OfTooFewIsUnknown) {
   EXPECT_TRUE(std::isnan(Lean().offset()));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_plumbness_test

@@ -5,8 +5,7 @@
 #include "shell/shell_measures.h"
 #include "support/made_shells.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_roundness_test {
 
 using namespace made_shells;
 
@@ -173,5 +172,4 @@ TEST(Roundness, WhatIsNotSeenIsTakenFromWavesThatAreKeptQuiet) {
   EXPECT_NEAR(lost / kAmplitude, 2e-3, 3e-4);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_roundness_test

@@ -6,8 +6,7 @@
 #include "tank_datum/datum.h"
 
 /// The whole chain on a ray-cast scan of a leaning shell out of round, with things that stand in front of it.
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_scan_test {
 
 using namespace scanned_tanks;
 
@@ -104,5 +103,4 @@ TEST(ShellOfAScan, InTheTruthATankWithoutShapeIsACircleThatLeansWithItsTilt) {
   EXPECT_NEAR(truthOf(scene).rounds[3].max_deviation, 0.02 * (1.0 + 0.5 * 3.3 / 6.0), 1e-5);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_scan_test

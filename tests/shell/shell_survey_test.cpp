@@ -5,8 +5,7 @@
 #include "support/made_shells.h"
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_survey_test {
 
 using namespace made_shells;
 
@@ -160,5 +159,4 @@ TEST(ShellOptions, AreRefusedByName) {
   EXPECT_EQ(refused([](auto& o) { o.cell_points = 49; }), "shell.cell_points, 49, expected >= 50");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_survey_test

@@ -6,8 +6,7 @@
 #include "core/units.h"
 #include "stations/stations.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::gap_bridge_test {
 
 constexpr double kRadius = 10.0;
 constexpr double kStep = kDegree * kRadius;  // arc between stations [m]
@@ -180,5 +179,4 @@ TEST(BridgeGaps, LeanOnTwelveStationsOnEitherSide) {
   EXPECT_LT(movedBy(13), 1e-12);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::gap_bridge_test

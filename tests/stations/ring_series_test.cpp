@@ -4,8 +4,7 @@
 
 #include "support/made_surveys.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ring_series_test {
 
 using namespace made_surveys;
 
@@ -50,5 +49,4 @@ TEST(RingSeries, AStationBesideAGapIsFoundToWithinTheRoundingOfItsAzimuth) {
   EXPECT_FALSE(series.at(50 * kDegree + 1.3e-9).has_value());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ring_series_test

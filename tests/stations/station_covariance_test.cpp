@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::station_covariance_test {
 
 std::vector<Station> stationsWith(const std::vector<double>& sigmas) {
   std::vector<Station> stations(sigmas.size());
@@ -45,5 +44,4 @@ TEST(StationCovariance, OfAnotherNumberOfStationsDoesNotFit) {
   EXPECT_FALSE(fits(unknown, three));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::station_covariance_test

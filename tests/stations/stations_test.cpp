@@ -10,8 +10,7 @@
 #include "fit/spline.h"
 #include "support/refused.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::stations_test {
 
 constexpr double kTurn = 6.283185307179586;
 const Eigen::Vector2d kCenter(3.0, -4.0);
@@ -215,5 +214,4 @@ TEST(StationOptions, AreRefusedByName) {
   EXPECT_NE(said(firstError(options)), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::stations_test

@@ -17,11 +17,11 @@ inline constexpr double kNoise = 0.0005;
 inline const FootScales kScales{0.3, 0.0015, 0.013};
 
 /// The foot of 60 stations with an oval datum, by its height above the datum against the distance from the shell.
-struct Foot {
+struct MadeFoot {
   std::vector<std::vector<FootPoint>> stations;
   std::vector<double> datum;
 
-  explicit Foot(const std::function<double(double)>& section, int points = 400, double noise = kNoise) {
+  explicit MadeFoot(const std::function<double(double)>& section, int points = 400, double noise = kNoise) {
     std::mt19937_64 random(4);
     std::normal_distribution<double> normal;
     for (int s = 0; s < 60; ++s) {

@@ -7,8 +7,7 @@
 #include "core/units.h"
 #include "tank_datum/core/unknown.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::foot_density_test {
 
 constexpr double kRadius = 5.0;
 
@@ -68,5 +67,4 @@ TEST(FootDensity, OfStationsFinerThanThePointsAWordIsSaid) {
   EXPECT_EQ(fineStations(kUnknown, 7200), "");
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::foot_density_test

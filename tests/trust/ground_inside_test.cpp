@@ -6,8 +6,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::ground_inside_test {
 
 constexpr double kRadius = 10.0, kNoise = 0.01, kNear = 0.12;  // 2.5 times 0.4 % of the radius, and twice the noise [m]
 
@@ -91,5 +90,4 @@ TEST(GroundInside, FromInsideItIsTheTanksOwn) {
   EXPECT_TRUE(std::isnan(shareOf(seen)));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::ground_inside_test

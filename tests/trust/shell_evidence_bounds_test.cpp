@@ -5,8 +5,7 @@
 #include "core/units.h"
 #include "trust/shell_evidence.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_evidence_bounds_test {
 
 constexpr double kReach = 0.5;
 
@@ -146,5 +145,4 @@ TEST(ShellEvidence, AWallThatBeginsBelowThreeTenthsOfTheReachIsWhole) {
   EXPECT_TRUE(std::isfinite(wall.look().cone));
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_evidence_bounds_test

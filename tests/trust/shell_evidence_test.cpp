@@ -8,8 +8,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_evidence_test {
 
 constexpr double kRadius = 5.0;
 
@@ -122,5 +121,4 @@ TEST(ShellEvidence, DoesNotDependOnTheUnit) {
   EXPECT_NEAR(again.cone, once.cone, 1e-9);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_evidence_test

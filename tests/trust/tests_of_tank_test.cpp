@@ -10,8 +10,7 @@
 #include "stations/stations.h"
 #include "trust/tank_tests.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::tests_of_tank_test {
 
 constexpr double kRadius = 5.0;
 
@@ -246,5 +245,4 @@ TEST(TestsOfGap, ThereIsNoneWhereTheShellIsNotKnown) {
   EXPECT_TRUE(testsOfGap(0.1, 0.5, ShellEvidence()).empty());
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::tests_of_tank_test

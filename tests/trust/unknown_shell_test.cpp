@@ -2,8 +2,7 @@
 
 #include "trust/tests_of_tank.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::unknown_shell_test {
 
 /// What is asked of a wall that is seen in so many sectors, which no circle fits.
 TankTest ofWall(std::size_t sectors) {
@@ -22,5 +21,4 @@ TEST(TestsOfShell, OfAWallThatIsHardlySeenNothingIsKnown) {
   EXPECT_EQ(ofWall(0).limit, 8.0);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::unknown_shell_test
