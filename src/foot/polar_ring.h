@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/units.h"
@@ -21,6 +22,8 @@ using PolarPoints = std::vector<PolarPoint, DefaultInitAllocator<PolarPoint>>;
 class PolarRing {
  public:
   PolarRing(const Points& points, const Eigen::Vector2d& center);
+  /// Of points in order of azimuth.
+  explicit PolarRing(PolarPoints points) : points_(std::move(points)) {}
 
   /// Calls visit(point, turn) for every point whose azimuth is within half_width of `azimuth`; turn is the signed
   /// difference [rad].

@@ -131,7 +131,7 @@ std::vector<ShellLine> linesAtFoot(const PolarRing& ring, const std::vector<Shel
     const Bend& chosen = largestThatAgrees(bends);
     at_foot[i].radius += chosen.offset;
     at_foot[i].lean += chosen.slope;
-    at_foot[i].sigma_radius = chosen.sigma;
+    if (&chosen != &bends.front()) at_foot[i].sigma_radius = std::hypot(chosen.sigma, lines[i].sigma_along);
     at_foot[i].noise = chosen.noise;
     at_foot[i].straight_to = chosen.to;
   });

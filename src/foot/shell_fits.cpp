@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "foot/gussets.h"
 #include "foot/shell_bends.h"
 
 namespace tank_datum {
@@ -16,13 +17,20 @@ double ShellFits::noise() const {
   return median(noises);
 }
 
-ShellFits fitShellLines(const std::vector<double>& directions, const PolarRing& ring, const Tank& tank, double reach) {
+namespace {
+
+ShellHeights heightsOver(const ShellOutline& outline, double reach) {
+  return {std::max(0.1 * reach, 4.0 * outline.noise), reach};
+}
+
+/// The lines of the shell that is outlined.
+ShellFits fitAlong(const ShellOutline& outline, const std::vector<double>& directions, const PolarRing& ring,
+                   const Tank& tank, double reach) {
   constexpr std::size_t kPlenty = 40;                 // points for four unknowns
   constexpr double kWidestShell = 5.0 * kPi / 180.0;  // half the arc that a sparse station may borrow points from
   constexpr double kWider = 1.5;
-  const ShellOutline outline = outlineShell(ring, tank, reach);
   ShellFits shell;
-  shell.heights = {std::max(0.1 * reach, 4.0 * outline.noise), reach};
+  shell.heights = heightsOver(outline, reach);
   shell.lines.resize(directions.size());
   const double step = kTwoPi / static_cast<double>(directions.size());
   auto& lines = shell.lines;
@@ -40,6 +48,15 @@ ShellFits fitShellLines(const std::vector<double>& directions, const PolarRing& 
   });
   lines = linesAtFoot(ring, lines, windows);
   return shell;
+}
+
+}  // namespace
+
+ShellFits fitShellLines(const std::vector<double>& directions, const PolarRing& ring, const Tank& tank, double reach) {
+  const ShellOutline outline = outlineShell(ring, tank, reach);
+  const auto others = withoutGussets(ring, outline, tank, heightsOver(outline, reach));
+  if (!others) return fitAlong(outline, directions, ring, tank, reach);
+  return fitAlong(outlineShell(*others, tank, reach), directions, *others, tank, reach);
 }
 
 }  // namespace tank_datum

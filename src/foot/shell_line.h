@@ -14,11 +14,15 @@ namespace tank_datum {
 /// lip and its ringwall are 0.02 apart.
 constexpr double kResolved = 0.01;
 
+/// Noises off the shell's outline within which points are taken for the shell's.
+constexpr double kOnShell = 6.0;
+
 /// The shell's surface near its foot at one azimuth: radius = radius + turn_slope * t + lean * h, with the arc t from
 /// the azimuth [m] and the height h above the foot [m].
 struct ShellLine {
   double radius = kUnknown;        ///< at the foot [m]
   double sigma_radius = kUnknown;  ///< its standard error [m]
+  double sigma_along = 0;          ///< what of that turn and bend leave [m]
   double turn_slope = 0;           ///< [m/m]
   double bend = 0;                 ///< second-order term in t [1/m]
   double lean = 0;                 ///< [m/m]

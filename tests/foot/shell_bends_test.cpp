@@ -8,8 +8,7 @@
 
 #include "core/units.h"
 
-namespace tank_datum {
-namespace {
+namespace tank_datum::shell_bends_test {
 
 constexpr double kRadius = 10.0, kReach = 0.5, kStep = kTwoPi / 360.0;
 constexpr int kStation = 180;
@@ -23,6 +22,7 @@ struct Bent {
   double line_noise = 0.005;                                       ///< of the lines, which bends make larger [m]
   double nearest = 0.0;                                            ///< steps to either side that are not seen
   std::size_t line_points = 100;                                   ///< that each line was fitted to
+  double sigma_along = 0.0;                                        ///< what turn and bend leave of their radii [m]
 
   ShellLine line() const {
     std::mt19937_64 random(3);
@@ -38,7 +38,7 @@ struct Bent {
     for (int i = 0; i < 360; ++i) {
       ShellLine& line = lines[static_cast<std::size_t>(i)];
       line.radius = kRadius, line.sigma_radius = 0.0002, line.noise = line_noise, line.straight_to = kReach;
-      line.points = line_points;
+      line.points = line_points, line.sigma_along = sigma_along;
       windows.push_back({i * kStep, kStep, 0.0, {0.05, kReach}});
     }
     return linesAtFoot(PolarRing(points, {0.0, 0.0}), lines, windows)[kStation];
@@ -68,6 +68,12 @@ TEST(LinesAtFoot, OfAShellThatBendsAreOfItsStraightPart) {
     EXPECT_NEAR(line.noise, 0.001, 0.0002);
     EXPECT_LT(line.sigma_radius, 0.0002);
   }
+}
+
+TEST(LinesAtFoot, AreNoSurerThanTurnAndBendLeaveTheirRadii) {
+  Bent bent{bentBelow(0.3, -0.015)};
+  bent.sigma_along = 0.004;
+  EXPECT_NEAR(bent.line().sigma_radius, 0.004, 0.0001);
 }
 
 TEST(LinesAtFoot, AFifthOfTheReachIsBentAtTheLowest) {
@@ -140,5 +146,4 @@ TEST(LinesAtFoot, AreFittedToSixHundredPoints) {
   EXPECT_NEAR(many.line().sigma_radius, few.line().sigma_radius, 0.2 * few.line().sigma_radius);
 }
 
-}  // namespace
-}  // namespace tank_datum
+}  // namespace tank_datum::shell_bends_test

@@ -1,0 +1,57 @@
+#include "foot/gussets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/units.h"
+#include "fit/ring_cells.h"
+
+namespace tank_datum {
+namespace {
+
+/// What is seen in a column of the ring.
+struct Column {
+  std::size_t begin = 0, end = 0;  ///< its points
+  int on = 0, out = 0;             ///< how many of them lie on the shell, and out from it
+};
+
+}  // namespace
+
+std::optional<PolarRing> withoutGussets(const PolarRing& ring, const ShellOutline& outline, const Tank& tank,
+                                        const ShellHeights& heights) {
+  constexpr double kWide = 0.04;  // of a column, of the heights: about a gusset's thickness
+  constexpr double kFar = 0.1;    // out from the shell, of the heights
+  constexpr double kDense = 0.5;  // of the points on the shell
+  constexpr int kFewest = 3;      // points of a gusset
+  constexpr double kMost = 0.25;  // of the columns
+  const PolarPoints& points = ring.points();
+  std::vector<Column> columns(1 + static_cast<std::size_t>(kTwoPi * tank.circle.radius / (kWide * heights.to)));
+  const double on_shell = kOnShell * outline.noise, far = std::max(kFar * heights.to, 3.0 * on_shell);
+  const double width = kTwoPi / static_cast<double>(columns.size());
+  forEachIndex(columns.size(), 0, [&](std::size_t i) {
+    Column& column = columns[i];
+    column.begin = ring.firstFrom(static_cast<double>(i) * width);
+    column.end = i + 1 == columns.size() ? points.size() : ring.firstFrom(static_cast<double>(i + 1) * width);
+    const double azimuth = middleOfCell(i, columns.size());
+    const double foot = tank.foot(azimuth), shell = outline.at(azimuth);
+    for (std::size_t k = column.begin; k < column.end; ++k) {
+      const double height = points[k].z - foot, off = points[k].radius - shell;
+      if (height < heights.from || height > heights.to || !(off > -on_shell && off < far)) continue;
+      ++(off < on_shell ? column.on : column.out);
+    }
+  });
+  const auto isSeen = [](const Column& c) { return c.on + c.out >= kFewest; };
+  const auto isGusset = [](const Column& c) { return c.out >= kFewest && c.out >= kDense * c.on; };
+  const auto gussets = static_cast<double>(std::count_if(columns.begin(), columns.end(), isGusset));
+  const auto seen = static_cast<double>(std::count_if(columns.begin(), columns.end(), isSeen));
+  if (gussets == 0.0 || gussets > kMost * seen) return std::nullopt;
+  PolarPoints others;
+  for (const Column& c : columns) {
+    if (!isGusset(c)) others.insert(others.end(), points.begin() + c.begin, points.begin() + c.end);
+  }
+  return PolarRing(std::move(others));
+}
+
+}  // namespace tank_datum

@@ -1,0 +1,128 @@
+#include "foot/gussets.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+#include "foot/shell_fits.h"
+
+namespace tank_datum::gussets_test {
+
+constexpr double kRadius = 10.0, kReach = 0.5, kColumn = 0.02;  // m
+constexpr int kColumns = 3142;                                  // round the ring
+
+Tank madeTank() {
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d::Zero();
+  return tank;
+}
+
+/// A shell, and before it plates that stand out from it, in columns of points one upon the other.
+struct Scan {
+  int on = 24;                      ///< points of a column on the shell
+  int out = 36;                     ///< of one on a plate
+  double from = 0.005, to = 0.150;  ///< how far out from the shell a plate is seen [m]
+  int plates = 24;                  ///< round the ring
+  int wide = 1;                     ///< columns that a plate takes
+  double beside = 0.0;              ///< of the points on the shell, that a plate's columns show [share]
+
+  bool isPlate(int column) const { return column % (kColumns / plates) < wide; }
+
+  PolarRing ring() const {
+    Points points;
+    const auto add = [&](int column, double off, int i, int count) {
+      const double a = (column + 0.5 + (i % 2 ? 0.25 : -0.25)) * kTwoPi / kColumns, r = kRadius + off,
+                   h = 0.06 + 0.43 * (i + 0.5) / count;
+      points.emplace_back(r * std::cos(a), r * std::sin(a), h);
+    };
+    for (int column = 0; column < kColumns; ++column) {
+      const int shell = isPlate(column) ? static_cast<int>(std::lround(beside * on)) : on;
+      for (int i = 0; i < shell; ++i)
+        add(column, 0.001 * (std::fmod(0.618034 * (i + 101 * column), 1.0) - 0.5), i, shell);
+      if (!isPlate(column)) continue;
+      for (int i = 0; i < out; ++i) add(column, from + (to - from) * std::fmod(0.618034 * i, 1.0), i, out);
+    }
+    return PolarRing(points, {0.0, 0.0});
+  }
+
+  /// How many points are left out.
+  std::size_t leftOut() const {
+    const PolarRing all = ring();
+    const ShellOutline outline{std::vector<double>(360, kRadius), 0.0005};
+    const auto others = withoutGussets(all, outline, madeTank(), {0.05, kReach});
+    return others ? all.points().size() - others->points().size() : 0;
+  }
+};
+
+TEST(WithoutGussets, OfAShellAloneNothingIsLeftOut) {
+  Scan scan;
+  scan.out = 0, scan.beside = 1.0;
+  EXPECT_EQ(scan.leftOut(), 0U);
+}
+
+TEST(WithoutGussets, TheColumnsOfPlatesAreLeftOutNoOthers) {
+  const Scan scan;
+  EXPECT_NEAR(static_cast<double>(scan.leftOut()), 36.0 * 24.0, 36.0);
+}
+
+TEST(WithoutGussets, AColumnIsAPlatesThatShowsHalfAsManyPointsOutAsOnTheShell) {
+  Scan scan;
+  scan.beside = 1.0, scan.to = 0.045;
+  scan.out = 14;
+  EXPECT_GT(scan.leftOut(), 0U);
+  scan.out = 10;
+  EXPECT_EQ(scan.leftOut(), 0U);
+}
+
+TEST(WithoutGussets, OfFewerThanThreePointsThereIsNoPlate) {
+  Scan scan;
+  scan.to = 0.045;
+  scan.out = 3;
+  EXPECT_GT(scan.leftOut(), 0U);
+  scan.out = 2;
+  EXPECT_EQ(scan.leftOut(), 0U);
+}
+
+TEST(WithoutGussets, WhatIsSeenFurtherThanATenthOfTheHeightsOutIsNotSeen) {
+  Scan scan;
+  scan.from = 0.035, scan.to = 0.045;
+  EXPECT_GT(scan.leftOut(), 0U);
+  scan.from = 0.055, scan.to = 0.065;
+  EXPECT_EQ(scan.leftOut(), 0U);
+}
+
+TEST(WithoutGussets, AQuarterOfTheRingIsNoPlates) {
+  Scan scan;
+  scan.plates = 1;
+  scan.wide = static_cast<int>(0.22 * kColumns);
+  EXPECT_GT(scan.leftOut(), 0U);
+  scan.wide = static_cast<int>(0.28 * kColumns);
+  EXPECT_EQ(scan.leftOut(), 0U);
+}
+
+TEST(WithoutGussets, AColumnIsATwentyFifthOfTheHeightsWide) {
+  Scan scan;
+  scan.plates = kColumns / 8, scan.to = 0.045;
+  scan.out = 11, scan.beside = 0.5;  // of two columns together less than half of what the shell shows
+  EXPECT_GT(scan.leftOut(), 0U);
+  scan.out = 4, scan.beside = 0.25;  // two in half of a column
+  EXPECT_GT(scan.leftOut(), 0U);
+}
+
+TEST(FitShellLines, BesideAGussetAreTheShells) {
+  std::vector<double> directions;
+  for (int i = 0; i < 360; ++i) directions.push_back(toRadians(i));
+  Scan scan;
+  scan.wide = 2;
+  const PolarRing ring = scan.ring();
+  const ShellFits shell = fitShellLines(directions, ring, madeTank(), kReach);
+  for (const ShellLine& line : shell.lines) {
+    if (line.seen()) {
+      EXPECT_NEAR(line.radius, kRadius, 0.001);
+    }
+  }
+}
+
+}  // namespace tank_datum::gussets_test
