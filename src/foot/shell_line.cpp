@@ -97,8 +97,6 @@ ShellOutline outlineBand(const PolarRing& ring, double radius) {
 
 ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const ShellWindow& window) {
   constexpr std::size_t kUnknowns = 4;
-  constexpr double kTurn = 0.15;  // what lobes turn a shell by against its circle (standard deviation)
-  constexpr double kBend = 2.0;   // and bend it by, of what the circle bends
   ShellLine line;
   const double start = outline.at(window.azimuth);
   if (!std::isfinite(start)) return line;
@@ -115,26 +113,22 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   Eigen::Vector4d solution;
   Eigen::Matrix4d inverse;
   Eigen::Matrix2d upright;  // of radius and lean alone
-  double noise = outline.noise;
   for (int iteration = 0; iteration < 8; ++iteration) {
-    SurfaceRows::Equations equations = rows.equations();
+    const SurfaceRows::Equations equations = rows.equations();
     upright = equations.matrix.topLeftCorner<2, 2>();
-    equations.matrix(2, 2) += square(noise / kTurn);
-    equations.matrix(3, 3) += square(noise * start / kBend);
     const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
     if (!lu.isInvertible()) return line;
     inverse = lu.inverse();
     solution = inverse * equations.right;
-    noise = std::max(rows.residualsFrom(solution), 1e-7);
-    rows.weigh(noise);
+    line.noise = std::max(rows.residualsFrom(solution), 1e-7);
+    rows.weigh(line.noise);
   }
-  line.noise = noise;
   line.radius = solution[0];
   line.lean = solution[1];
   line.turn_slope = solution[2];
   line.bend = solution[3];
-  line.sigma_radius = noise * std::sqrt(inverse(0, 0));
-  line.sigma_along = noise * std::sqrt(std::max(0.0, inverse(0, 0) - upright.inverse()(0, 0)));
+  line.sigma_radius = line.noise * std::sqrt(inverse(0, 0));
+  line.sigma_along = line.noise * std::sqrt(std::max(0.0, inverse(0, 0) - upright.inverse()(0, 0)));
   line.straight_to = window.heights.to;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.weights()[i] <= 0.0) continue;

@@ -48,9 +48,9 @@ struct Scan {
   }
 
   /// How many points are left out.
-  std::size_t leftOut() const {
+  std::size_t leftOut(double noise = 0.0005) const {
     const PolarRing all = ring();
-    const ShellOutline outline{std::vector<double>(360, kRadius), 0.0005};
+    const ShellOutline outline{std::vector<double>(360, kRadius), noise};
     const auto others = withoutGussets(all, outline, madeTank(), {0.05, kReach});
     return others ? all.points().size() - others->points().size() : 0;
   }
@@ -100,6 +100,11 @@ TEST(WithoutGussets, AQuarterOfTheRingIsNoPlates) {
   EXPECT_GT(scan.leftOut(), 0U);
   scan.wide = static_cast<int>(0.28 * kColumns);
   EXPECT_EQ(scan.leftOut(), 0U);
+}
+
+TEST(WithoutGussets, NoiseOfAHundredthOfTheHeightsHidesThem) {
+  EXPECT_GT(Scan().leftOut(0.0048), 0U);
+  EXPECT_EQ(Scan().leftOut(0.0052), 0U);
 }
 
 TEST(WithoutGussets, AColumnIsATwentyFifthOfTheHeightsWide) {

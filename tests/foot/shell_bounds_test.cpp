@@ -72,29 +72,6 @@ TEST(FitShellLine, TwelvePointsTellItsFourUnknownsElevenDoNot) {
   EXPECT_FALSE(seen(11));
 }
 
-/// The standard error of a shell's radius at 1 rad of which the arcs alone are seen whose middles are so far away [m].
-double sigmaBeside(const std::vector<double>& arcs) {
-  const ShellOutline outline{std::vector<double>(36, kRadius), 0.001};
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> any(-0.5, 0.5);
-  Points points;
-  for (int i = 0; i < 400; ++i) {
-    const double arc = arcs[static_cast<std::size_t>(i) % arcs.size()] + 0.0001 * any(random), a = 1.0 + arc / kRadius;
-    const double r = kRadius + 0.001 * any(random);
-    points.push_back({r * std::cos(a), r * std::sin(a), 0.25 + 0.4 * any(random)});
-  }
-  return fitShellLine(PolarRing(points, {0.0, 0.0}), outline, {1.0, 0.06, 0.0, {0.05, kReach}}).sigma_radius;
-}
-
-TEST(FitShellLine, BesideTheShellThatIsSeenARadiusIsAsUncertainAsAShellTurns) {
-  EXPECT_NEAR(sigmaBeside({0.1}), 0.1 * 0.15, 0.0015);
-  EXPECT_NEAR(sigmaBeside({-0.1}), 0.1 * 0.15, 0.0015);
-}
-
-TEST(FitShellLine, BetweenTheArcsThatAreSeenARadiusIsAsUncertainAsAShellBends) {
-  EXPECT_NEAR(sigmaBeside({-0.3, 0.3}), 2.0 * 0.3 * 0.3 / kRadius, 0.002);
-}
-
 TEST(ShellLine, IsSupportedWithinAStepWhoseColumnsAreUpToAQuarterFurtherApart) {
   ShellLine line;
   line.before = line.after = 0.60;
