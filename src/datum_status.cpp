@@ -163,7 +163,7 @@ Datum finishDatum(Datum datum, const DatumOptions& options) {
   datum.status = datum.level.missing == 0 ? Status::Ok : Status::Partial;
   if (datum.level.missing > 0) {
     datum.message = std::to_string(datum.level.missing) + " of " + std::to_string(datum.stations.size()) +
-                    " stations are missing: the datum is not seen there";
+                    " stations are missing: the datum is not measured there";
     addClause(datum.message, sparseFoot(datum.foot_density));
   }
   addClause(datum.message, fineStations(datum.foot_density, options.stations.count));

@@ -1,4 +1,3 @@
-
 #include "levelling.h"
 
 #include <gtest/gtest.h>

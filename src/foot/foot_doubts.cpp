@@ -28,12 +28,10 @@ class RefusedLine {
 
   /// Whether a shell could follow it; not where nothing was refused.
   bool canBeDatum() const {
-    constexpr double kSteepest = 0.1;  // fifty times what the codes allow [m/m]
-    constexpr double kNoSoil = 0.2;    // no soil lies lower than the stations beside a gap [m/m]
-    const double most = dips() ? kNoSoil : kSteepest;
+    constexpr double kSteepest = 0.2;  // a hundred times what the codes allow [m/m]
     for (std::size_t i = 1; i < knots_.size(); ++i) {
       const double length = static_cast<double>(knots_[i].at - knots_[i - 1].at) * arc_;
-      if (std::abs(knots_[i].z - knots_[i - 1].z) > most * length) return false;
+      if (std::abs(knots_[i].z - knots_[i - 1].z) > kSteepest * length) return false;
     }
     return knots_.size() > 2;
   }

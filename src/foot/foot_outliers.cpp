@@ -12,6 +12,7 @@
 #include "foot/foot_state.h"
 #include "foot/grazed_arcs.h"
 #include "foot/lip_cover.h"
+#include "foot/own_level.h"
 #include "foot/shell_below.h"
 #include "foot/slanting_beams.h"
 #include "foot/soil_fillets.h"
@@ -81,11 +82,20 @@ bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
 /// What a station's own points say of the surface that was fitted there.
 struct StationFindings {
   Unmeasured reason = Unmeasured::None;
-  bool is_kerb = false;     ///< it stands before the shell, which goes on below it
-  bool is_heap = false;     ///< it is soil
-  bool is_no_foot = false;  ///< no foundation is so, whatever lies beside
-  FootFit own;              ///< ownFit() of the station and its neighbours
+  bool is_kerb = false;         ///< it stands before the shell, which goes on below it
+  bool is_heap = false;         ///< it is soil
+  bool is_no_foot = false;      ///< no foundation is so, whatever lies beside
+  FootFit own;                  ///< ownFit() of the station and its neighbours
+  double elsewhere = kUnknown;  ///< a level farther off than was looked, of what may be the foundation [m]
 };
+
+/// Where a station shows what may be the foundation, if not where that was looked for.
+double elsewhereAt(const Foot& foot, std::size_t station, const FootPass& pass) {
+  const FootFit fit = fitAtOwnLevel(foot, station, pass);
+  const bool is_no_foot = !fit.valid() || countShell(foot, station, fit).goOn() || isHeap(station, pass.priors, fit) ||
+                          isSteep(fit, pass.priors);
+  return is_no_foot ? kUnknown : fit.z;
+}
 
 StationFindings findingsAt(const Foot& foot, std::size_t station, const FootPass& pass, bool supported) {
   StationFindings found;
@@ -94,6 +104,7 @@ StationFindings findingsAt(const Foot& foot, std::size_t station, const FootPass
     found.reason = Unmeasured::NoShell;
   } else if (!fit.valid() || !supported) {
     found.reason = Unmeasured::Hidden;
+    found.elsewhere = elsewhereAt(foot, station, pass);
   } else {
     found.own = ownFit(foot, station, pass, kWithNeighbours * foot.half_step);
     found.is_kerb = countShell(foot, station, fit).goOn();
@@ -139,11 +150,13 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
   std::vector<char> kerbs(reasons.size(), 0), no_foot(reasons.size(), 0), heaps(reasons.size(), 0);
   std::vector<FootFit> own(reasons.size());
+  std::vector<double> refused(reasons.size(), kUnknown);
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     StationFindings found = findingsAt(foot, i, pass, supported[i]);
     reasons[i] = found.reason;
     kerbs[i] = found.is_kerb, heaps[i] = found.is_heap, no_foot[i] = found.is_no_foot;
     own[i] = std::move(found.own);
+    refused[i] = found.elsewhere;
   });
   const auto refuse = [&](const std::vector<bool>& found) {
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -177,7 +190,6 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> hanging = findHangingRuns(foot, pass.sections.whole, levels),
                           islands = findStrangeIslands(foot, pass.priors, own);
   Steps steps = findSteps(kept, foot.arc(), [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
-  std::vector<double> refused(reasons.size(), kUnknown);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i] || islands[i]))
       reasons[i] = Unmeasured::OtherSurface;

@@ -3,12 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
 #include "shape/datum_waves.h"
 #include "shape/out_of_plane.h"
+#include "shape/ring_doubts.h"
 #include "shape/ring_model.h"
 
 namespace tank_datum {
@@ -30,6 +32,21 @@ Eigen::Matrix3d errorOf(const Eigen::MatrixXd& fit, const RingModel& model) {
   const Eigen::MatrixXd shared = fit * data.shared.transpose();
   return leaked * waves * leaked.transpose() + errors * errors.transpose() + own * own.transpose() +
          shared * shared.transpose();
+}
+
+/// What gaps leave unknown of the plane in which something was refused that may be the datum nevertheless: it is the
+/// one or the other, which is half of what they differ by. Coefficients 1, cos, sin of the direction.
+Eigen::Matrix3d refusedIn(std::vector<Station> stations, const RingModel& model) {
+  std::sort(stations.begin(), stations.end(),
+            [](const Station& a, const Station& b) { return a.direction < b.direction; });
+  Eigen::VectorXd directions(static_cast<Eigen::Index>(stations.size()));
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    directions[static_cast<Eigen::Index>(i)] = stations[i].azimuth = stations[i].direction;
+  }
+  const Eigen::VectorXd sure = Eigen::VectorXd::Constant(directions.size(), std::numeric_limits<double>::infinity());
+  const RingDoubts refused(stations, model.rowsAt(directions) * model.coefficients(), sure);
+  const Eigen::MatrixXd moved = 0.5 * refused.waves(1);
+  return moved * moved.transpose();
 }
 
 }  // namespace
@@ -55,9 +72,11 @@ PlaneFit fitPlane(const std::vector<Station>& stations, const Eigen::Vector2d& c
   const Eigen::Vector3d scales(1.0, 1.0 / radius, 1.0 / radius);
   PlaneFit fit;
   fit.freedom = model.noise().freedom;
+  const Eigen::Matrix3d refused = refusedIn(stations, model);
   if (model.dense() || hasTiltingGap(stations)) {
     fit.plane = scales.cwiseProduct(model.coefficients().head<3>());
-    fit.covariance = scales.asDiagonal() * model.covariance().topLeftCorner<3, 3>() * scales.asDiagonal();
+    fit.covariance = model.covariance().topLeftCorner<3, 3>() + refused;
+    fit.covariance = scales.asDiagonal() * fit.covariance * scales.asDiagonal();
     return fit;
   }
   const std::vector<double> weights = waveData(stations, 1).weights;
@@ -65,7 +84,7 @@ PlaneFit fitPlane(const std::vector<Station>& stations, const Eigen::Vector2d& c
       rows.transpose() * Eigen::Map<const Eigen::VectorXd>(weights.data(), data.count()).asDiagonal();
   const Eigen::MatrixXd solution = (weighted * rows).ldlt().solve(weighted);
   fit.plane = solution * data.z;
-  fit.covariance = errorOf(scales.cwiseInverse().asDiagonal() * solution, model);
+  fit.covariance = errorOf(scales.cwiseInverse().asDiagonal() * solution, model) + refused;
   fit.covariance = scales.asDiagonal() * fit.covariance * scales.asDiagonal();
   return fit;
 }

@@ -1,4 +1,3 @@
-
 #include "core/parallel.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "fit/circle.h"
 
 #include <gtest/gtest.h>

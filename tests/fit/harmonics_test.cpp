@@ -1,4 +1,3 @@
-
 #include "fit/harmonics.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "fit/spline.h"
 
 #include <gtest/gtest.h>

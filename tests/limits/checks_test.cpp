@@ -1,4 +1,3 @@
-
 #include "limits/checks.h"
 
 #include <gtest/gtest.h>

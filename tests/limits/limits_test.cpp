@@ -1,4 +1,3 @@
-
 #include "tank_datum/limits/limits.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "locate/crop.h"
 
 #include <gtest/gtest.h>

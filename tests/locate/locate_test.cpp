@@ -1,4 +1,3 @@
-
 #include "locate/locate.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "movement/baseline.h"
 
 #include <gtest/gtest.h>

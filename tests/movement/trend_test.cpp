@@ -1,4 +1,3 @@
-
 #include "movement/trend.h"
 
 #include <gtest/gtest.h>

@@ -152,7 +152,7 @@ def test_citations_are_in_the_pages_language(
 FOUND = "circle found, R 16.71 m at 0, -0.001, seen over 328 deg"
 SENTENCES = [
     f"{FOUND}, doubtful (option accept takes it): its foot is measured over 28 deg only; "
-    "315 of 360 stations are missing: the datum is not seen there",
+    "315 of 360 stations are missing: the datum is not measured there",
     f"{FOUND}: the foundation is first seen 225 mm from the shell: a lip or a gutter may be hidden",
     "the survey does not hold it; shown beside the limits that are judged by",
     "no survey points 15 to 32 ft apart: the tank is too small for 8 points 4.6 m (15 ft) apart",

@@ -1,4 +1,3 @@
-
 #include "report/report_page.h"
 
 #include <gtest/gtest.h>

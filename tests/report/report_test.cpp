@@ -1,4 +1,3 @@
-
 #include "tank_datum/report/report.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "search/bucket_tree.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include <gtest/gtest.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/point_types.h>

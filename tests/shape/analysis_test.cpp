@@ -1,4 +1,3 @@
-
 #include "shape/analysis.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "shape/deformation.h"
 
 #include <gtest/gtest.h>
@@ -200,6 +199,35 @@ TEST(FitTilt, ExplainsNothingOfAnOval) {
     EXPECT_LT(tilt.r2, 1e-9) << order;
     EXPECT_LE(tilt.p_value, 1.0) << order;
     EXPECT_GT(tilt.p_value, 0.99) << order;
+  }
+}
+
+/// Of a level ring with a gap of 30 degrees whose middle is at an azimuth: the standard error of the slope that is
+/// known worst, where something was refused in the gap that lies so high.
+double worstSigma(double refused, double middle_deg, bool clockwise = false) {
+  StationOptions options;
+  options.clockwise = clockwise;
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal(0.0, 0.0001);
+  std::vector<double> z(360);
+  for (double& v : z) v = normal(random);
+  auto stations = survey(z, 10.0, options);
+  for (Station& s : stations) {
+    s.sigma_z = 0.0001;
+    if (std::abs(std::remainder(s.azimuth - toRadians(middle_deg), kTurn)) > toRadians(15.5)) continue;
+    s.flag = StationFlag::Missing, s.z = kUnknown, s.z_refused = refused;
+  }
+  const Eigen::Matrix2d covariance = takeTilt(stations, kCenter, options).covariance;
+  return std::sqrt(covariance.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
+}
+
+TEST(FitTilt, HoldsInTwoStandardErrorsWhatWasRefusedInAGap) {
+  const double half = toRadians(15.5);  // of an elevation of 1 over it the wave is 2 sin(half) / pi
+  const double slope = 0.1 * 2.0 * std::sin(half) / kPi / 10.0;
+  EXPECT_LT(worstSigma(kUnknown, 90.0), 0.01 * slope);
+  for (const double middle : {0.0, 90.0, 217.0}) {
+    for (const bool clockwise : {false, true})
+      EXPECT_NEAR(worstSigma(-0.1, middle, clockwise), 0.5 * slope, 0.05 * slope) << middle;
   }
 }
 

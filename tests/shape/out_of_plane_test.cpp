@@ -1,4 +1,3 @@
-
 #include "shape/out_of_plane.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "shape/second_differences.h"
 
 #include <gtest/gtest.h>

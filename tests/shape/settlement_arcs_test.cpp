@@ -1,4 +1,3 @@
-
 #include "shape/settlement_arcs.h"
 
 #include <gtest/gtest.h>

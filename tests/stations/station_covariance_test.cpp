@@ -1,4 +1,3 @@
-
 #include "stations/station_covariance.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-
 #include "stations/stations.h"
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ namespace tank_datum::made_datums {
 inline Datum octagon() {
   Datum datum;
   datum.status = Status::Partial;
-  datum.message = "1 of 8 stations are missing: the datum is not seen there";
+  datum.message = "1 of 8 stations are missing: the datum is not measured there";
   datum.origin = {500000.5, 4000000.25, 100.125};
   datum.tank.circle = datum.circle = datum.refined.circle = {{1.0, 2.0}, 10.0};
   datum.tank.rms = 0.004;
