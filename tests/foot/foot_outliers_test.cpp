@@ -10,24 +10,6 @@ namespace tank_datum::foot_outliers_test {
 
 using namespace made_feet;
 
-/// What a pass may have found of a level surface, up to `band_to` from the shell.
-FootPass levelPass(double half_width, double band_to) {
-  FootFit fit;
-  fit.z = fit.slope = fit.along = fit.bend = 0.0;
-  fit.sigma = 0.0002, fit.noise = 0.0004, fit.sigma_slope = 0.001, fit.half_width = half_width;
-  FootPass pass;
-  pass.stood.assign(360, true);
-  pass.fits.assign(360, fit);
-  pass.priors.slope.assign(360, 0.0);
-  pass.priors.sigma_slope.assign(360, 0.01);
-  pass.priors.sigma_bend = 0.01;
-  pass.sections.stations = 360;
-  FootProfile& profile = pass.sections.whole;
-  profile.bin = 0.003, profile.band_from = 0.015, profile.noise = 0.0005, profile.blur = 0.004;
-  profile.band_to = profile.edge = band_to;
-  return pass;
-}
-
 /// Whether a station stood that lay on something else, where so many did and so many more were hidden.
 bool stoodAmong(int other, int hidden) {
   FootElevations elevations;
@@ -84,31 +66,6 @@ Unmeasured reasonOfPointsAbove(double height) {
 TEST(FindOutliers, PointsFourNoisesOffTheSurfaceAreNoSupport) {
   EXPECT_EQ(reasonOfPointsAbove(0.0012), Unmeasured::None);
   EXPECT_EQ(reasonOfPointsAbove(0.0020), Unmeasured::Hidden);
-}
-
-/// What may be the datum nevertheless at a station that alone shows a surface so high, which slopes outwards.
-double refusedAt50(double height, double slope, bool shell_below = false) {
-  MadeFoot made;
-  for (int s = 0; s < 360; ++s) {
-    if (s >= 49 && s <= 51) continue;
-    made.addStation(s, 40, 0.02, 0.28, [](double) { return 0.0; });
-  }
-  for (int s = 49; s <= 51; ++s) made.addStation(s, 40, 0.02, 0.28, [&](double d) { return height + slope * d; });
-  for (int i = 0; shell_below && i < 40; ++i)
-    made.add((50 - 0.4 + 0.02 * i) * made.step(), 0.0, height - 0.005 - 0.0003 * i);
-  Foot& foot = made.foot();
-  return findOutliers(foot, levelPass(4.0 * foot.half_step, 0.3)).refused[50];
-}
-
-TEST(FindOutliers, ASurfaceFarOffThatMayBeTheFoundationMayBeTheDatum) {
-  EXPECT_NEAR(refusedAt50(0.060, 0.0), 0.060, 1e-4);
-  EXPECT_NEAR(refusedAt50(-0.060, 0.0), -0.060, 1e-4);
-}
-
-TEST(FindOutliers, ASurfaceFarOffThatIsNoFoundationIsNot) {
-  EXPECT_TRUE(std::isnan(refusedAt50(0.060, -0.1))) << "a heap";
-  EXPECT_TRUE(std::isnan(refusedAt50(0.060, 0.2))) << "rises outwards";
-  EXPECT_TRUE(std::isnan(refusedAt50(0.060, 0.0, true))) << "the shell goes on below";
 }
 
 /// Why a station does not stand that lies with its neighbours on points that slope, on a ring of level lips.

@@ -78,4 +78,22 @@ inline Tank tankOfFoot() {
   return tank;
 }
 
+/// What a pass may have found of a level surface, up to `band_to` from the shell.
+inline FootPass levelPass(double half_width, double band_to) {
+  FootFit fit;
+  fit.z = fit.slope = fit.along = fit.bend = 0.0;
+  fit.sigma = 0.0002, fit.noise = 0.0004, fit.sigma_slope = 0.001, fit.half_width = half_width;
+  FootPass pass;
+  pass.stood.assign(360, true);
+  pass.fits.assign(360, fit);
+  pass.priors.slope.assign(360, 0.0);
+  pass.priors.sigma_slope.assign(360, 0.01);
+  pass.priors.sigma_bend = 0.01;
+  pass.sections.stations = 360;
+  FootProfile& profile = pass.sections.whole;
+  profile.bin = 0.003, profile.band_from = 0.015, profile.noise = 0.0005, profile.blur = 0.004;
+  profile.band_to = profile.edge = band_to;
+  return pass;
+}
+
 }  // namespace tank_datum::made_feet
