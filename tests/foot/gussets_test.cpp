@@ -27,6 +27,8 @@ struct Scan {
   int plates = 24;                  ///< round the ring
   int wide = 1;                     ///< columns that a plate takes
   double beside = 0.0;              ///< of the points on the shell, that a plate's columns show [share]
+  double high = 0.43;               ///< [m]
+  bool leans = false;               ///< the farther out, the higher
 
   bool isPlate(int column) const { return column % (kColumns / plates) < wide; }
 
@@ -34,7 +36,7 @@ struct Scan {
     Points points;
     const auto add = [&](int column, double off, int i, int count) {
       const double a = (column + 0.5 + (i % 2 ? 0.25 : -0.25)) * kTwoPi / kColumns, r = kRadius + off,
-                   h = 0.06 + 0.43 * (i + 0.5) / count;
+                   h = 0.06 + high * (i + 0.5) / count;
       points.emplace_back(r * std::cos(a), r * std::sin(a), h);
     };
     for (int column = 0; column < kColumns; ++column) {
@@ -42,7 +44,8 @@ struct Scan {
       for (int i = 0; i < shell; ++i)
         add(column, 0.001 * (std::fmod(0.618034 * (i + 101 * column), 1.0) - 0.5), i, shell);
       if (!isPlate(column)) continue;
-      for (int i = 0; i < out; ++i) add(column, from + (to - from) * std::fmod(0.618034 * i, 1.0), i, out);
+      for (int i = 0; i < out; ++i)
+        add(column, from + (to - from) * (leans ? (i + 0.5) / out : std::fmod(0.618034 * i, 1.0)), i, out);
     }
     return PolarRing(points, {0.0, 0.0});
   }
@@ -78,7 +81,7 @@ TEST(WithoutGussets, AColumnIsAPlatesThatShowsHalfAsManyPointsOutAsOnTheShell) {
 
 TEST(WithoutGussets, OfFewerThanThreePointsThereIsNoPlate) {
   Scan scan;
-  scan.to = 0.045;
+  scan.to = 0.045, scan.high = 0.03;  // of a layer
   scan.out = 3;
   EXPECT_GT(scan.leftOut(), 0U);
   scan.out = 2;
@@ -87,9 +90,9 @@ TEST(WithoutGussets, OfFewerThanThreePointsThereIsNoPlate) {
 
 TEST(WithoutGussets, WhatIsSeenFurtherThanATenthOfTheHeightsOutIsNotSeen) {
   Scan scan;
-  scan.from = 0.035, scan.to = 0.045;
+  scan.from = 0.026, scan.to = 0.049;
   EXPECT_GT(scan.leftOut(), 0U);
-  scan.from = 0.055, scan.to = 0.065;
+  scan.from = 0.051, scan.to = 0.090;
   EXPECT_EQ(scan.leftOut(), 0U);
 }
 
@@ -102,6 +105,20 @@ TEST(WithoutGussets, AQuarterOfTheRingIsNoPlates) {
   EXPECT_EQ(scan.leftOut(), 0U);
 }
 
+TEST(WithoutGussets, AWallThatLeansOutIsNone) {
+  Scan scan;
+  scan.leans = true, scan.to = 0.045;
+  EXPECT_EQ(scan.leftOut(), 0U);
+}
+
+TEST(WithoutGussets, PointsOfALayerLieThreeHundredthsOfTheHeightsApart) {
+  Scan scan;
+  scan.from = 0.030, scan.to = 0.044;
+  EXPECT_EQ(scan.leftOut(), 0U);
+  scan.from = 0.026, scan.to = 0.049;
+  EXPECT_GT(scan.leftOut(), 0U);
+}
+
 TEST(WithoutGussets, NoiseOfAHundredthOfTheHeightsHidesThem) {
   EXPECT_GT(Scan().leftOut(0.0048), 0U);
   EXPECT_EQ(Scan().leftOut(0.0052), 0U);
@@ -112,7 +129,7 @@ TEST(WithoutGussets, AColumnIsATwentyFifthOfTheHeightsWide) {
   scan.plates = kColumns / 8, scan.to = 0.045;
   scan.out = 11, scan.beside = 0.5;  // of two columns together less than half of what the shell shows
   EXPECT_GT(scan.leftOut(), 0U);
-  scan.out = 4, scan.beside = 0.25;  // two in half of a column
+  scan.out = 4, scan.beside = 0.25, scan.high = 0.03;  // two in half of a column
   EXPECT_GT(scan.leftOut(), 0U);
 }
 
