@@ -1,5 +1,6 @@
 #include "fit/surface_rows.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -41,5 +42,21 @@ double SurfaceRows::residualsFrom(const Eigen::Vector4d& solution) {
 }
 
 void SurfaceRows::weigh(double noise) { tukeyWeights(residuals_.data(), size(), noise, weights_.data()); }
+
+std::optional<SurfaceFit> fitRobustly(SurfaceRows& rows) {
+  constexpr double kLeastNoise = 1e-7;  // m
+  SurfaceFit fit;
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    const SurfaceRows::Equations equations = rows.equations();
+    const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
+    if (!lu.isInvertible()) return std::nullopt;
+    fit.normal = equations.matrix;
+    fit.inverse = lu.inverse();
+    fit.solution = fit.inverse * equations.right;
+    fit.noise = std::max(rows.residualsFrom(fit.solution), kLeastNoise);
+    rows.weigh(fit.noise);
+  }
+  return fit;
+}
 
 }  // namespace tank_datum

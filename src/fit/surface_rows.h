@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace tank_datum {
@@ -42,5 +43,16 @@ class SurfaceRows {
  private:
   std::vector<double> a_, t_, z_, residuals_, weights_;
 };
+
+/// A robust fit of such rows.
+struct SurfaceFit {
+  Eigen::Vector4d solution;
+  Eigen::Matrix4d normal, inverse;  ///< of the weighted equations
+  double noise = 0;                 ///< standard deviation of the rows about it [m]
+};
+
+/// Tukey's; the rows keep the weights. Nothing where the equations are singular.
+/// @param rows  closed
+std::optional<SurfaceFit> fitRobustly(SurfaceRows& rows);
 
 }  // namespace tank_datum

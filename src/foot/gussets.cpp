@@ -75,7 +75,7 @@ std::optional<PolarRing> withoutGussets(const PolarRing& ring, const ShellOutlin
   if (gussets == 0.0 || gussets > kMost * seen) return std::nullopt;
   PolarPoints others;
   for (const Column& c : columns) {
-    if (!isGusset(c)) others.insert(others.end(), points.begin() + c.begin, points.begin() + c.end);
+    if (!isGusset(c)) others.insert(others.end(), points.data() + c.begin, points.data() + c.end);
   }
   return PolarRing(std::move(others));
 }

@@ -1,8 +1,8 @@
 #include "foot/own_level.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/statistics.h"
@@ -30,26 +30,16 @@ FootFit fitAtOwnLevel(const Foot& foot, std::size_t station, const FootPass& pas
   });
   if (rows.size() < kFewest) return fit;
   rows.close();
-  Eigen::Vector4d solution;
-  Eigen::Matrix4d inverse;
-  double noise = 0.0;
-  for (int iteration = 0; iteration < 8; ++iteration) {
-    const SurfaceRows::Equations equations = rows.equations();
-    const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
-    if (!lu.isInvertible()) return fit;
-    inverse = lu.inverse();
-    solution = inverse * equations.right;
-    noise = std::max(rows.residualsFrom(solution), 1e-7);
-    rows.weigh(noise);
-  }
+  const std::optional<SurfaceFit> seen = fitRobustly(rows);
+  if (!seen || seen->noise > kRough * profile.noise) return fit;
   const auto used = std::count_if(rows.weights().begin(), rows.weights().end(), [](double w) { return w > 0.0; });
-  if (noise > kRough * profile.noise || static_cast<double>(used) < kMost * static_cast<double>(rows.size()))
-    return fit;
+  if (static_cast<double>(used) < kMost * static_cast<double>(rows.size())) return fit;
   fit.points = static_cast<std::size_t>(used);
-  fit.z = solution[0], fit.slope = solution[1], fit.along = solution[2], fit.bend = solution[3];
-  fit.sigma = noise * std::sqrt(inverse(0, 0));
-  fit.sigma_slope = noise * std::sqrt(inverse(1, 1));
-  fit.noise = fit.own = noise;
+  fit.z = seen->solution[0], fit.slope = seen->solution[1];
+  fit.along = seen->solution[2], fit.bend = seen->solution[3];
+  fit.sigma = seen->noise * std::sqrt(seen->inverse(0, 0));
+  fit.sigma_slope = seen->noise * std::sqrt(seen->inverse(1, 1));
+  fit.noise = fit.own = seen->noise;
   fit.half_width = half_width;
   return fit;
 }

@@ -110,25 +110,17 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   });
   if (rows.size() < 3 * kUnknowns) return line;
   rows.close();
-  Eigen::Vector4d solution;
-  Eigen::Matrix4d inverse;
-  Eigen::Matrix2d upright;  // of radius and lean alone
-  for (int iteration = 0; iteration < 8; ++iteration) {
-    const SurfaceRows::Equations equations = rows.equations();
-    upright = equations.matrix.topLeftCorner<2, 2>();
-    const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
-    if (!lu.isInvertible()) return line;
-    inverse = lu.inverse();
-    solution = inverse * equations.right;
-    line.noise = std::max(rows.residualsFrom(solution), 1e-7);
-    rows.weigh(line.noise);
-  }
-  line.radius = solution[0];
-  line.lean = solution[1];
-  line.turn_slope = solution[2];
-  line.bend = solution[3];
-  line.sigma_radius = line.noise * std::sqrt(inverse(0, 0));
-  line.sigma_along = line.noise * std::sqrt(std::max(0.0, inverse(0, 0) - upright.inverse()(0, 0)));
+  const std::optional<SurfaceFit> fit = fitRobustly(rows);
+  if (!fit) return line;
+  line.noise = fit->noise;
+  line.radius = fit->solution[0];
+  line.lean = fit->solution[1];
+  line.turn_slope = fit->solution[2];
+  line.bend = fit->solution[3];
+  const Eigen::Matrix2d upright = fit->normal.topLeftCorner<2, 2>();  // of radius and lean alone
+  const double variance = fit->inverse(0, 0);
+  line.sigma_radius = line.noise * std::sqrt(variance);
+  line.sigma_along = line.noise * std::sqrt(std::max(0.0, variance - upright.inverse()(0, 0)));
   line.straight_to = window.heights.to;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.weights()[i] <= 0.0) continue;

@@ -71,4 +71,22 @@ TEST(SurfaceRows, WeightsAndSigmaAreThoseOfTheStatistics) {
   }
 }
 
+TEST(FitRobustly, IsTheSurfaceOfTheRowsThatAreNotFarOff) {
+  SurfaceRows rows = rowsOf(kSurface, 400, 0.001);
+  const auto fit = fitRobustly(rows);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->noise, 0.001, 0.0002);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_NEAR(fit->solution[k], kSurface[k], 4.0 * fit->noise * std::sqrt(fit->inverse(k, k)));
+  EXPECT_TRUE((fit->normal * fit->inverse).isIdentity(1e-9));
+  EXPECT_EQ(rows.weights()[9], 0.0);
+}
+
+TEST(FitRobustly, OfRowsInOnePlaceThereIsNone) {
+  SurfaceRows rows;
+  for (int i = 0; i < 20; ++i) rows.add(0.1, 0.2, 3.0);
+  rows.close();
+  EXPECT_FALSE(fitRobustly(rows));
+}
+
 }  // namespace tank_datum::surface_rows_test

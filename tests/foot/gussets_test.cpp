@@ -9,7 +9,7 @@
 
 namespace tank_datum::gussets_test {
 
-constexpr double kRadius = 10.0, kReach = 0.5, kColumn = 0.02;  // m
+constexpr double kRadius = 10.0, kReach = 0.5;  // m
 constexpr int kColumns = 3142;                                  // round the ring
 
 Tank madeTank() {
