@@ -10,7 +10,7 @@
 namespace tank_datum::gussets_test {
 
 constexpr double kRadius = 10.0, kReach = 0.5;  // m
-constexpr int kColumns = 3142;                                  // round the ring
+constexpr int kColumns = 3142;                  // round the ring
 
 Tank madeTank() {
   Tank tank;
