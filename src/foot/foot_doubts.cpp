@@ -15,23 +15,32 @@ namespace {
 class RefusedLine {
  public:
   /// @param arc  between stations [m]
-  RefusedLine(const RingRun& gap, const std::vector<StationDatum>& stations, const std::vector<double>& refused,
+  RefusedLine(const RingRun& gap, const std::vector<StationDatum>& stations, const std::vector<RefusedLevel>& refused,
               double arc)
       : arc_(arc) {
     const std::size_t count = stations.size();
-    knots_.push_back({0, stations[(gap.first + count - 1) % count].z});
+    knots_.push_back({0, stations[(gap.first + count - 1) % count].z, 0.0});
     for (std::size_t k = gap.first; k <= gap.last; ++k) {
-      if (std::isfinite(refused[k % count])) knots_.push_back({k - gap.first + 1, refused[k % count]});
+      const RefusedLevel& level = refused[k % count];
+      if (std::isfinite(level.z)) knots_.push_back({k - gap.first + 1, level.z, level.along});
     }
-    knots_.push_back({gap.last - gap.first + 2, stations[(gap.last + 1) % count].z});
+    knots_.push_back({gap.last - gap.first + 2, stations[(gap.last + 1) % count].z, 0.0});
   }
 
   /// Whether a shell could follow it; not where nothing was refused.
   bool canBeDatum() const {
     constexpr double kSteepest = 0.2;  // a hundred times what the codes allow [m/m]
+    constexpr double kUnseen = 0.1;    // beyond what the stations themselves rise by: else it is a step [m/m]
+    const bool dips = this->dips();    // no soil lies lower than the stations beside a gap
+    const auto lengthOf = [&](const Knot& from, const Knot& to) { return static_cast<double>(to.at - from.at) * arc_; };
+    const Knot* known = &knots_.front();  // the last one that shows how it rises
     for (std::size_t i = 1; i < knots_.size(); ++i) {
-      const double length = static_cast<double>(knots_[i].at - knots_[i - 1].at) * arc_;
-      if (std::abs(knots_[i].z - knots_[i - 1].z) > kSteepest * length) return false;
+      const Knot &before = knots_[i - 1], &here = knots_[i];
+      if (std::abs(here.z - before.z) > kSteepest * lengthOf(before, here)) return false;
+      if (dips || !std::isfinite(here.along)) continue;
+      const double length = lengthOf(*known, here), seen = 0.5 * (known->along + here.along) * length;
+      if (std::abs(here.z - known->z - seen) > kUnseen * length) return false;
+      known = &here;
     }
     return knots_.size() > 2;
   }
@@ -54,6 +63,7 @@ class RefusedLine {
   struct Knot {
     std::size_t at;  ///< stations on from the one before the gap
     double z;        ///< [m]
+    double along;    ///< as its station shows it, if it does [m/m]
   };
   double arc_;
   std::vector<Knot> knots_;
@@ -61,8 +71,8 @@ class RefusedLine {
 
 }  // namespace
 
-std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations, const std::vector<double>& refused,
-                                             const Foot& foot) {
+std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
+                                             const std::vector<RefusedLevel>& refused, const Foot& foot) {
   constexpr double kBeside = 0.5;  // of the difference, where a dip begins at the station beside
   const std::size_t count = stations.size();
   std::vector<char> gaps;

@@ -9,9 +9,9 @@ namespace tank_datum {
 
 /// Gaps with z_refused where a shell could follow what was refused in them from the stations beside: it looks like
 /// soil, but a heave of the foundation looks the same. The standard errors of their bridges hold it.
-/// @param refused  elevations of what may be the datum nevertheless, else NaN [m]
-std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations, const std::vector<double>& refused,
-                                             const Foot& foot);
+/// @param refused  what may be the datum nevertheless, at every station
+std::vector<StationDatum> withRefusedDoubted(std::vector<StationDatum> stations,
+                                             const std::vector<RefusedLevel>& refused, const Foot& foot);
 
 /// Fits whose standard errors hold what may cover the foot: no more than they rise above those beside the arc, since
 /// soil does not lie on a foot that goes straight on.

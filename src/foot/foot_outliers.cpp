@@ -82,19 +82,19 @@ bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
 /// What a station's own points say of the surface that was fitted there.
 struct StationFindings {
   Unmeasured reason = Unmeasured::None;
-  bool is_kerb = false;         ///< it stands before the shell, which goes on below it
-  bool is_heap = false;         ///< it is soil
-  bool is_no_foot = false;      ///< no foundation is so, whatever lies beside
-  FootFit own;                  ///< ownFit() of the station and its neighbours
-  double elsewhere = kUnknown;  ///< a level farther off than was looked, of what may be the foundation [m]
+  bool is_kerb = false;     ///< it stands before the shell, which goes on below it
+  bool is_heap = false;     ///< it is soil
+  bool is_no_foot = false;  ///< no foundation is so, whatever lies beside
+  FootFit own;              ///< ownFit() of the station and its neighbours
+  RefusedLevel elsewhere;   ///< a level farther off than was looked, of what may be the foundation
 };
 
 /// Where a station shows what may be the foundation, if not where that was looked for.
-double elsewhereAt(const Foot& foot, std::size_t station, const FootPass& pass) {
+RefusedLevel elsewhereAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   const FootFit fit = fitAtOwnLevel(foot, station, pass);
   const bool is_no_foot = !fit.valid() || countShell(foot, station, fit).goOn() || isHeap(station, pass.priors, fit) ||
                           isSteep(fit, pass.priors);
-  return is_no_foot ? kUnknown : fit.z;
+  return is_no_foot ? RefusedLevel{} : RefusedLevel{fit.z, fit.along};
 }
 
 StationFindings findingsAt(const Foot& foot, std::size_t station, const FootPass& pass, bool supported) {
@@ -150,7 +150,7 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
   std::vector<char> kerbs(reasons.size(), 0), no_foot(reasons.size(), 0), heaps(reasons.size(), 0);
   std::vector<FootFit> own(reasons.size());
-  std::vector<double> refused(reasons.size(), kUnknown);
+  std::vector<RefusedLevel> refused(reasons.size());
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     StationFindings found = findingsAt(foot, i, pass, supported[i]);
     reasons[i] = found.reason;
@@ -194,13 +194,15 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i] || islands[i]))
       reasons[i] = Unmeasured::OtherSurface;
     const bool may_be = !none && no_foot[i] == 0 && !hanging[i] && !islands[i];
-    if (reasons[i] == Unmeasured::OtherSurface && may_be) refused[i] = pass.fits[i].z;
+    if (reasons[i] != Unmeasured::OtherSurface || !may_be) continue;
+    refused[i] = elsewhereAt(foot, i, pass);
+    if (!std::isfinite(refused[i].z)) refused[i] = {pass.fits[i].z, kUnknown};
   }
   const std::vector<bool> outnumbered = findOutnumberedIslands(reasons, foot.stationsIn(kFarIsland));
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (!outnumbered[i]) continue;
     reasons[i] = Unmeasured::OtherSurface;
-    refused[i] = pass.fits[i].z;
+    refused[i] = {pass.fits[i].z, kUnknown};
   }
   own = standing(std::move(own), reasons);
   return {std::move(reasons), std::move(steps.dips), std::move(refused), std::move(cover.maybe), std::move(own)};

@@ -139,13 +139,19 @@ FootPriors learnPriors(const Foot& foot, const FootElevations& elevations, const
 FootFit fitStation(const Foot& foot, std::size_t station, double level, const FootProfile& profile,
                    const FootPriors& priors);
 
+/// A level that was refused and may be the datum nevertheless.
+struct RefusedLevel {
+  double z = kUnknown;      ///< [m]
+  double along = kUnknown;  ///< how it is seen to rise along the shell [m/m]
+};
+
 /// Which fits of a pass do not stand.
 struct FootOutliers {
-  std::vector<Unmeasured> reasons;  ///< of each station; None: it stands
-  std::vector<bool> dips;           ///< stations that stand, below those beside them by a step
-  std::vector<double> refused;      ///< elevations of those that may be the datum nevertheless, else NaN [m]
-  std::vector<double> maybe_cover;  ///< how thick something may be that covers the foot where they stand [m]
-  std::vector<FootFit> own;         ///< ownFit() of them and their neighbours, where they stand
+  std::vector<Unmeasured> reasons;    ///< of each station; None: it stands
+  std::vector<bool> dips;             ///< stations that stand, below those beside them by a step
+  std::vector<RefusedLevel> refused;  ///< of those that may be the datum nevertheless
+  std::vector<double> maybe_cover;    ///< how thick something may be that covers the foot where they stand [m]
+  std::vector<FootFit> own;           ///< ownFit() of them and their neighbours, where they stand
 };
 
 /// What one pass found.

@@ -78,7 +78,7 @@ FootPass withoutRoughArcs(const Foot& foot, FootPass pass) {
   for (std::size_t i = 0; i < rough.size(); ++i) {
     if (!rough[i] || !pass.fits[i].valid()) continue;
     pass.outliers.reasons[i] = Unmeasured::OtherSurface;
-    pass.outliers.refused[i] = pass.fits[i].z;
+    pass.outliers.refused[i] = {pass.fits[i].z, kUnknown};
   }
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
   return pass;

@@ -13,15 +13,15 @@ using namespace made_feet;
 
 /// Three stations of a level ring, not measured from the first of them on, where something so high was refused at the
 /// middle one.
-std::vector<StationDatum> doubted(double height, std::size_t first = 100,
-                                  StationFlag flag = StationFlag::Interpolated) {
+std::vector<StationDatum> doubted(double height, std::size_t first = 100, StationFlag flag = StationFlag::Interpolated,
+                                  double along = 0.0) {
   MadeFoot made;
   const Foot& foot = made.foot();
   std::vector<StationDatum> stations(360);
   for (StationDatum& s : stations) s.flag = StationFlag::Measured, s.z = 0.0, s.sigma_z = 0.0001;
   for (std::size_t k = 0; k < 3; ++k) stations[(first + k) % 360].flag = flag;
-  std::vector<double> refused(360, kUnknown);
-  refused[(first + 1) % 360] = height;
+  std::vector<RefusedLevel> refused(360);
+  refused[(first + 1) % 360] = {height, along};
   return withRefusedDoubted(stations, refused, foot);
 }
 
@@ -51,12 +51,45 @@ TEST(WithRefusedDoubted, WhatWasRefusedIsKnownInGapsWithoutABridgeToo) {
   EXPECT_EQ(unbridged[101].sigma_z, 0.0001);
 }
 
-TEST(WithRefusedDoubted, NoShellFollowsWhatRisesOrFallsByMoreThanOneInFive) {
+TEST(WithRefusedDoubted, WhatStepsUpByMoreThanOneInTenIsNoDatum) {
   const double two_stations = 2.0 * kTwoPi / 360.0 * kRadius;
-  for (const double sign : {-1.0, 1.0}) {
-    EXPECT_GT(doubted(sign * 0.19 * two_stations)[101].sigma_z, 0.01);
-    EXPECT_EQ(doubted(sign * 0.21 * two_stations)[101].sigma_z, 0.0001);
+  EXPECT_GT(doubted(0.09 * two_stations)[101].sigma_z, 0.01);
+  EXPECT_EQ(doubted(0.11 * two_stations)[101].sigma_z, 0.0001);
+}
+
+TEST(WithRefusedDoubted, ADipMayFallByTwoInTen) {
+  const double two_stations = 2.0 * kTwoPi / 360.0 * kRadius;
+  EXPECT_GT(doubted(-0.19 * two_stations)[101].sigma_z, 0.01);
+  EXPECT_EQ(doubted(-0.21 * two_stations)[101].sigma_z, 0.0001);
+}
+
+/// Of four stations that were refused, whose own points climb to those in the middle and fall from there.
+double sigmaOfClimb(double slope) {
+  MadeFoot made;
+  const Foot& foot = made.foot();
+  std::vector<StationDatum> stations(360);
+  for (StationDatum& s : stations) s.flag = StationFlag::Measured, s.z = 0.0, s.sigma_z = 0.0001;
+  std::vector<RefusedLevel> refused(360);
+  const double step = kTwoPi / 360.0 * kRadius;
+  for (const int k : {1, 2, 3, 4}) {
+    const double along = k < 3 ? slope : -slope, height = slope * step * (k == 2 || k == 3 ? 1.5 : 0.5);
+    stations[static_cast<std::size_t>(100 + k)].flag = StationFlag::Interpolated;
+    refused[static_cast<std::size_t>(100 + k)] = {height, along};
   }
+  return withRefusedDoubted(stations, refused, foot)[102].sigma_z;
+}
+
+TEST(WithRefusedDoubted, WhatStationsThemselvesRiseByIsNoStepUpToOneInFive) {
+  EXPECT_GT(sigmaOfClimb(0.19), 0.01);
+  EXPECT_GT(sigmaOfClimb(-0.19), 0.01);
+  EXPECT_EQ(sigmaOfClimb(0.21), 0.0001);
+  EXPECT_EQ(sigmaOfClimb(-0.21), 0.0001);
+}
+
+TEST(WithRefusedDoubted, StationsThatDoNotShowHowTheyRiseTellNoStep) {
+  const double two_stations = 2.0 * kTwoPi / 360.0 * kRadius;
+  EXPECT_GT(doubted(0.19 * two_stations, 100, StationFlag::Interpolated, kUnknown)[101].sigma_z, 0.0001);
+  EXPECT_EQ(doubted(0.21 * two_stations, 100, StationFlag::Interpolated, kUnknown)[101].sigma_z, 0.0001);
 }
 
 TEST(WithRefusedDoubted, ADipBeginsAtTheStationsBeside) {

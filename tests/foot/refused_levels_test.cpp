@@ -19,7 +19,7 @@ double refusedAt50(double height, double slope, bool shell_below = false) {
   for (int i = 0; shell_below && i < 40; ++i)
     made.add((50 - 0.4 + 0.02 * i) * made.step(), 0.0, height - 0.005 - 0.0003 * i);
   Foot& foot = made.foot();
-  return findOutliers(foot, levelPass(4.0 * foot.half_step, 0.3)).refused[50];
+  return findOutliers(foot, levelPass(4.0 * foot.half_step, 0.3)).refused[50].z;
 }
 
 TEST(FindOutliers, ASurfaceFarOffThatMayBeTheFoundationMayBeTheDatum) {

@@ -43,7 +43,7 @@ struct Pad {
     pad.blur = 0.004, pad.noise = 0.003, pad.surface = Surface::Foundation;
     pass.sections.stations = 360;
     pass.outliers.reasons.assign(360, Unmeasured::None);
-    pass.outliers.refused.assign(360, kUnknown);
+    pass.outliers.refused.assign(360, {});
     return pass;
   }
 
@@ -150,9 +150,9 @@ TEST(WithoutRoughArcs, TheirStationsAreOfAnotherSurfaceAndMayBeTheDatumNeverthel
   const FootPass pass = withoutRoughArcs(foot, std::move(before));
   EXPECT_FALSE(pass.fits[115].valid());
   EXPECT_EQ(pass.outliers.reasons[115], Unmeasured::OtherSurface);
-  EXPECT_EQ(pass.outliers.refused[115], 0.0);
+  EXPECT_EQ(pass.outliers.refused[115].z, 0.0);
   EXPECT_EQ(pass.outliers.reasons[110], Unmeasured::None) << "was not measured before";
-  EXPECT_TRUE(std::isnan(pass.outliers.refused[110]));
+  EXPECT_TRUE(std::isnan(pass.outliers.refused[110].z));
   EXPECT_TRUE(pass.fits[50].valid());
   EXPECT_EQ(pass.outliers.reasons[50], Unmeasured::None);
 }
