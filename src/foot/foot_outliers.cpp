@@ -86,7 +86,6 @@ struct StationFindings {
   bool is_heap = false;     ///< it is soil
   bool is_no_foot = false;  ///< no foundation is so, whatever lies beside
   FootFit own;              ///< ownFit() of the station and its neighbours
-  RefusedLevel elsewhere;   ///< a level farther off than was looked, of what may be the foundation
 };
 
 /// Where a station shows what may be the foundation, if not where that was looked for.
@@ -104,7 +103,6 @@ StationFindings findingsAt(const Foot& foot, std::size_t station, const FootPass
     found.reason = Unmeasured::NoShell;
   } else if (!fit.valid() || !supported) {
     found.reason = Unmeasured::Hidden;
-    found.elsewhere = elsewhereAt(foot, station, pass);
   } else {
     found.own = ownFit(foot, station, pass, kWithNeighbours * foot.half_step);
     found.is_kerb = countShell(foot, station, fit).goOn();
@@ -150,13 +148,11 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   std::vector<Unmeasured> reasons(pass.fits.size(), Unmeasured::None);
   std::vector<char> kerbs(reasons.size(), 0), no_foot(reasons.size(), 0), heaps(reasons.size(), 0);
   std::vector<FootFit> own(reasons.size());
-  std::vector<RefusedLevel> refused(reasons.size());
   forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     StationFindings found = findingsAt(foot, i, pass, supported[i]);
     reasons[i] = found.reason;
     kerbs[i] = found.is_kerb, heaps[i] = found.is_heap, no_foot[i] = found.is_no_foot;
     own[i] = std::move(found.own);
-    refused[i] = found.elsewhere;
   });
   const auto refuse = [&](const std::vector<bool>& found) {
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -190,14 +186,16 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
   const std::vector<bool> hanging = findHangingRuns(foot, pass.sections.whole, levels),
                           islands = findStrangeIslands(foot, pass.priors, own);
   Steps steps = findSteps(kept, foot.arc(), [&](const StepRun& run) { return goesDownTo(foot, run, kept); });
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
+  std::vector<RefusedLevel> refused(reasons.size());
+  forEachIndex(reasons.size(), 0, [&](std::size_t i) {
     if (reasons[i] == Unmeasured::None && (none || steps.dropped[i] || banks[i] || hanging[i] || islands[i]))
       reasons[i] = Unmeasured::OtherSurface;
-    const bool may_be = !none && no_foot[i] == 0 && !hanging[i] && !islands[i];
-    if (reasons[i] != Unmeasured::OtherSurface || !may_be) continue;
+    const bool may_be =
+        reasons[i] == Unmeasured::OtherSurface && !none && no_foot[i] == 0 && !hanging[i] && !islands[i];
+    if (!may_be && reasons[i] != Unmeasured::Hidden) return;
     refused[i] = elsewhereAt(foot, i, pass);
-    if (!std::isfinite(refused[i].z)) refused[i] = {pass.fits[i].z, kUnknown};
-  }
+    if (may_be && !std::isfinite(refused[i].z)) refused[i] = {pass.fits[i].z, kUnknown};
+  });
   const std::vector<bool> outnumbered = findOutnumberedIslands(reasons, foot.stationsIn(kFarIsland));
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (!outnumbered[i]) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "core/parallel.h"
@@ -46,11 +47,9 @@ std::optional<PolarRing> withoutGussets(const PolarRing& ring, const ShellOutlin
   const PolarPoints& points = ring.points();
   std::vector<Column> columns(1 + static_cast<std::size_t>(kTwoPi * tank.circle.radius / (kWide * heights.to)));
   const double on_shell = kOnShell * outline.noise, far = std::max(kFar * heights.to, 3.0 * on_shell);
-  const double width = kTwoPi / static_cast<double>(columns.size());
   forEachIndex(columns.size(), 0, [&](std::size_t i) {
     Column& column = columns[i];
-    column.begin = ring.firstFrom(static_cast<double>(i) * width);
-    column.end = i + 1 == columns.size() ? points.size() : ring.firstFrom(static_cast<double>(i + 1) * width);
+    std::tie(column.begin, column.end) = ring.inCell(i, columns.size());
     const double azimuth = middleOfCell(i, columns.size());
     const double foot = tank.foot(azimuth), shell = outline.at(azimuth);
     std::array<Layer, kLayers> layers{};

@@ -33,4 +33,12 @@ std::size_t PolarRing::firstFrom(double azimuth) const {
   return static_cast<std::size_t>(at - points_.begin());
 }
 
+std::pair<std::size_t, std::size_t> PolarRing::inCell(std::size_t cell, std::size_t cells) const {
+  const double width = kTwoPi / static_cast<double>(cells);
+  const auto begin = [&](std::size_t k) {
+    return k == cells ? points_.size() : firstFrom(static_cast<double>(k) * width);
+  };
+  return {begin(cell), begin(cell + 1)};
+}
+
 }  // namespace tank_datum

@@ -39,6 +39,8 @@ class PolarRing {
   }
 
   const PolarPoints& points() const { return points_; }
+  /// Indices of the first point in a cell of so many equal ones, of which the first begins at azimuth 0, and beyond it.
+  std::pair<std::size_t, std::size_t> inCell(std::size_t cell, std::size_t cells) const;
   /// Index of the first point at an azimuth or beyond; the number of points if there is none.
   std::size_t firstFrom(double azimuth) const;
 

@@ -57,10 +57,9 @@ ShellOutline outline(const PolarRing& ring, double tank_radius, const Keep& keep
   result.radius.resize(cells);
   std::vector<double> spreads(cells);
   forEachIndex(cells, 0, [&](std::size_t cell) {
-    const double width = kTwoPi / static_cast<double>(cells), from = static_cast<double>(cell) * width;
+    const auto [begin, end] = ring.inCell(cell, cells);
     std::vector<double> radii;
-    const std::size_t end = cell + 1 == cells ? points.size() : ring.firstFrom(from + width);
-    for (std::size_t i = ring.firstFrom(from); i < end; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       if (kept[i]) radii.push_back(points[i].radius);
     }
     result.radius[cell] = densestOfCell(radii);

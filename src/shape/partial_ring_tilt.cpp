@@ -12,6 +12,7 @@
 #include "shape/out_of_plane.h"
 #include "shape/ring_doubts.h"
 #include "shape/ring_model.h"
+#include "stations/stations.h"
 
 namespace tank_datum {
 namespace {
@@ -37,6 +38,7 @@ Eigen::Matrix3d errorOf(const Eigen::MatrixXd& fit, const RingModel& model) {
 /// What gaps leave unknown of the plane in which something was refused that may be the datum nevertheless: it is the
 /// one or the other, which is half of what they differ by. Coefficients 1, cos, sin of the direction.
 Eigen::Matrix3d refusedIn(std::vector<Station> stations, const RingModel& model) {
+  if (std::none_of(stations.begin(), stations.end(), isInDoubt)) return Eigen::Matrix3d::Zero();
   std::sort(stations.begin(), stations.end(),
             [](const Station& a, const Station& b) { return a.direction < b.direction; });
   Eigen::VectorXd directions(static_cast<Eigen::Index>(stations.size()));
@@ -72,20 +74,20 @@ PlaneFit fitPlane(const std::vector<Station>& stations, const Eigen::Vector2d& c
   const Eigen::Vector3d scales(1.0, 1.0 / radius, 1.0 / radius);
   PlaneFit fit;
   fit.freedom = model.noise().freedom;
-  const Eigen::Matrix3d refused = refusedIn(stations, model);
+  Eigen::Matrix3d errors;  // covariance of coefficients 1, cos, sin
   if (model.dense() || hasTiltingGap(stations)) {
     fit.plane = scales.cwiseProduct(model.coefficients().head<3>());
-    fit.covariance = model.covariance().topLeftCorner<3, 3>() + refused;
-    fit.covariance = scales.asDiagonal() * fit.covariance * scales.asDiagonal();
-    return fit;
+    errors = model.covariance().topLeftCorner<3, 3>();
+  } else {
+    const std::vector<double> weights = waveData(stations, 1).weights;
+    const Eigen::MatrixXd weighted =
+        rows.transpose() * Eigen::Map<const Eigen::VectorXd>(weights.data(), data.count()).asDiagonal();
+    const Eigen::MatrixXd solution = (weighted * rows).ldlt().solve(weighted);
+    fit.plane = solution * data.z;
+    errors = errorOf(scales.cwiseInverse().asDiagonal() * solution, model);
   }
-  const std::vector<double> weights = waveData(stations, 1).weights;
-  const Eigen::MatrixXd weighted =
-      rows.transpose() * Eigen::Map<const Eigen::VectorXd>(weights.data(), data.count()).asDiagonal();
-  const Eigen::MatrixXd solution = (weighted * rows).ldlt().solve(weighted);
-  fit.plane = solution * data.z;
-  fit.covariance = errorOf(scales.cwiseInverse().asDiagonal() * solution, model) + refused;
-  fit.covariance = scales.asDiagonal() * fit.covariance * scales.asDiagonal();
+  errors += refusedIn(stations, model);
+  fit.covariance = scales.asDiagonal() * errors * scales.asDiagonal();
   return fit;
 }
 

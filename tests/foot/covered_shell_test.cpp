@@ -5,8 +5,11 @@
 #include "core/units.h"
 #include "foot/shell_line.h"
 #include "support/made_clouds.h"
+#include "support/made_rings.h"
 
 namespace tank_datum::covered_shell_test {
+
+using made_rings::levelTank;
 
 constexpr double kRadius = 10.0, kReach = 0.5, kNoise = 0.001;
 
@@ -21,10 +24,7 @@ double noiseWithSoil(double bare, double soil) {
     const double r = kRadius + (turns < bare ? kNoise : soil) * normal(random);
     points.emplace_back(r * std::cos(a), r * std::sin(a), 0.1 + 0.4 * made_clouds::uniform(random));
   }
-  Tank tank;
-  tank.circle = {{0, 0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  return outlineShell(PolarRing(points, {0, 0}), tank, kReach).noise;
+  return outlineShell(PolarRing(points, {0, 0}), levelTank(kRadius), kReach).noise;
 }
 
 TEST(OutlineShell, TakesItsNoiseFromWhereNoSoilLies) {

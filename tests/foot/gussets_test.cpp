@@ -6,18 +6,14 @@
 
 #include "core/units.h"
 #include "foot/shell_fits.h"
+#include "support/made_rings.h"
 
 namespace tank_datum::gussets_test {
 
+using made_rings::levelTank;
+
 constexpr double kRadius = 10.0, kReach = 0.5;  // m
 constexpr int kColumns = 3142;                  // round the ring
-
-Tank madeTank() {
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  return tank;
-}
 
 /// A shell, and before it plates that stand out from it, in columns of points one upon the other.
 struct Scan {
@@ -54,7 +50,7 @@ struct Scan {
   std::size_t leftOut(double noise = 0.0005) const {
     const PolarRing all = ring();
     const ShellOutline outline{std::vector<double>(360, kRadius), noise};
-    const auto others = withoutGussets(all, outline, madeTank(), {0.05, kReach});
+    const auto others = withoutGussets(all, outline, levelTank(kRadius), {0.05, kReach});
     return others ? all.points().size() - others->points().size() : 0;
   }
 };
@@ -139,7 +135,7 @@ TEST(FitShellLines, BesideAGussetAreTheShells) {
   Scan scan;
   scan.wide = 2;
   const PolarRing ring = scan.ring();
-  const ShellFits shell = fitShellLines(directions, ring, madeTank(), kReach);
+  const ShellFits shell = fitShellLines(directions, ring, levelTank(kRadius), kReach);
   for (const ShellLine& line : shell.lines) {
     if (line.seen()) {
       EXPECT_NEAR(line.radius, kRadius, 0.001);

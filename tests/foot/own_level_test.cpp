@@ -10,7 +10,7 @@ namespace tank_datum::own_level_test {
 
 using namespace made_feet;
 
-constexpr double kNoise = 0.0005;
+constexpr double kNoise = 0.0005;  // of the foot that levelPass() found
 
 /// A ring of lips 45 mm wide at z = 0, and a station that shows a surface so high, within half of its own stretch and
 /// of those beside it.
@@ -34,12 +34,7 @@ struct Raised {
       const double off = i < points ? 3.46 * rough * share(i, 0.618034) : 0.1 * share(i, 0.618034);
       made.add(50 * made.step() + turn, d, height + slope * d + along * turn * kRadius + off);
     }
-    FootPass pass;
-    pass.sections.stations = 360;
-    FootProfile& profile = pass.sections.whole;
-    profile.bin = 0.003, profile.band_from = 0.015, profile.noise = kNoise, profile.blur = 0.004;
-    profile.band_to = profile.edge = 0.06;
-    return fitAtOwnLevel(made.foot(), 50, pass);
+    return fitAtOwnLevel(made.foot(), 50, levelPass(0.0, 0.06));
   }
 };
 

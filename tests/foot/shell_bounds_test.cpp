@@ -6,17 +6,13 @@
 #include "core/units.h"
 #include "foot/shell_circle.h"
 #include "foot/shell_fits.h"
+#include "support/made_rings.h"
 
 namespace tank_datum::shell_bounds_test {
 
-constexpr double kRadius = 10.0, kReach = 0.5;
+using made_rings::levelTank;
 
-Tank madeTank() {
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  return tank;
-}
+constexpr double kRadius = 10.0, kReach = 0.5;
 
 /// An upright shell of so many points, evenly round; `bump` further out where told [rad].
 Points shellOf(int count, double bump = 0.0, double from = 0.0, double to = 0.0) {
@@ -47,7 +43,7 @@ TEST(OutlineBand, AShellTurnsByAtMostFifteenHundredthsOverFourCells) {
 TEST(FitShellLine, ABoxBeforeTheShellMovesNoLineBesideIt) {
   const double cell = kTwoPi / 200.0, from = 50.0 * cell, to = 56.0 * cell;
   const PolarRing ring(shellOf(8000, 0.13, from, to), {0.0, 0.0});
-  const ShellOutline outline = outlineShell(ring, madeTank(), kReach);
+  const ShellOutline outline = outlineShell(ring, levelTank(kRadius), kReach);
   const auto lineAt = [&](double azimuth) {
     return fitShellLine(ring, outline, {azimuth, 2.0 * cell, 0.0, {0.1, kReach}});
   };
@@ -84,7 +80,7 @@ std::size_t pointsOfALine(int per_degree) {
   const PolarRing ring(shellOf(360 * per_degree), {0.0, 0.0});
   std::vector<double> directions;
   for (int i = 0; i < 360; ++i) directions.push_back(toRadians(i));
-  return fitShellLines(directions, ring, madeTank(), kReach).lines[100].points;
+  return fitShellLines(directions, ring, levelTank(kRadius), kReach).lines[100].points;
 }
 
 TEST(FitShellLines, AStationWidensItsWindowByHalvesUntilItHasFortyPoints) {

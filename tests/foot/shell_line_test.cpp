@@ -7,12 +7,14 @@
 
 #include "core/statistics.h"
 #include "support/made_clouds.h"
+#include "support/made_rings.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum::shell_line_test {
 
 using made_clouds::kTurn;
 using made_clouds::uniform;
+using made_rings::levelTank;
 
 constexpr double kRadius = 10.0;
 constexpr double kReach = 0.5;
@@ -39,17 +41,10 @@ struct Shell {
   }
 };
 
-Tank tankAtZero() {
-  Tank tank;
-  tank.circle = {{0, 0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  return tank;
-}
-
 /// The line at an azimuth, from heights 0.05 to 0.5 m and a degree on either side.
 ShellLine lineAt(const Points& points, double azimuth, double from = 0.05, double half_width = kStep) {
   const PolarRing ring(points, {0, 0});
-  return fitShellLine(ring, outlineShell(ring, tankAtZero(), kReach), {azimuth, half_width, 0.0, {from, kReach}});
+  return fitShellLine(ring, outlineShell(ring, levelTank(kRadius), kReach), {azimuth, half_width, 0.0, {from, kReach}});
 }
 
 TEST(ShellLine, IsAFormula) {
@@ -184,7 +179,7 @@ TEST(OutlineShell, KnowsTheNoiseAndWhereNothingStands) {
   Shell shell;
   shell.noise = 0.002;
   shell.to = 3.0;
-  const ShellOutline outline = outlineShell(PolarRing(shell.points(), {0, 0}), tankAtZero(), kReach);
+  const ShellOutline outline = outlineShell(PolarRing(shell.points(), {0, 0}), levelTank(kRadius), kReach);
   EXPECT_NEAR(outline.noise, 0.002, 0.0006);
   for (const double a : {0.1, 1.0, 2.9}) EXPECT_NEAR(outline.at(a), kRadius, 0.003) << a;
   for (const double a : {3.3, 5.0, 6.0}) EXPECT_TRUE(std::isnan(outline.at(a))) << a;

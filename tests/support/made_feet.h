@@ -7,6 +7,7 @@
 
 #include "core/units.h"
 #include "foot/foot_state.h"
+#include "support/made_rings.h"
 
 /// Foots of an upright shell of 10 m radius, about the origin and upon z = 0, with points put where a test wants them.
 namespace tank_datum::made_feet {
@@ -71,12 +72,7 @@ class MadeFoot {
   std::optional<Foot> foot_;
 };
 
-inline Tank tankOfFoot() {
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d::Zero();
-  return tank;
-}
+inline Tank tankOfFoot() { return made_rings::levelTank(kRadius); }
 
 /// What a pass may have found of a level surface, up to `band_to` from the shell.
 inline FootPass levelPass(double half_width, double band_to) {
