@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <pthread.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <Eigen/Core>
@@ -78,6 +79,24 @@ void openStandardStreams() {
   }
 }
 
+/// A stack that libraries' products of matrices fit into, for threads too: Eigen keeps up to 128 kB of one there.
+void ensureStack() {
+  constexpr rlim_t kLeast = rlim_t{1} << 20;
+  rlimit stack{};
+  if (::getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= kLeast) return;
+  if (stack.rlim_max < kLeast) {
+    throw Error(Error::Kind::File, "memory", "the stack (ulimit -s)", std::to_string(stack.rlim_max >> 10) + " kB",
+                std::to_string(kLeast >> 10) + " kB or more");
+  }
+  stack.rlim_cur = kLeast;
+  pthread_attr_t threads;
+  pthread_getattr_default_np(&threads);
+  pthread_attr_setstacksize(&threads, kLeast);
+  pthread_setattr_default_np(&threads);
+  pthread_attr_destroy(&threads);
+  ::setrlimit(RLIMIT_STACK, &stack);
+}
+
 /// As long as the work runs, nobody but it ends the process.
 class AtWork {
  public:
@@ -102,6 +121,7 @@ int runMain(const char* program, const std::function<int()>& work, const std::fu
   try {
     name_of_program = program;
     openStandardStreams();
+    ensureStack();
     std::set_terminate(endAtOnce);
     std::signal(SIGXFSZ, SIG_IGN);  // a file beyond what is allowed is a write that fails, as on a full disk
     Eigen::setNbThreads(1);  // OpenMP, by which Eigen has large products done, ends the process for want of a thread

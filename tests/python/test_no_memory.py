@@ -122,6 +122,31 @@ def test_many_threads_in_little_space(command: Path, tmp_path: Path, megabytes: 
         assert (out / name).read_bytes() == (command / name).read_bytes(), name
 
 
+def on_stack(kilobytes: int, most: int, out: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        words_of("tank_datum flann", out.parent, out),
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_STACK, (kilobytes << 10, most)),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+@pytest.mark.parametrize("kilobytes", [64, 192, 1023])
+def test_a_stack_that_is_too_small_is_refused(tmp_path: Path, kilobytes: int) -> None:
+    done = on_stack(kilobytes, kilobytes << 10, tmp_path / "out")
+    assert done.returncode == FILE_FAILED
+    assert f"memory: the stack (ulimit -s), {kilobytes} kB, expected 1024 kB or more" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("kilobytes, most", [(64, resource.RLIM_INFINITY), (64, 1 << 20), (1024, 1 << 20)])
+def test_a_stack_that_may_grow_grows(command: Path, tmp_path: Path, kilobytes: int, most: int) -> None:
+    done = on_stack(kilobytes, most, tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out" / "stations.csv").read_bytes() == (command / "stations.csv").read_bytes()
+
+
 def test_more_threads_than_any_machine_has_are_refused(tmp_path: Path) -> None:
     done = run_program("tank_datum", [SAMPLE, "-o", tmp_path / "out", "--threads", "1025"])
     assert done.returncode == 2
