@@ -43,11 +43,13 @@ double SurfaceRows::residualsFrom(const Eigen::Vector4d& solution) {
 
 void SurfaceRows::weigh(double noise) { tukeyWeights(residuals_.data(), size(), noise, weights_.data()); }
 
-std::optional<SurfaceFit> fitRobustly(SurfaceRows& rows) {
+std::optional<SurfaceFit> fitRobustly(SurfaceRows& rows, const SurfacePrior& prior) {
   constexpr double kLeastNoise = 1e-7;  // m
   SurfaceFit fit;
+  fit.noise = prior.noise;
   for (int iteration = 0; iteration < 8; ++iteration) {
-    const SurfaceRows::Equations equations = rows.equations();
+    SurfaceRows::Equations equations = rows.equations();
+    equations.matrix.diagonal() += fit.noise * fit.noise * prior.precision;
     const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
     if (!lu.isInvertible()) return std::nullopt;
     fit.normal = equations.matrix;

@@ -51,8 +51,14 @@ struct SurfaceFit {
   double noise = 0;                 ///< standard deviation of the rows about it [m]
 };
 
+/// What is known of the unknowns beforehand, each about zero: 1 / variance, zero for nothing.
+struct SurfacePrior {
+  Eigen::Vector4d precision = Eigen::Vector4d::Zero();
+  double noise = 0;  ///< that the rows are expected to have [m]
+};
+
 /// Tukey's; the rows keep the weights. Nothing where the equations are singular.
 /// @param rows  closed
-std::optional<SurfaceFit> fitRobustly(SurfaceRows& rows);
+std::optional<SurfaceFit> fitRobustly(SurfaceRows& rows, const SurfacePrior& prior = {});
 
 }  // namespace tank_datum

@@ -96,6 +96,8 @@ ShellOutline outlineBand(const PolarRing& ring, double radius) {
 
 ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const ShellWindow& window) {
   constexpr std::size_t kUnknowns = 4;
+  constexpr double kTurn = 0.05;  // what lobes turn a shell by against its circle (standard deviation)
+  constexpr double kBend = 1.0;   // and bend it by, of what the circle bends
   ShellLine line;
   const double start = outline.at(window.azimuth);
   if (!std::isfinite(start)) return line;
@@ -109,7 +111,11 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   });
   if (rows.size() < 3 * kUnknowns) return line;
   rows.close();
-  const std::optional<SurfaceFit> fit = fitRobustly(rows);
+  SurfacePrior prior;
+  if (outline.noise <= kResolved * window.heights.to) {
+    prior = {{0.0, 0.0, 1.0 / square(kTurn), square(start / kBend)}, outline.noise};
+  }
+  const std::optional<SurfaceFit> fit = fitRobustly(rows, prior);
   if (!fit) return line;
   line.noise = fit->noise;
   line.radius = fit->solution[0];

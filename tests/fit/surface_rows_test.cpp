@@ -82,6 +82,18 @@ TEST(FitRobustly, IsTheSurfaceOfTheRowsThatAreNotFarOff) {
   EXPECT_EQ(rows.weights()[9], 0.0);
 }
 
+TEST(FitRobustly, WhatTheRowsDoNotTellIsAsKnownBefore) {
+  constexpr double kTurn = 0.05, kBend = 0.1;
+  SurfaceRows rows;
+  for (int i = 0; i < 40; ++i) rows.add(0.01 * i, 0.2, 3.0 + (i % 2 ? 0.001 : -0.001));
+  rows.close();
+  const auto fit = fitRobustly(rows, {{0.0, 0.0, 1.0 / (kTurn * kTurn), 1.0 / (kBend * kBend)}, 0.002});
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->solution[0], 3.0, 1e-3);
+  EXPECT_NEAR(fit->solution[2], 0.0, 1e-6);
+  EXPECT_NEAR(fit->noise * std::sqrt(fit->inverse(0, 0)), std::hypot(0.2 * kTurn, 0.04 * kBend), 1e-4);
+}
+
 TEST(FitRobustly, OfRowsInOnePlaceThereIsNone) {
   SurfaceRows rows;
   for (int i = 0; i < 20; ++i) rows.add(0.1, 0.2, 3.0);
