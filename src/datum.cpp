@@ -183,8 +183,8 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   datum = describeFoot(std::move(datum), std::move(foot), ring, evidence, options);
   if (!datum.hasStations()) return datum;
   tell(callbacks, "shell");
-  datum.shell = withPlanError(surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations),
-                              datum.agreement.planError());
+  datum.shell = withSetupErrors(surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations),
+                                datum.agreement.errorsOfOne());
   tell(callbacks, "checks");
   return withChecks(std::move(datum), options);
 }

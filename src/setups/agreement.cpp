@@ -145,7 +145,11 @@ void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
 
 }  // namespace
 
-double SetupAgreement::planError() const { return adjusted() ? spread.plan : merged_sigma; }
+SetupSpread SetupAgreement::errorsOfOne() const {
+  return adjusted() ? spread : SetupSpread{merged_sigma, 0.0, merged_sigma};
+}
+
+double SetupAgreement::planError() const { return errorsOfOne().plan; }
 
 double SetupAgreement::radiusError() const {
   const auto seeing =

@@ -10,6 +10,7 @@
 #include "fit/circular_series.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
+#include "shell/shell_trace.h"
 #include "tank_datum/fit/curves.h"
 
 namespace tank_datum {
@@ -74,6 +75,13 @@ double mayDiffer(const ShellCell& a, const ShellCell& b, double bend) {
   return bend + 4.0 * std::hypot(a.sigma, b.sigma);
 }
 
+/// The next station after this one that is seen, from there on round the ring; row.size() further where none other is.
+std::size_t nextSeen(const std::vector<ShellCell>& row, std::size_t i) {
+  std::size_t next = i + 1;
+  while (next < i + row.size() && !row[next % row.size()].seen()) ++next;
+  return next;
+}
+
 /// With height: plates are bent by some centimetres within a course.
 double bendUp(double rise) { return 0.02 + 0.02 * std::min(rise, 2.0); }
 
@@ -91,15 +99,19 @@ class Parts {
   std::vector<std::size_t> parent_;
 };
 
-void joinAlong(const std::vector<ShellCell>& row, std::size_t first, double step, Parts& parts) {
-  const std::size_t count = row.size();
+/// Whether two stations of a row, so many steps apart, may be one shell by their radii.
+bool isNear(const ShellCell& a, const ShellCell& b, double arc) {
+  return std::abs(a.radius - b.radius) <= mayDiffer(a, b, bendAlong(arc));
+}
+
+void joinAlong(const ShellGrid& grid, std::size_t k, Parts& parts) {
+  const std::vector<ShellCell>& row = grid.cells[k];
+  const std::size_t count = row.size(), first = k * count;
   for (std::size_t i = 0; i < count; ++i) {
-    std::size_t next = i + 1;
-    while (next < i + count && !row[next % count].seen()) ++next;
-    const ShellCell &a = row[i], &b = row[next % count];
-    if (!a.seen() || next == i + count) continue;
-    const double arc = static_cast<double>(next - i) * step;
-    if (std::abs(a.radius - b.radius) <= mayDiffer(a, b, bendAlong(arc))) parts.join(first + i, first + next % count);
+    const std::size_t next = nextSeen(row, i);
+    if (!row[i].seen() || next == i + count) continue;
+    const double arc = static_cast<double>(next - i) * grid.step;
+    if (row[i].runs_on || isNear(row[i], row[next % count], arc)) parts.join(first + i, first + next % count);
   }
 }
 
@@ -117,6 +129,31 @@ void joinUp(const ShellGrid& grid, std::size_t station, Parts& parts) {
       }
     }
     below = k;
+  }
+}
+
+/// Traces the shell from station to station where lines cannot be fitted to it, or lie apart: over a dent or a peaked
+/// weld narrower than they are.
+/// @param z  of the row at every station [m]
+void traceRow(const PolarRing& ring, const std::vector<double>& z, const ShellArc& usual, std::vector<ShellCell>& row) {
+  const std::size_t count = row.size();
+  const double step = kTwoPi / static_cast<double>(count);
+  const std::vector<ShellCell> fitted = row;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = nextSeen(fitted, i), steps = next - i;
+    if (!fitted[i].seen() || steps == count) continue;
+    const double arc = static_cast<double>(steps) * step;
+    if (steps == 1 && isNear(fitted[i], fitted[next % count], arc * usual.radius)) continue;
+    ShellArc at = usual;
+    at.from = usual.from + static_cast<double>(i) * step, at.to = at.from + arc;
+    at.z_from = z[i], at.z_to = z[next % count], at.steps = steps;
+    at.first = fitted[i], at.last = fitted[next % count];
+    const ShellTrace trace = traceShell(ring, at);
+    if (!trace.runs_on) continue;
+    for (std::size_t k = i; k < next; ++k) {
+      if (k > i) row[k % count] = trace.between[k - i - 1];
+      row[k % count].runs_on = true;
+    }
   }
 }
 
@@ -143,6 +180,12 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
                            step, options.half_band);
     }
     dropPoor(rows[k]);
+    std::vector<double> z;
+    for (const double elevation : elevations) z.push_back(elevation + bands.heights()[k]);
+    ShellArc usual{};
+    usual.from = stations.front().direction, usual.half_band = options.half_band;
+    usual.radius = circle.radius, usual.noise = outline.noise;
+    traceRow(ring, z, usual, rows[k]);
   });
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (std::none_of(rows[k].begin(), rows[k].end(), [](const ShellCell& cell) { return cell.seen(); })) continue;
@@ -156,7 +199,7 @@ void keepConnected(ShellGrid& grid) {
   if (grid.cells.empty()) return;
   const std::size_t count = grid.cells.front().size();
   Parts parts(grid.cells.size() * count);
-  for (std::size_t k = 0; k < grid.cells.size(); ++k) joinAlong(grid.cells[k], k * count, grid.step, parts);
+  for (std::size_t k = 0; k < grid.cells.size(); ++k) joinAlong(grid, k, parts);
   for (std::size_t i = 0; i < count; ++i) joinUp(grid, i, parts);
   std::vector<std::size_t> sizes(grid.cells.size() * count, 0);
   for (std::size_t c = 0; c < sizes.size(); ++c) sizes[parts.of(c)] += grid.cells[c / count][c % count].seen();

@@ -17,6 +17,7 @@ struct ShellCell {
   double sigma = kUnknown;   ///< its standard error [m]
   double shared = 1.0;       ///< the arc its points come from, in stations; the neighbours share what is beyond one
   std::size_t points = 0;    ///< 0 when the shell is not seen here
+  bool runs_on = false;      ///< traced to the next station that is seen
 
   bool seen() const { return points > 0; }
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/clauses.h"
+#include "core/normal95.h"
 #include "core/plain_text.h"
 #include "core/units.h"
 #include "limits/checks.h"
@@ -28,7 +30,7 @@ Measure radiusMeasure(const Roundness& r) {
 double widestArcWithout(const std::vector<Plumbness>& plumbness, double height, double radius) {
   std::vector<double> directions;
   for (const Plumbness& p : plumbness) {
-    if (p.height >= kNearlyAll * height) directions.push_back(p.direction);
+    if (p.top >= kNearlyAll * height) directions.push_back(p.direction);
   }
   if (directions.empty()) return kTwoPi * radius;
   std::sort(directions.begin(), directions.end());
@@ -41,8 +43,33 @@ double widestArcWithout(const std::vector<Plumbness>& plumbness, double height, 
 double heightOf(const std::vector<Plumbness>& plumbness, const TankFacts& facts) {
   if (std::isfinite(facts.height)) return facts.height;
   double height = 0.0;
-  for (const Plumbness& p : plumbness) height = std::max(height, p.height);
+  for (const Plumbness& p : plumbness) height = std::max(height, p.top);
   return height;
+}
+
+/// The largest deviation above the foot, of a whole ring where the shell is seen round the tank up to nearly its
+/// height.
+Measure radiusAbove(const ShellSurvey& survey, const Roundness& worst, double height) {
+  Measure measure = radiusMeasure(worst);
+  double top = 0.0;
+  for (const Roundness& r : survey.roundness) {
+    if (r.widest_gap <= kSurveySpacing) top = std::max(top, r.height);
+  }
+  const bool is_arc = std::any_of(survey.arcs.begin(), survey.arcs.end(), [&](const auto& r) { return &r == &worst; });
+  measure.whole_ring = (measure.whole_ring || is_arc) && top >= kNearlyAll * height;
+  if (top < kNearlyAll * height) addClause(measure.note, formatted("seen all round up to %.1f m", top));
+  return measure;
+}
+
+/// What the offset between foot and top may be: as much more than what was seen as the shell goes on above it. Where
+/// much of it was not seen, a bulge may end there, and surely is only what the whole tank leans by.
+Interval95 plumbnessInterval(const Plumbness& plumb, const Lean& lean, double height) {
+  const double value = std::abs(plumb.offset), half = kNormal95 * plumb.sigma;
+  const double leans = lean.valid() ? plumb.height * (lean.slope() - kNormal95 * lean.sigma) : 0.0;
+  const bool nearly_all = plumb.top >= kNearlyAll * height;
+  const double low = nearly_all ? value - half : std::min(value - half, leans);
+  const double share = std::max(1.0, height / plumb.top);
+  return {std::max(0.0, low), (value + half) * share};
 }
 
 }  // namespace
@@ -50,15 +77,16 @@ double heightOf(const std::vector<Plumbness>& plumbness, const TankFacts& facts)
 std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& facts, double radius) {
   std::vector<Measure> measures;
   if (const Roundness* foot = survey.foot()) measures.push_back(radiusMeasure(*foot));
-  if (const Roundness* above = survey.worstAbove()) measures.push_back(radiusMeasure(*above));
+  const double height = heightOf(survey.plumbness, facts);
+  if (const Roundness* above = survey.worstAbove()) measures.push_back(radiusAbove(survey, *above, height));
   if (const Plumbness* plumb = survey.worstPlumbness()) {
     Measure measure;
     measure.quantity = "plumbness";
     measure.worst = {std::abs(plumb->offset), plumb->sigma, plumb->azimuth};
+    measure.interval = plumbnessInterval(*plumb, survey.lean, height);
     measure.note = formatted("over %.1f m of height", plumb->height);
-    const double height = heightOf(survey.plumbness, facts);
     measure.whole_ring =
-        plumb->height >= kNearlyAll * height && widestArcWithout(survey.plumbness, height, radius) <= kSurveySpacing;
+        plumb->top >= kNearlyAll * height && widestArcWithout(survey.plumbness, height, radius) <= kSurveySpacing;
     measures.push_back(measure);
   }
   return measures;

@@ -75,6 +75,7 @@ Plumbness plumbnessAt(const ShellGrid& grid, std::size_t station, const Station&
   }
   if (cells.size() < 2) return result;
   result.height = heights.back() - heights.front();
+  result.top = heights.back();
   result.offset = cells.back().radius - cells.front().radius;
   result.sigma = std::hypot(cells.back().sigma, cells.front().sigma);
   fitLine(heights, cells, result);

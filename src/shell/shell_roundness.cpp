@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/portable_math.h"
+#include "core/statistics.h"
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
 #include "fit/circle.h"
@@ -78,6 +79,25 @@ std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<do
 }
 
 }  // namespace
+
+Roundness arcOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
+                const Circle& datum_circle, const Circle& expected) {
+  Roundness arc;
+  arc.height = height;
+  std::vector<double> deviations(row.size(), kUnknown), seen;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (!row[i].seen()) continue;
+    deviations[i] = expected.residual(placeOf(datum_circle, stations[i], row[i].radius));
+    seen.push_back(deviations[i]);
+  }
+  arc.stations = seen.size();
+  if (arc.stations < kFewestStations) return arc;
+  arc.widest_gap = static_cast<double>(widestGap(row)) * kTwoPi / static_cast<double>(row.size()) * datum_circle.radius;
+  arc.circle = expected;
+  findExtremes(row, deviations, stations, arc);
+  arc.sigma = std::hypot(arc.sigma, median(seen));
+  return arc;
+}
 
 bool isAtFoot(double height) { return height <= 0.305; }
 

@@ -18,4 +18,10 @@ bool isAtFoot(double height);
 Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
                       const Circle& datum_circle, std::vector<double>& deviations);
 
+/// The shell at a height whose own circle is not known, against one that it may have: what that is off its middle is in
+/// sigma.
+/// @return without a valid circle where few stations see the shell
+Roundness arcOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
+                const Circle& datum_circle, const Circle& expected);
+
 }  // namespace tank_datum

@@ -1,5 +1,6 @@
 #include "shell/shell_survey.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/normal95.h"
@@ -29,6 +30,16 @@ std::vector<ShellPoint> pointsOf(const ShellGrid& grid, const std::vector<std::v
   return points;
 }
 
+/// The circle that a height has if it is as round as the nearest one whose circle is known, and the tank leans so.
+Circle expectedAt(double height, const std::vector<Roundness>& known, const Lean& lean) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const Roundness& a, const Roundness& b) {
+    return std::abs(a.height - height) < std::abs(b.height - height);
+  });
+  Circle circle = nearest->circle;
+  if (lean.valid()) circle.center += (height - nearest->height) * lean.gradient;
+  return circle;
+}
+
 }  // namespace
 
 const Roundness* ShellSurvey::foot() const {
@@ -41,8 +52,10 @@ const Roundness* ShellSurvey::foot() const {
 
 const Roundness* ShellSurvey::worstAbove() const {
   const Roundness* worst = nullptr;
-  for (const Roundness& r : roundness) {
-    if (!isAtFoot(r.height) && (!worst || r.largest() > worst->largest())) worst = &r;
+  for (const auto* rows : {&roundness, &arcs}) {
+    for (const Roundness& r : *rows) {
+      if (!isAtFoot(r.height) && (!worst || r.largest() > worst->largest())) worst = &r;
+    }
   }
   return worst;
 }
@@ -62,12 +75,23 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
   ShellGrid grid = fitShellGrid(bands, stations, circle, options);
   keepConnected(grid);
   std::vector<std::vector<double>> deviations(grid.heights.size());
+  std::vector<std::size_t> partly;
   for (std::size_t k = 0; k < grid.heights.size(); ++k) {
     const Roundness roundness = roundnessOf(grid.cells[k], grid.heights[k], stations, circle, deviations[k]);
-    if (roundness.circle.valid()) survey.roundness.push_back(roundness);
+    if (roundness.circle.valid()) {
+      survey.roundness.push_back(roundness);
+    } else {
+      partly.push_back(k);
+    }
   }
   survey.plumbness = plumbnessOf(grid, stations);
   survey.lean = leanOf(survey.plumbness, station_options);
+  for (const std::size_t k : partly) {
+    if (survey.roundness.empty()) break;
+    const Circle expected = expectedAt(grid.heights[k], survey.roundness, survey.lean);
+    const Roundness arc = arcOf(grid.cells[k], grid.heights[k], stations, circle, expected);
+    if (arc.circle.valid()) survey.arcs.push_back(arc);
+  }
   survey.points = pointsOf(grid, deviations, stations);
   if (!survey.valid()) {
     char text[96];
@@ -77,8 +101,11 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
   return survey;
 }
 
-ShellSurvey withPlanError(ShellSurvey survey, double error) {
-  for (Roundness& r : survey.roundness) r.sigma = std::hypot(r.sigma, error);
+ShellSurvey withSetupErrors(ShellSurvey survey, const SetupSpread& error) {
+  for (auto* rows : {&survey.roundness, &survey.arcs}) {
+    for (Roundness& r : *rows) r.sigma = std::hypot(r.sigma, error.plan);
+  }
+  for (Plumbness& p : survey.plumbness) p.sigma = std::hypot(p.sigma, error.plan, error.tilt * p.height);
   return survey;
 }
 

@@ -4,6 +4,7 @@
 
 #include "shell/shell_bands.h"
 #include "tank_datum/fit/curves.h"
+#include "tank_datum/setups/setups.h"
 #include "tank_datum/shell/shell_survey.h"
 #include "tank_datum/stations/stations.h"
 
@@ -14,8 +15,8 @@ namespace tank_datum {
 ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& stations, const Circle& circle,
                         const ShellOptions& options, const StationOptions& station_options);
 
-/// The same of a scan whose setups stand that far beside their places [m]: the shell is surveyed as the scan has it,
-/// and lobes are what they make of it.
-ShellSurvey withPlanError(ShellSurvey survey, double error);
+/// The same of a scan whose setups stand, and are tilted, by that much beside their places: the shell is surveyed as
+/// the scan has it, and lobes and lean are what they make of it.
+ShellSurvey withSetupErrors(ShellSurvey survey, const SetupSpread& error);
 
 }  // namespace tank_datum

@@ -175,56 +175,6 @@ TEST(FitShellLine, SigmaIsTheSpreadOfRepeatedScans) {
   EXPECT_NEAR(std::sqrt(squares) / median(sigmas), 1.0, 0.15);
 }
 
-/// A shell that is seen all round, but for a degree either side of azimuth 1, where columns alone show it.
-struct SlitShell {
-  double noise = 0.001;  ///< along the beams [m]
-  double slant = 0.0;    ///< how far a beam goes along the shell, to how far it goes out
-
-  ShellLine line(const std::vector<double>& columns) const {
-    Shell shell;
-    shell.noise = noise, shell.from = 1.0 + 1.2 * kStep, shell.to = 1.0 - 1.2 * kStep + kTurn;
-    Points points = shell.points();
-    std::mt19937_64 random(7);
-    std::normal_distribution<double> normal;
-    for (const double t : columns) {
-      for (int i = 0; i < 42; ++i) {
-        const double off = noise * normal(random), a = 1.0 + (t + slant * off) / kRadius, r = kRadius + off;
-        points.emplace_back(r * std::cos(a), r * std::sin(a), 0.06 + 0.01 * i);
-      }
-    }
-    return lineAt(points, 1.0);
-  }
-};
-
-TEST(FitShellLine, WhatASideAloneDoesNotTellOfTheTurnIsInSigma) {
-  const ShellLine line = SlitShell().line({0.1});
-  EXPECT_NEAR(line.sigma_radius, 0.1 * 0.05, 0.001);
-  EXPECT_NEAR(line.radius, kRadius, line.sigma_radius);
-}
-
-TEST(FitShellLine, WhatTwoSidesDoNotTellOfTheBendIsInSigma) {
-  const ShellLine line = SlitShell().line({-0.165, 0.165});
-  EXPECT_NEAR(line.sigma_radius, 0.165 * 0.165 / kRadius, 0.0005);
-  EXPECT_NEAR(line.radius, kRadius, line.sigma_radius);
-}
-
-TEST(FitShellLine, AColumnOfSlantingBeamsDoesNotTurnTheShellAlongThem) {
-  SlitShell shell;
-  shell.slant = 1.0;
-  const ShellLine line = shell.line({0.02});
-  EXPECT_NEAR(line.radius, kRadius, 0.0025);
-  EXPECT_NEAR(line.sigma_radius, 0.001, 0.0003);
-}
-
-TEST(FitShellLine, ANoisyShellHasNoTurnThatIsKnownBefore) {
-  SlitShell shell;
-  const std::vector<double> columns{0.05, 0.1, 0.15};
-  shell.noise = 0.004;
-  const double known = shell.line(columns).sigma_radius;
-  shell.noise = 0.006;
-  EXPECT_GT(shell.line(columns).sigma_radius, 1.7 * known);  // as before: 1.5 times
-}
-
 TEST(OutlineShell, KnowsTheNoiseAndWhereNothingStands) {
   Shell shell;
   shell.noise = 0.002;

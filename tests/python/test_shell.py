@@ -28,7 +28,7 @@ def scan(synth: Synth) -> Path:
 @pytest.fixture(scope="module")
 def out(run: Runner, scan: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("shell") / "out"
-    result = run(scan, "-o", folder)
+    result = run(scan, "-o", folder, "--height-step", 1)  # the truth's
     assert result.returncode == 0, result.stderr
     (folder / "stdout").write_text(result.stdout)
     return folder
@@ -64,7 +64,7 @@ def test_setups_beside_their_places_are_in_the_sigmas(
     description = tmp_path / "scene.json"
     description.write_text(json.dumps(scene))
     scan = synth(base=[("--scene", description)])
-    assert run(scan, "-o", tmp_path / "out").returncode == 0
+    assert run(scan, "-o", tmp_path / "out", "--height-step", 1).returncode == 0
     found, truth = read_datum(tmp_path / "out"), read_truth(scan)["tanks"][0]
     lobes, round_ = found["shell"]["roundness"], truth["shell"]["roundness"]
     off = [abs(a["max_deviation"] - b["max_deviation"]) for a, b in zip(lobes, round_, strict=True)]
@@ -112,13 +112,19 @@ def test_summary_says_the_worst(out: Path) -> None:
 
 
 def test_heights(run: Runner, scan: Path, out: Path, tmp_path: Path) -> None:
-    """A height of one's own is what it is among the default ones."""
+    """A height of one's own is what it is among others."""
     assert run(scan, "-o", tmp_path / "out", "--heights", "0.5,2.3,7").returncode == 0
     found = read_datum(tmp_path / "out")["shell"]["roundness"]
     assert [r["height"] for r in found] == [0.5, 2.3, 7.0]
     among = read_datum(out)["shell"]["roundness"][2]
     assert found[1]["max_deviation"] == pytest.approx(among["max_deviation"], abs=0.0002)
     assert found[2]["max_deviation"] > found[0]["max_deviation"] + 0.004
+
+
+def test_heights_are_half_a_metre_apart(run: Runner, scan: Path, tmp_path: Path) -> None:
+    assert run(scan, "-o", tmp_path / "out").returncode == 0
+    heights = sorted(set(rows(tmp_path / "out")["height"]))
+    assert heights == pytest.approx([0.3 + 0.5 * i for i in range(18)])
 
 
 def test_height_step(run: Runner, scan: Path, tmp_path: Path) -> None:

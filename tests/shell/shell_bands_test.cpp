@@ -16,14 +16,15 @@ Eigen::Vector3d place(double azimuth, double off, double height) {
   return {kCentre.x() + r * std::cos(azimuth), kCentre.y() + r * std::sin(azimuth), kFoot + height};
 }
 
-std::size_t kept(const Eigen::Vector3d& p, std::size_t height, const ShellOptions& options = {}) {
+std::size_t kept(const Eigen::Vector3d& p, std::size_t height, const ShellOptions& options = everyMetre()) {
   return bandsOf({p}, options).points(height).size();
 }
 
 TEST(ShellBands, HeightsAreAFootAboveTheDatumAndEveryStep) {
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   EXPECT_EQ(bandsOf({}).heights()[0], 0.3);
   EXPECT_DOUBLE_EQ(bandsOf({}).heights()[2], 2.3);
+  EXPECT_DOUBLE_EQ(bandsOf({}, {}).heights()[2], 1.3);
   options.step = 2.4;
   EXPECT_DOUBLE_EQ(bandsOf({}, options).heights()[2], 5.1);
   options.heights = {0.5, 3.0};
@@ -42,7 +43,7 @@ TEST(ShellBands, KeepsPointsNearTheShellAtTheHeights) {
 }
 
 TEST(ShellBands, ReachAndBandAreOptions) {
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.reach = 0.1;
   EXPECT_EQ(kept(place(1.0, 0.2, 1.3), 1, options), 0U);
   EXPECT_EQ(kept(place(1.0, 0.2, 1.3), 1), 1U);
@@ -52,7 +53,7 @@ TEST(ShellBands, ReachAndBandAreOptions) {
 }
 
 TEST(ShellBands, ACloseHeightTakesThePointToo) {
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.heights = {1.0, 1.1};
   const ShellBands bands = bandsOf({place(2.0, 0.0, 1.05)}, options);
   EXPECT_EQ(bands.points(0).size(), 1U);
@@ -70,7 +71,7 @@ TEST(ShellBands, ManyPointsAreABoundedEvenSampleOfThem) {
   MadeShell shell;
   shell.from = 0.2, shell.to = 0.4;  // all of it in one band
   const Points all = shell.points();
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.cell_points = 50;
   const Points sample = bandsOf(all, options).points(0);
   EXPECT_EQ(sample.size(), 720U * 100U);  // twice the wanted, since the band is kept twice as wide as it is used
@@ -88,7 +89,7 @@ TEST(ShellBands, BlocksChangeNothing) {
   MadeShell shell;
   shell.count = 50'000;
   const Points all = shell.points();
-  ShellBands parts(tank10(), {});
+  ShellBands parts(tank10(), everyMetre());
   for (std::size_t i = 0; i < all.size(); i += 7000) {
     parts.gather(0, Points(all.begin() + static_cast<std::ptrdiff_t>(i),
                            all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), i + 7000))));
@@ -101,7 +102,7 @@ TEST(ShellBands, KeepsTheSamePointsInAnyOrder) {
   MadeShell shell;
   shell.from = 0.2, shell.to = 0.4;
   Points all = shell.points();
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.cell_points = 50;
   const Points sample = bandsOf(all, options).points(0);
   std::reverse(all.begin(), all.end());
@@ -110,7 +111,7 @@ TEST(ShellBands, KeepsTheSamePointsInAnyOrder) {
 
 // Millions of points have pairs of one hash; here all of a cell have, since they differ by less than it tells apart.
 TEST(ShellBands, KeepsTheSameOfPointsOfOneHashInAnyOrder) {
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.cell_points = 50;
   Points all;
   for (int i = 0; i < 400; ++i) all.push_back(place(1.0, 0.0, 0.3) + Eigen::Vector3d(0.0, 0.0, 1e-8 * (i * 37 % 400)));
@@ -124,7 +125,7 @@ TEST(ShellBands, GathersInSeveralThreadsWhatOneGathers) {
   MadeShell shell;
   shell.from = 0.2, shell.to = 3.6;
   const Points all = shell.points();
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.cell_points = 50;
   ShellBands bands(tank10(), options);
   const auto half = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
@@ -145,7 +146,7 @@ TEST(ShellBands, GathersInSeveralThreadsWhatOneGathers) {
 TEST(ShellBands, OfAHugeScanEveryNthPointIsLookedAt) {
   const Points block(100, place(1.0, 0.0, 1.3));
   const auto gathered = [&](std::uint64_t points, std::uint64_t n) {
-    ShellBands bands(tank10(), {}, points);
+    ShellBands bands(tank10(), everyMetre(), points);
     bands.gather(n, block);
     return bands.points(1).size();
   };

@@ -39,7 +39,7 @@ struct Wall {
       add(static_cast<double>(kStation) + 0.9 * (share - 0.5), there_noise,
           0.18 * (std::fmod(0.618034 * i, 1.0) - 0.5));
     }
-    ShellOptions options;
+    ShellOptions options = everyMetre();
     options.heights = {0.3};
     const ShellGrid grid = fitShellGrid(bandsOf(points, options), stations(), tank10().circle, options);
     return grid.cells.empty() ? ShellCell{} : grid.cells[0][kStation];

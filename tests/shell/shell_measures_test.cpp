@@ -20,9 +20,9 @@ Roundness at(double height, double out, double gap) {
 ShellSurvey survey() {
   ShellSurvey shell;
   shell.points.resize(1);
-  shell.roundness = {at(0.3, 0.010, 1.0), at(1.3, 0.020, 8.0), at(2.3, 0.015, 1.0)};
+  shell.roundness = {at(0.3, 0.010, 1.0), at(1.3, 0.020, 8.0), at(7.3, 0.015, 1.0)};
   Plumbness plumb;
-  plumb.height = 8.0, plumb.offset = -0.03, plumb.sigma = 0.001, plumb.azimuth = 2.0;
+  plumb.height = 7.7, plumb.top = 8.0, plumb.offset = -0.03, plumb.sigma = 0.001, plumb.azimuth = 2.0;
   shell.plumbness.assign(360, plumb);
   for (std::size_t i = 0; i < 360; ++i) shell.plumbness[i].direction = toRadians(static_cast<double>(i) - 90.0);
   return shell;
@@ -33,7 +33,7 @@ constexpr double kRadius = 20.0;
 /// Whether plumbness is of the whole ring where so many degrees are seen over no more than so much of 8 m.
 bool isWhole(std::size_t degrees, double seen, double tank_height = kUnknown) {
   ShellSurvey shell = survey();
-  for (std::size_t i = 0; i < degrees; ++i) shell.plumbness[100 + i].height = seen;
+  for (std::size_t i = 0; i < degrees; ++i) shell.plumbness[100 + i].top = seen;
   TankFacts facts;
   facts.height = tank_height;
   return shellMeasures(shell, facts, kRadius)[2].whole_ring;
@@ -51,6 +51,53 @@ TEST(ShellMeasures, AreTheFootTheWorstAboveAndTheWorstPlumbness) {
   EXPECT_EQ(measures[1].note, "1.30 m above the datum");
   EXPECT_EQ(measures[2].quantity, "plumbness");
   EXPECT_EQ(measures[2].worst.value, 0.03);
+}
+
+TEST(ShellMeasures, RadiiAboveAreOfTheRingThatIsSeenUpToNearlyItsHeight) {
+  ShellSurvey shell = survey();
+  shell.roundness[1].widest_gap = 1.0;
+  TankFacts facts;
+  const auto above = [&] { return shellMeasures(shell, facts, kRadius)[1]; };
+  EXPECT_TRUE(above().whole_ring);
+  facts.height = 8.2;  // 7.3 m are 89 %
+  EXPECT_FALSE(above().whole_ring);
+  EXPECT_EQ(above().note, "1.30 m above the datum; seen all round up to 7.3 m");
+  facts.height = 8.1;
+  EXPECT_TRUE(above().whole_ring);
+  shell.roundness[2].widest_gap = 6.2;
+  EXPECT_FALSE(above().whole_ring) << "the ring is seen up to 1.3 m alone";
+}
+
+TEST(ShellMeasures, AnArcThatIsFarthestOffIsTheFigureAbove) {
+  ShellSurvey shell = survey();
+  shell.roundness[1].widest_gap = 1.0;
+  shell.arcs = {at(7.8, 0.100, 20.0)};
+  const Measure above = shellMeasures(shell, {}, kRadius)[1];
+  EXPECT_EQ(above.worst.value, 0.100);
+  EXPECT_TRUE(above.whole_ring) << "what else there is, is seen";
+  shell.roundness[2].height = 5.3;
+  EXPECT_FALSE(shellMeasures(shell, {}, kRadius)[1].whole_ring);
+}
+
+/// The interval of plumbness, 30 +- 1 mm at 8 m, of a tank that is so high and leans as a whole by so much.
+Interval95 plumbness(double height, double slope) {
+  ShellSurvey shell = survey();
+  shell.lean.gradient = {slope, 0.0}, shell.lean.sigma = 1e-4;
+  TankFacts facts;
+  facts.height = height;
+  return shellMeasures(shell, facts, kRadius)[2].interval;
+}
+
+TEST(ShellMeasures, PlumbnessMayGoOnAboveWhatIsSeen) {
+  EXPECT_NEAR(plumbness(8.0, 0.0).high, 0.030 + 1.96 * 0.001, 1e-5);
+  EXPECT_NEAR(plumbness(8.5, 0.0).high, (0.030 + 1.96 * 0.001) * 8.5 / 8.0, 1e-5);
+  EXPECT_NEAR(plumbness(8.5, 0.0).low, 0.030 - 1.96 * 0.001, 1e-5);
+}
+
+TEST(ShellMeasures, BelowTheTopSurelyOutOfPlumbIsWhatTheWholeTankLeansBy) {
+  EXPECT_EQ(plumbness(12.0, 0.0).low, 0.0);
+  EXPECT_NEAR(plumbness(12.0, 0.003).low, 7.7 * (0.003 - 1.96e-4), 1e-5);
+  EXPECT_NEAR(plumbness(12.0, 0.01).low, 0.030 - 1.96 * 0.001, 1e-5);
 }
 
 TEST(ShellMeasures, APartOfTheHeightLeavesPlumbnessOpen) {

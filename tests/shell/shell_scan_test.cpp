@@ -34,7 +34,9 @@ struct Run {
 };
 
 const Run& run() {
-  static const Run made = {extractDatum(Scan::fromPoints(pointsOf(leaningShell())), {}), truthOf(leaningShell())};
+  DatumOptions options;
+  options.shell.step = 1.0;  // the truth's
+  static const Run made = {extractDatum(Scan::fromPoints(pointsOf(leaningShell())), options), truthOf(leaningShell())};
   return made;
 }
 

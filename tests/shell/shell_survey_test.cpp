@@ -80,7 +80,7 @@ TEST(SurveyShell, AnUnsureOffsetIsNotTheWorst) {
 }
 
 TEST(SurveyShell, HeightsAreAnOption) {
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.heights = {0.25, 1.0, 4.0};
   const ShellSurvey survey = surveyOf(outOfRound().points(), options);
   ASSERT_EQ(survey.roundness.size(), 3U);
@@ -90,7 +90,7 @@ TEST(SurveyShell, HeightsAreAnOption) {
 }
 
 TEST(SurveyShell, FewerPointsPerCellAreWorse) {
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.cell_points = 50;
   const ShellSurvey few = surveyOf(outOfRound().points(), options);
   ASSERT_EQ(few.points.size(), surveyed().points.size());
@@ -98,7 +98,7 @@ TEST(SurveyShell, FewerPointsPerCellAreWorse) {
 }
 
 TEST(SurveyShell, TheBandIsAnOption) {
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   options.half_band = 0.05;
   const ShellSurvey narrow = surveyOf(outOfRound().points(), options);
   EXPECT_GT(narrow.points[100].sigma, surveyed().points[100].sigma);
@@ -108,7 +108,7 @@ TEST(SurveyShell, TheReachIsAnOption) {
   MadeShell bulged = outOfRound();
   bulged.noise = 0.001;
   bulged.radius = [](double a, double) { return kRadius + 0.2 * std::cos(2 * a); };
-  ShellOptions options;
+  ShellOptions options = everyMetre();
   EXPECT_EQ(surveyOf(bulged.points(), options).points.size(), 5U * 360U);
   options.reach = 0.1;
   EXPECT_LT(surveyOf(bulged.points(), options).points.size(), 3U * 360U);
@@ -128,6 +128,47 @@ TEST(SurveyShell, PartlyScannedHeightsAreUsedAsFarAsTheyGo) {
   EXPECT_NEAR(top.radius, shell.radius(top.azimuth, 4.3), 5.0 * top.sigma);
 }
 
+TEST(SurveyShell, AHeightSeenOnAnArcIsComparedWithTheNearestCircle) {
+  MadeShell shell;
+  shell.noise = 0.001;
+  const auto bulge = [](double a, double h) { return h > 3.0 ? 0.08 * std::exp(-square((a - 1.0) / 0.1)) : 0.0; };
+  shell.radius = [&](double a, double h) { return kRadius + 0.01 * h * std::cos(a - 1.0) + bulge(a, h); };
+  shell.seen = [](double a, double h) { return h < 3.0 || a < 2.0; };
+  const ShellSurvey survey = surveyOf(shell.points());
+  EXPECT_EQ(survey.roundness.size(), 3U);
+  ASSERT_EQ(survey.arcs.size(), 2U);
+  EXPECT_DOUBLE_EQ(survey.arcs.back().height, 4.3);
+  EXPECT_NEAR(survey.arcs.back().max_deviation, 0.08, 0.004);  // without the lean: 0.10
+  EXPECT_NEAR(degrees(survey.arcs.back().azimuth), 57.3, 1.0);
+  EXPECT_EQ(survey.worstAbove(), &survey.arcs[survey.arcs[0].largest() < survey.arcs[1].largest() ? 1 : 0]);
+  EXPECT_GT(survey.arcs.back().widest_gap, 4.0 * kRadius);
+}
+
+TEST(SurveyShell, WhatSetupsAreOffByIsInSigma) {
+  ShellSurvey survey;
+  survey.roundness.resize(1), survey.arcs.resize(1), survey.plumbness.resize(1);
+  survey.roundness[0].sigma = survey.arcs[0].sigma = 0.003;
+  survey.plumbness[0].sigma = 0.003, survey.plumbness[0].height = 10.0;
+  SetupSpread error;
+  error.plan = 0.004, error.tilt = 0.0012;
+  survey = withSetupErrors(survey, error);
+  EXPECT_NEAR(survey.roundness[0].sigma, 0.005, 1e-9);
+  EXPECT_NEAR(survey.arcs[0].sigma, 0.005, 1e-9);
+  EXPECT_NEAR(survey.plumbness[0].sigma, 0.013, 1e-9);
+}
+
+TEST(SurveyShell, APeakedWeldNarrowerThanAStationIsPartOfTheShell) {
+  MadeShell shell;
+  shell.noise = 0.001, shell.count *= 2;
+  shell.radius = [](double a, double) {
+    return kRadius + std::max(0.0, 0.04 - 0.3 * kRadius * std::abs(a - kTurn / 8));
+  };
+  const ShellSurvey survey = surveyOf(shell.points());
+  ASSERT_EQ(survey.points.size(), 5U * 360U);
+  EXPECT_GT(survey.foot()->max_deviation, 0.02);
+  EXPECT_NEAR(degrees(survey.foot()->azimuth), 45.0, 1.1);
+}
+
 TEST(SurveyShell, OfNoShellSaysSo) {
   MadeShell stub;
   stub.to = 0.15;
@@ -141,7 +182,7 @@ TEST(SurveyShell, OfNoShellSaysSo) {
 TEST(ShellOptions, AreRefusedByName) {
   EXPECT_EQ(said(firstError(ShellOptions())), "");
   const auto refused = [](auto change) {
-    ShellOptions options;
+    ShellOptions options = everyMetre();
     change(options);
     return said(firstError(options));
   };

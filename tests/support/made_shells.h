@@ -54,13 +54,20 @@ struct MadeShell {
   }
 };
 
-inline ShellBands bandsOf(const Points& points, const ShellOptions& options = {}) {
+/// Heights of 0.3, 1.3, 2.3 m and so on.
+inline ShellOptions everyMetre() {
+  ShellOptions options;
+  options.step = 1.0;
+  return options;
+}
+
+inline ShellBands bandsOf(const Points& points, const ShellOptions& options = everyMetre()) {
   ShellBands bands(tank10(), options);
   bands.gather(0, points);
   return bands;
 }
 
-inline ShellSurvey surveyOf(const Points& points, const ShellOptions& options = {}, const StationOptions& around = {}) {
+inline ShellSurvey surveyOf(const Points& points, const ShellOptions& options = everyMetre(), const StationOptions& around = {}) {
   return surveyShell(bandsOf(points, options), stations(around), tank10().circle, options, around);
 }
 

@@ -112,8 +112,9 @@ struct SetupAgreement {
                               ///< [m]; 0 of one scan
 
   bool adjusted() const { return covariance.size() > 0; }
-  double planError() const;    ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
-  double radiusError() const;  ///< that their places leave in a tank's radius, which no overlap shows [m]
+  SetupSpread errorsOfOne() const;  ///< of each of several setups before they are adjusted; zeros of one
+  double planError() const;         ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
+  double radiusError() const;       ///< that their places leave in a tank's radius, which no overlap shows [m]
 };
 
 }  // namespace tank_datum

@@ -16,7 +16,7 @@ namespace TANK_DATUM_API tank_datum {
 
 struct ShellOptions {
   std::vector<double> heights;    ///< above the datum [m], increasing; empty: 0.3 m and every `step` above that
-  double step = 1.0;              ///< between heights [m]; with the courses' height all lie 0.3 m above a seam
+  double step = 0.5;              ///< between heights [m]; with the courses' height all lie 0.3 m above a seam
   double half_band = 0.1;         ///< a height takes the points this far above and below it [m]
   double reach = 0.3;             ///< the shell is looked for this far from the tank's circle [m]
   std::size_t cell_points = 100;  ///< of half a degree and one height at most this many points are kept
@@ -58,6 +58,7 @@ struct Plumbness {
   double height = kUnknown;                         ///< between the lowest and the highest place seen here [m]
   double offset = kUnknown, sigma = kUnknown;       ///< of the highest from the lowest, smoothed along the shell [m]
   double slope = kUnknown, sigma_slope = kUnknown;  ///< line through all heights [m/m]; no sigma through two
+  double top = kUnknown;                            ///< the highest place seen, above the datum [m]
 };
 
 /// The lean of the tank as a whole, what the slopes round it have in common.
@@ -77,12 +78,13 @@ struct ShellSurvey {
   std::string message;               ///< why there is nothing
   std::vector<ShellPoint> points;    ///< by height, then by station
   std::vector<Roundness> roundness;  ///< one per height seen round enough of the tank, lowest first
+  std::vector<Roundness> arcs;       ///< one per other height, against the nearest of those circles, moved as it leans
   std::vector<Plumbness> plumbness;  ///< one per station seen at two heights or more
   Lean lean;
 
   bool valid() const { return !points.empty(); }
   const Roundness* foot() const;            ///< the highest at one foot above the bottom or below; null when not seen
-  const Roundness* worstAbove() const;      ///< higher up, the largest deviation; null when not seen
+  const Roundness* worstAbove() const;      ///< higher up, arcs too, the largest deviation; null when not seen
   const Plumbness* worstPlumbness() const;  ///< the offset surely (95 %) largest either way; or null
 };
 

@@ -96,7 +96,7 @@ def extract_datum(
     heights: Sequence[float] | NDArray[np.floating[Any]] = ...,
     # between the heights of the shell [m]; with the courses' own all are 0.3 m
     # above a seam (>= 0.1 m)
-    height_step: float = 1.0,
+    height_step: float = 0.5,
     # X,Y,R of the tank [m]: do not search for it (X,Y,R, of which R > 0 m)
     tank: tuple[float, float, float] | None = None,
     # which of the tanks found, the longest seen arc first (>= 1)
