@@ -93,12 +93,15 @@ TEST(TraceShell, NorIsItTheShellThatLiesOffItAtItsEnds) {
   EXPECT_FALSE(band.trace().runs_on);
 }
 
-TEST(TraceShell, AJumpIsToldFromErrors) {  // 30 mm; noise makes a column of 20 points 11 mm
+TEST(TraceShell, AJumpIsToldFromErrors) {  // of two columns of 100 points together 3.5 mm, four times; and 20 mm
   Band band;
-  band.off = [](double t) { return t < 0.0 ? 0.0 : 0.03; };
-  EXPECT_FALSE(band.trace(2, 0.02).runs_on);
-  band.noise = 0.04, band.count = 400;
-  EXPECT_TRUE(band.trace(2, 0.04).runs_on);
+  band.noise = 0.02;
+  const auto step = [&](double high) {
+    band.off = [high](double t) { return t < 0.025 ? 0.0 : high; };
+    return band.trace(2, 0.02).runs_on;
+  };
+  EXPECT_TRUE(step(0.024));
+  EXPECT_FALSE(step(0.032));
 }
 
 TEST(TraceShell, SeveralThingsAtOnceAreNoShell) {
