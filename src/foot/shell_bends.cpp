@@ -86,7 +86,8 @@ std::vector<OffLine> pointsAbout(std::size_t station, const PolarRing& ring, con
 std::vector<Bend> nestedBends(const std::vector<OffLine>& points, const ShellLine& line, const ShellWindow& window) {
   constexpr double kPart = 0.6, kLowest = 0.05;  // of the window's height; a weld and errors of the foot are below
   constexpr int kParts = 3;
-  constexpr double kApart = 6.0;  // noises: what is farther off is another thing
+  constexpr double kApart = 6.0;     // noises: what is farther off is another thing
+  constexpr double kSteepest = 0.1;  // of a shell off its line [m/m]: a sheet that slopes out of it is steeper
   std::vector<Bend> bends{{0.0, 0.0, line.sigma_radius, line.noise, window.heights.to}};
   double to = window.heights.to;
   for (int i = 0; i < kParts; ++i) {
@@ -99,7 +100,7 @@ std::vector<Bend> nestedBends(const std::vector<OffLine>& points, const ShellLin
         part.push_back(p);
     }
     Bend bend = fitBend(part);
-    if (!bend.valid()) break;
+    if (!bend.valid() || std::abs(bend.slope) > kSteepest) break;
     bend.to = to;
     bends.push_back(bend);
   }
