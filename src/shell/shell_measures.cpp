@@ -16,6 +16,7 @@ namespace tank_datum {
 namespace {
 
 constexpr double kNearlyAll = 0.9;  // of the shell's height
+constexpr double kCourse = 3.0;     // plates are no higher [m]
 
 Measure radiusMeasure(const Roundness& r) {
   Measure measure;
@@ -47,29 +48,39 @@ double heightOf(const std::vector<Plumbness>& plumbness, const TankFacts& facts)
   return height;
 }
 
+/// Up to which height the shell is seen all round [m], at heights no farther apart than a course of plates is high.
+double seenAllRoundTo(const std::vector<Roundness>& roundness) {
+  double top = 0.0;
+  for (const Roundness& r : roundness) {
+    if (r.height > top + kCourse) break;
+    if (r.widest_gap <= kSurveySpacing) top = r.height;
+  }
+  return top;
+}
+
 /// The largest deviation above the foot, of a whole ring where the shell is seen round the tank up to nearly its
 /// height.
 Measure radiusAbove(const ShellSurvey& survey, const Roundness& worst, double height) {
   Measure measure = radiusMeasure(worst);
-  double top = 0.0;
-  for (const Roundness& r : survey.roundness) {
-    if (r.widest_gap <= kSurveySpacing) top = std::max(top, r.height);
-  }
+  const double top = seenAllRoundTo(survey.roundness);
   const bool is_arc = std::any_of(survey.arcs.begin(), survey.arcs.end(), [&](const auto& r) { return &r == &worst; });
   measure.whole_ring = (measure.whole_ring || is_arc) && top >= kNearlyAll * height;
   if (top < kNearlyAll * height) addClause(measure.note, formatted("seen all round up to %.1f m", top));
   return measure;
 }
 
-/// What the offset between foot and top may be: as much more than what was seen as the shell goes on above it. Where
-/// much of it was not seen, a bulge may end there, and surely is only what the whole tank leans by.
-Interval95 plumbnessInterval(const Plumbness& plumb, const Lean& lean, double height) {
-  const double value = std::abs(plumb.offset), half = kNormal95 * plumb.sigma;
-  const double leans = lean.valid() ? plumb.height * (lean.slope() - kNormal95 * lean.sigma) : 0.0;
-  const bool nearly_all = plumb.top >= kNearlyAll * height;
-  const double low = nearly_all ? value - half : std::min(value - half, leans);
-  const double share = std::max(1.0, height / plumb.top);
-  return {std::max(0.0, low), (value + half) * share};
+/// What the largest offset between foot and top may be: as much more than what was seen as the shell goes on above it.
+/// Where much of it was not seen, a bulge may end there, and surely is only what the whole tank leans by.
+Interval95 plumbnessInterval(const ShellSurvey& survey, const Plumbness& worst, double height) {
+  const auto half = [](const Plumbness& p) { return kNormal95 * p.sigma; };
+  double high = 0.0;
+  for (const Plumbness& p : survey.plumbness) {
+    high = std::max(high, (std::abs(p.offset) + half(p)) * std::max(1.0, height / p.top));
+  }
+  const Lean& lean = survey.lean;
+  const double leans = lean.valid() ? worst.height * (lean.slope() - kNormal95 * lean.sigma) : 0.0;
+  const double low = std::abs(worst.offset) - half(worst);
+  return {std::max(0.0, worst.top >= kNearlyAll * height ? low : std::min(low, leans)), high};
 }
 
 }  // namespace
@@ -83,7 +94,7 @@ std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& f
     Measure measure;
     measure.quantity = "plumbness";
     measure.worst = {std::abs(plumb->offset), plumb->sigma, plumb->azimuth};
-    measure.interval = plumbnessInterval(*plumb, survey.lean, height);
+    measure.interval = plumbnessInterval(survey, *plumb, height);
     measure.note = formatted("over %.1f m of height", plumb->height);
     measure.whole_ring =
         plumb->top >= kNearlyAll * height && widestArcWithout(survey.plumbness, height, radius) <= kSurveySpacing;

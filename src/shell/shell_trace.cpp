@@ -38,6 +38,7 @@ ShellTrace traceShell(const PolarRing& ring, const ShellArc& arc) {
       static_cast<std::size_t>(std::max(1.0, span * arc.radius / kColumn / static_cast<double>(arc.steps)));
   const std::size_t last = each * arc.steps;  // column, of those about the stations and between them
   const double width = span / static_cast<double>(last), turned = kSteepest * width * arc.radius;
+  if (kScattered * arc.noise > turned) return {};  // which hides jumps
   std::vector<std::vector<double>> radii(last + 1);
   ring.around(0.5 * (arc.from + arc.to), 0.5 * (span + width), [&](const PolarPoint& p, double turn) {
     const double share = turn / span + 0.5;
@@ -50,8 +51,11 @@ ShellTrace traceShell(const PolarRing& ring, const ShellArc& arc) {
   for (std::size_t i = 1; i < last; ++i) {
     if (!columns[i].seen()) columns[i] = between(columns[i - 1], columns[i + 1]);
   }
-  const auto jumps = [turned](const ShellCell& a, const ShellCell& b) {
-    return !a.seen() || !b.seen() || std::abs(a.radius - b.radius) > turned + kErrors * std::hypot(a.sigma, b.sigma);
+  const auto jumps = [&](const ShellCell& a, const ShellCell& b) {
+    if (!a.seen() || !b.seen()) return true;
+    const double error =
+        kMedian * arc.noise * std::sqrt(1.0 / static_cast<double>(a.points) + 1.0 / static_cast<double>(b.points));
+    return std::abs(a.radius - b.radius) > turned + kErrors * error;
   };
   if (jumps(arc.first, columns.front()) || jumps(columns.back(), arc.last)) return {};
   for (std::size_t i = 1; i <= last; ++i) {

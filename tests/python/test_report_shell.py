@@ -21,7 +21,7 @@ def test_shell_of_a_scan(
     browser: Any,
     tmp_path: Path,
 ) -> None:
-    """Map, curves and tables of the shell at three heights, held to shell.csv and datum.json."""
+    """Map, curves and tables of the shell at six heights, held to shell.csv and datum.json."""
     assert (
         run(
             synth(out_of_round="2:0.01:0", near_datum=4, step_deg=0.3), "-o", tmp_path / "out"
@@ -31,7 +31,7 @@ def test_shell_of_a_scan(
     shell = read_datum(tmp_path / "out")["shell"]
     table = np.genfromtxt(tmp_path / "out" / "shell.csv", delimiter=",", names=True)
     heights = np.unique(table["height"])
-    assert len(heights) == 3
+    assert len(heights) == 6
     with opened(browser, tmp_path / "out" / "report.html") as page:
         assert page.slips() == []
         assert page.page.locator("#shell-map image").count() == len(heights)

@@ -20,7 +20,8 @@ Roundness at(double height, double out, double gap) {
 ShellSurvey survey() {
   ShellSurvey shell;
   shell.points.resize(1);
-  shell.roundness = {at(0.3, 0.010, 1.0), at(1.3, 0.020, 8.0), at(7.3, 0.015, 1.0)};
+  shell.roundness = {at(0.3, 0.010, 1.0), at(1.3, 0.020, 8.0), at(2.3, 0.0, 1.0), at(4.9, 0.0, 1.0),
+                     at(7.3, 0.015, 1.0)};
   Plumbness plumb;
   plumb.height = 7.7, plumb.top = 8.0, plumb.offset = -0.03, plumb.sigma = 0.001, plumb.azimuth = 2.0;
   shell.plumbness.assign(360, plumb);
@@ -64,8 +65,14 @@ TEST(ShellMeasures, RadiiAboveAreOfTheRingThatIsSeenUpToNearlyItsHeight) {
   EXPECT_EQ(above().note, "1.30 m above the datum; seen all round up to 7.3 m");
   facts.height = 8.1;
   EXPECT_TRUE(above().whole_ring);
-  shell.roundness[2].widest_gap = 6.2;
-  EXPECT_FALSE(above().whole_ring) << "the ring is seen up to 1.3 m alone";
+  shell.roundness[3].widest_gap = 6.2;
+  EXPECT_FALSE(above().whole_ring) << "nothing is known of 2.3 to 7.3 m";
+  shell.roundness[2].height = 4.4;
+  EXPECT_FALSE(above().whole_ring) << "nor of 1.3 to 4.4 m";
+  shell.roundness[1].height = 1.5;
+  EXPECT_TRUE(above().whole_ring) << "no more than a course each";
+  shell.roundness[4].widest_gap = 6.2;
+  EXPECT_FALSE(above().whole_ring) << "the ring is seen up to 4.4 m alone";
 }
 
 TEST(ShellMeasures, AnArcThatIsFarthestOffIsTheFigureAbove) {
@@ -75,7 +82,7 @@ TEST(ShellMeasures, AnArcThatIsFarthestOffIsTheFigureAbove) {
   const Measure above = shellMeasures(shell, {}, kRadius)[1];
   EXPECT_EQ(above.worst.value, 0.100);
   EXPECT_TRUE(above.whole_ring) << "what else there is, is seen";
-  shell.roundness[2].height = 5.3;
+  shell.roundness[4].height = 5.3;
   EXPECT_FALSE(shellMeasures(shell, {}, kRadius)[1].whole_ring);
 }
 
@@ -92,6 +99,13 @@ TEST(ShellMeasures, PlumbnessMayGoOnAboveWhatIsSeen) {
   EXPECT_NEAR(plumbness(8.0, 0.0).high, 0.030 + 1.96 * 0.001, 1e-5);
   EXPECT_NEAR(plumbness(8.5, 0.0).high, (0.030 + 1.96 * 0.001) * 8.5 / 8.0, 1e-5);
   EXPECT_NEAR(plumbness(8.5, 0.0).low, 0.030 - 1.96 * 0.001, 1e-5);
+}
+
+TEST(ShellMeasures, PlumbnessMayBeLargestWhereLessIsSeen) {
+  ShellSurvey shell = survey();
+  shell.plumbness[7].offset = 0.028, shell.plumbness[7].top = 4.0;
+  EXPECT_NEAR(shellMeasures(shell, {}, kRadius)[2].interval.high, 2.0 * (0.028 + 1.96 * 0.001), 1e-5);
+  EXPECT_EQ(shellMeasures(shell, {}, kRadius)[2].worst.value, 0.03);
 }
 
 TEST(ShellMeasures, BelowTheTopSurelyOutOfPlumbIsWhatTheWholeTankLeansBy) {

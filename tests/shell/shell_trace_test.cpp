@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -93,15 +94,35 @@ TEST(TraceShell, NorIsItTheShellThatLiesOffItAtItsEnds) {
   EXPECT_FALSE(band.trace().runs_on);
 }
 
-TEST(TraceShell, AJumpIsToldFromErrors) {  // of two columns of 100 points together 3.5 mm, four times; and 20 mm
+TEST(TraceShell, NorIsASheetAcrossTheEdgeOfOne) {
   Band band;
-  band.noise = 0.02;
+  for (const double high : {0.05, 0.12}) {
+    band.off = [high](double t) { return std::clamp(t, 0.0, high); };
+    EXPECT_FALSE(band.trace().runs_on) << high;
+  }
+}
+
+TEST(TraceShell, NorARoundBodySunkInIt) {
+  Band band;
+  band.off = [](double t) { return std::max(0.0, std::sqrt(std::max(0.0, 0.25 - t * t)) - 0.4); };
+  EXPECT_FALSE(band.trace(4).runs_on);
+}
+
+TEST(TraceShell, NoiseOfMoreThanTenMillimetresHidesJumps) {
+  Band band;
+  EXPECT_TRUE(band.trace(2, 0.0095).runs_on);
+  EXPECT_FALSE(band.trace(2, 0.0105).runs_on);
+}
+
+TEST(TraceShell, AJumpIsToldFromErrors) {
+  Band band;
+  band.noise = 0.008, band.count = 800;
   const auto step = [&](double high) {
     band.off = [high](double t) { return t < 0.025 ? 0.0 : high; };
-    return band.trace(2, 0.02).runs_on;
+    return band.trace(2, 0.008).runs_on;
   };
-  EXPECT_TRUE(step(0.024));
-  EXPECT_FALSE(step(0.032));
+  EXPECT_TRUE(step(0.026));
+  EXPECT_FALSE(step(0.035));
 }
 
 TEST(TraceShell, SeveralThingsAtOnceAreNoShell) {
