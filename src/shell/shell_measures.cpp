@@ -75,7 +75,7 @@ Interval95 plumbnessInterval(const ShellSurvey& survey, const Plumbness& worst, 
   const auto half = [](const Plumbness& p) { return kNormal95 * p.sigma; };
   double high = 0.0;
   for (const Plumbness& p : survey.plumbness) {
-    high = std::max(high, (std::abs(p.offset) + half(p)) * std::max(1.0, height / p.top));
+    high = std::max(high, (std::abs(p.offset) + half(p)) * std::max(1.0, height / p.height));
   }
   const Lean& lean = survey.lean;
   const double leans = lean.valid() ? worst.height * (lean.slope() - kNormal95 * lean.sigma) : 0.0;

@@ -52,7 +52,7 @@ def test_shell_of_a_scan(
             assert f"Shell at {azimuth:.1f}\u00b0, {heights[1]:.2f}\u00a0m above the datum" in tip
             assert f"{1e3 * cell['deviation']:.1f}\u00a0mm" in tip
         page.hover("plumbness-chart", 300, 100)
-        assert "Offset" in page.text("#tip") and "over 2.00\u00a0m" in page.text("#tip")
+        assert "Offset" in page.text("#tip") and "over 2.50\u00a0m" in page.text("#tip")
     for p in shell["plumbness"][:20]:
         p["height"] = 1.0
     path = with_data(tmp_path / "out" / "report.html", tmp_path / "page.html", {"shell": shell})

@@ -96,14 +96,14 @@ Interval95 plumbness(double height, double slope) {
 }
 
 TEST(ShellMeasures, PlumbnessMayGoOnAboveWhatIsSeen) {
-  EXPECT_NEAR(plumbness(8.0, 0.0).high, 0.030 + 1.96 * 0.001, 1e-5);
-  EXPECT_NEAR(plumbness(8.5, 0.0).high, (0.030 + 1.96 * 0.001) * 8.5 / 8.0, 1e-5);
+  EXPECT_NEAR(plumbness(7.7, 0.0).high, 0.030 + 1.96 * 0.001, 1e-5);
+  EXPECT_NEAR(plumbness(8.5, 0.0).high, (0.030 + 1.96 * 0.001) * 8.5 / 7.7, 1e-5);
   EXPECT_NEAR(plumbness(8.5, 0.0).low, 0.030 - 1.96 * 0.001, 1e-5);
 }
 
 TEST(ShellMeasures, PlumbnessMayBeLargestWhereLessIsSeen) {
   ShellSurvey shell = survey();
-  shell.plumbness[7].offset = 0.028, shell.plumbness[7].top = 4.0;
+  shell.plumbness[7].offset = 0.028, shell.plumbness[7].height = 4.0;
   EXPECT_NEAR(shellMeasures(shell, {}, kRadius)[2].interval.high, 2.0 * (0.028 + 1.96 * 0.001), 1e-5);
   EXPECT_EQ(shellMeasures(shell, {}, kRadius)[2].worst.value, 0.03);
 }
