@@ -140,11 +140,16 @@ def test_a_stack_that_is_too_small_is_refused(tmp_path: Path, kilobytes: int) ->
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("kilobytes, most", [(64, resource.RLIM_INFINITY), (64, 1 << 20), (1024, 1 << 20)])
-def test_a_stack_that_may_grow_grows(command: Path, tmp_path: Path, kilobytes: int, most: int) -> None:
+@pytest.mark.parametrize(
+    ("kilobytes", "most"), [(64, resource.RLIM_INFINITY), (64, 1 << 20), (1024, 1 << 20)]
+)
+def test_a_stack_that_may_grow_grows(
+    command: Path, tmp_path: Path, kilobytes: int, most: int
+) -> None:
     done = on_stack(kilobytes, most, tmp_path / "out")
     assert done.returncode == 0, done.stderr
-    assert (tmp_path / "out" / "stations.csv").read_bytes() == (command / "stations.csv").read_bytes()
+    found, expected = (d / "stations.csv" for d in (tmp_path / "out", command))
+    assert found.read_bytes() == expected.read_bytes()
 
 
 def test_more_threads_than_any_machine_has_are_refused(tmp_path: Path) -> None:

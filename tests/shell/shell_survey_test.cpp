@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/portable_math.h"
 #include "support/made_shells.h"
 #include "support/refused.h"
 

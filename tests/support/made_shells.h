@@ -67,7 +67,8 @@ inline ShellBands bandsOf(const Points& points, const ShellOptions& options = ev
   return bands;
 }
 
-inline ShellSurvey surveyOf(const Points& points, const ShellOptions& options = everyMetre(), const StationOptions& around = {}) {
+inline ShellSurvey surveyOf(const Points& points, const ShellOptions& options = everyMetre(),
+                            const StationOptions& around = {}) {
   return surveyShell(bandsOf(points, options), stations(around), tank10().circle, options, around);
 }
 
