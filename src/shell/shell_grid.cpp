@@ -186,6 +186,9 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
     usual.from = stations.front().direction, usual.half_band = options.half_band;
     usual.radius = circle.radius, usual.noise = outline.noise;
     traceRow(ring, z, usual, rows[k]);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      if (stations[i].reason == Unmeasured::OffCircle) rows[k][i] = {};
+    }
   });
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (std::none_of(rows[k].begin(), rows[k].end(), [](const ShellCell& cell) { return cell.seen(); })) continue;
