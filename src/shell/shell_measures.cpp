@@ -69,13 +69,17 @@ Measure radiusAbove(const ShellSurvey& survey, const Roundness& worst, double he
   return measure;
 }
 
-/// What the largest offset between foot and top may be: as much more than what was seen as the shell goes on above it.
-/// Where much of it was not seen, a bulge may end there, and surely is only what the whole tank leans by.
+/// What the largest offset between foot and top may be: as much more than what was seen as the shell goes on above it,
+/// at the worst place and wherever nearly all was seen. Where much of it was not seen, a bulge may end there, and
+/// surely is only what the whole tank leans by.
 Interval95 plumbnessInterval(const ShellSurvey& survey, const Plumbness& worst, double height) {
   const auto half = [](const Plumbness& p) { return kNormal95 * p.sigma; };
-  double high = 0.0;
+  const auto may_be = [&](const Plumbness& p) {
+    return (std::abs(p.offset) + half(p)) * std::max(1.0, height / p.height);
+  };
+  double high = may_be(worst);
   for (const Plumbness& p : survey.plumbness) {
-    high = std::max(high, (std::abs(p.offset) + half(p)) * std::max(1.0, height / p.height));
+    if (p.top >= kNearlyAll * height) high = std::max(high, may_be(p));
   }
   const Lean& lean = survey.lean;
   const double leans = lean.valid() ? worst.height * (lean.slope() - kNormal95 * lean.sigma) : 0.0;

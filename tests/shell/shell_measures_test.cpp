@@ -101,11 +101,14 @@ TEST(ShellMeasures, PlumbnessMayGoOnAboveWhatIsSeen) {
   EXPECT_NEAR(plumbness(8.5, 0.0).low, 0.030 - 1.96 * 0.001, 1e-5);
 }
 
-TEST(ShellMeasures, PlumbnessMayBeLargestWhereLessIsSeen) {
+TEST(ShellMeasures, PlumbnessMayBeLargestElsewhereWhereNearlyAllIsSeen) {
   ShellSurvey shell = survey();
-  shell.plumbness[7].offset = 0.028, shell.plumbness[7].height = 4.0;
-  EXPECT_NEAR(shellMeasures(shell, {}, kRadius)[2].interval.high, 2.0 * (0.028 + 1.96 * 0.001), 1e-5);
-  EXPECT_EQ(shellMeasures(shell, {}, kRadius)[2].worst.value, 0.03);
+  const auto high = [&] { return shellMeasures(shell, {}, kRadius)[2].interval.high; };
+  const double worst = high();
+  shell.plumbness[7].height = 7.0, shell.plumbness[7].top = 7.3, shell.plumbness[7].offset = 0.029;
+  EXPECT_NEAR(high(), 8.0 / 7.0 * (0.029 + 1.96 * 0.001), 1e-5);
+  shell.plumbness[7].height = 0.5, shell.plumbness[7].top = 0.8;
+  EXPECT_EQ(high(), worst) << "half a metre tells nothing of the top";
 }
 
 TEST(ShellMeasures, BelowTheTopSurelyOutOfPlumbIsWhatTheWholeTankLeansBy) {
