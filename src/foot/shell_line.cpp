@@ -97,7 +97,7 @@ ShellOutline outlineBand(const PolarRing& ring, double radius) {
 ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const ShellWindow& window) {
   constexpr std::size_t kUnknowns = 4;
   constexpr double kTurn = 0.05;  // what lobes turn a shell by against its circle (standard deviation)
-  constexpr double kBend = 1.0;   // and bend it by, of what the circle bends
+  constexpr double kBend = 4.0;   // and bend it by, times as much as the circle bends
   ShellLine line;
   const double start = outline.at(window.azimuth);
   if (!std::isfinite(start)) return line;

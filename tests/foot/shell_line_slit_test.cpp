@@ -45,13 +45,13 @@ struct SlitShell {
 
 TEST(FitShellLine, WhatASideAloneDoesNotTellOfTheTurnIsInSigma) {
   const ShellLine line = SlitShell().line({0.1});
-  EXPECT_NEAR(line.sigma_radius, 0.1 * 0.05, 0.001);
+  EXPECT_NEAR(line.sigma_radius, std::hypot(0.1 * 0.05, 4.0 * 0.1 * 0.1 / kRadius), 0.001);
   EXPECT_NEAR(line.radius, kRadius, line.sigma_radius);
 }
 
 TEST(FitShellLine, WhatTwoSidesDoNotTellOfTheBendIsInSigma) {
   const ShellLine line = SlitShell().line({-0.165, 0.165});
-  EXPECT_NEAR(line.sigma_radius, 0.165 * 0.165 / kRadius, 0.0005);
+  EXPECT_NEAR(line.sigma_radius, 4.0 * 0.165 * 0.165 / kRadius, 0.002);
   EXPECT_NEAR(line.radius, kRadius, line.sigma_radius);
 }
 
