@@ -25,7 +25,7 @@ inline Points tankPoints(const Eigen::Vector3d& shift = Eigen::Vector3d::Zero(),
     points.push_back(shift + Eigen::Vector3d(r * std::cos(a), r * std::sin(a), z));
   };
   const auto noise = [&] { return 0.0025 * (uniform(random) + uniform(random) - 1.0); };
-  const double per_radian = kRadius / 0.0032;
+  const double per_radian = kRadius / 0.0016;
   for (int i = 0; i < static_cast<int>(arc * per_radian * 1.5); ++i) {
     const double a = arc * uniform(random);
     add(a, kRadius + noise(), elevation(a) + 1.5 * uniform(random));
