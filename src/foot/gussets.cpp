@@ -43,7 +43,7 @@ std::optional<PolarRing> withoutGussets(const PolarRing& ring, const ShellOutlin
   constexpr int kLayers = 8;
   constexpr int kFewest = 3;      // points of a gusset
   constexpr double kMost = 0.25;  // of the columns
-  if (outline.noise > kResolved * heights.to) return std::nullopt;
+  if (!outline.isResolved(heights.to)) return std::nullopt;
   const PolarPoints& points = ring.points();
   std::vector<Column> columns(1 + static_cast<std::size_t>(kTwoPi * tank.circle.radius / (kWide * heights.to)));
   const double on_shell = kOnShell * outline.noise, far = std::max(kFar * heights.to, 3.0 * on_shell);

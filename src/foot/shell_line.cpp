@@ -112,7 +112,7 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   if (rows.size() < 3 * kUnknowns) return line;
   rows.close();
   SurfacePrior prior;
-  if (outline.noise <= kResolved * window.heights.to) {
+  if (outline.isResolved(window.heights.to)) {
     prior = {{0.0, 0.0, 1.0 / square(kTurn), square(start / kBend)}, outline.noise};
   }
   const std::optional<SurfaceFit> fit = fitRobustly(rows, prior);

@@ -44,6 +44,8 @@ struct ShellOutline {
   std::vector<double> radius;  ///< per equal cell of azimuth [m], NaN where nothing stands
   double noise = 0;            ///< typical spread of a cell's points about its radius [m]
 
+  /// Whether what is seen up to a height [m] is more than noise.
+  bool isResolved(double height) const { return noise <= kResolved * height; }
   double at(double azimuth) const;  ///< [m], between the two cells beside it, NaN where none is within three cells
 };
 

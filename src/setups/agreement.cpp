@@ -149,12 +149,10 @@ SetupSpread SetupAgreement::errorsOfOne() const {
   return adjusted() ? spread : SetupSpread{merged_sigma, 0.0, merged_sigma};
 }
 
-double SetupAgreement::planError() const { return errorsOfOne().plan; }
-
 double SetupAgreement::radiusError() const {
   const auto seeing =
       std::count_if(setups.begin(), setups.end(), [](const Setup& setup) { return setup.stations > 0; });
-  return planError() / std::sqrt(static_cast<double>(std::max<std::ptrdiff_t>(1, seeing)));
+  return errorsOfOne().plan / std::sqrt(static_cast<double>(std::max<std::ptrdiff_t>(1, seeing)));
 }
 
 Eigen::Vector3d SetupMotion::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& origin) const {

@@ -148,10 +148,10 @@ void traceRow(const PolarRing& ring, const std::vector<double>& z, const ShellAr
     at.from = usual.from + static_cast<double>(i) * step, at.to = at.from + arc;
     at.z_from = z[i], at.z_to = z[next % count], at.steps = steps;
     at.first = fitted[i], at.last = fitted[next % count];
-    const ShellTrace trace = traceShell(ring, at);
-    if (!trace.runs_on) continue;
+    const auto between = traceShell(ring, at);
+    if (!between) continue;
     for (std::size_t k = i; k < next; ++k) {
-      if (k > i) row[k % count] = trace.between[k - i - 1];
+      if (k > i) row[k % count] = (*between)[k - i - 1];
       row[k % count].runs_on = true;
     }
   }
@@ -174,14 +174,13 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
     const PolarRing ring(points, circle.center);
     const ShellOutline outline = outlineBand(ring, circle.radius);
     rows[k].resize(stations.size());
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      if (stations[i].reason == Unmeasured::OffCircle) continue;  // another wall
-      rows[k][i] = fitCell(ring, outline, {stations[i].direction, elevations[i] + bands.heights()[k], circle.radius},
-                           step, options.half_band);
-    }
-    dropPoor(rows[k]);
     std::vector<double> z;
     for (const double elevation : elevations) z.push_back(elevation + bands.heights()[k]);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      if (stations[i].reason == Unmeasured::OffCircle) continue;  // another wall
+      rows[k][i] = fitCell(ring, outline, {stations[i].direction, z[i], circle.radius}, step, options.half_band);
+    }
+    dropPoor(rows[k]);
     ShellArc usual{};
     usual.from = stations.front().direction, usual.half_band = options.half_band;
     usual.radius = circle.radius, usual.noise = outline.noise;

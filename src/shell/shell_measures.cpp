@@ -27,11 +27,14 @@ Measure radiusMeasure(const Roundness& r) {
   return measure;
 }
 
+/// Whether the shell of a tank so high is seen here up to nearly its top.
+bool isSeenToTop(const Plumbness& p, double height) { return p.top >= kNearlyAll * height; }
+
 /// The widest arc in which the shell is nowhere seen over nearly all of its height [m].
 double widestArcWithout(const std::vector<Plumbness>& plumbness, double height, double radius) {
   std::vector<double> directions;
   for (const Plumbness& p : plumbness) {
-    if (p.top >= kNearlyAll * height) directions.push_back(p.direction);
+    if (isSeenToTop(p, height)) directions.push_back(p.direction);
   }
   if (directions.empty()) return kTwoPi * radius;
   std::sort(directions.begin(), directions.end());
@@ -79,12 +82,12 @@ Interval95 plumbnessInterval(const ShellSurvey& survey, const Plumbness& worst, 
   };
   double high = may_be(worst);
   for (const Plumbness& p : survey.plumbness) {
-    if (p.top >= kNearlyAll * height) high = std::max(high, may_be(p));
+    if (isSeenToTop(p, height)) high = std::max(high, may_be(p));
   }
   const Lean& lean = survey.lean;
   const double leans = lean.valid() ? worst.height * (lean.slope() - kNormal95 * lean.sigma) : 0.0;
   const double low = std::abs(worst.offset) - half(worst);
-  return {std::max(0.0, worst.top >= kNearlyAll * height ? low : std::min(low, leans)), high};
+  return {std::max(0.0, isSeenToTop(worst, height) ? low : std::min(low, leans)), high};
 }
 
 }  // namespace
@@ -101,7 +104,7 @@ std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& f
     measure.interval = plumbnessInterval(survey, *plumb, height);
     measure.note = formatted("over %.1f m of height", plumb->height);
     measure.whole_ring =
-        plumb->top >= kNearlyAll * height && widestArcWithout(survey.plumbness, height, radius) <= kSurveySpacing;
+        isSeenToTop(*plumb, height) && widestArcWithout(survey.plumbness, height, radius) <= kSurveySpacing;
     measures.push_back(measure);
   }
   return measures;

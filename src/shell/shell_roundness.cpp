@@ -18,20 +18,35 @@ constexpr int kOvalOrder = 8;  // harmonics that fill gaps; half as many tell ho
 constexpr std::size_t kFewestStations = 8;
 constexpr double kWidestSmooth = 15.0;  // half the arc that extremes are smoothed over [deg]
 
-/// The most steps from a seen station to the next.
-std::size_t widestGap(const std::vector<ShellCell>& row) {
+/// The widest angle from a seen station to the next [rad].
+double widestGap(const std::vector<ShellCell>& row) {
   std::size_t widest = 0, unseen = 0;
   for (std::size_t i = 0; i < 2 * row.size(); ++i) {
     unseen = row[i % row.size()].seen() ? 0 : unseen + 1;
     widest = std::max(widest, unseen);
   }
-  return widest + 1;
+  return static_cast<double>(widest + 1) * kTwoPi / static_cast<double>(row.size());
+}
+
+std::size_t countSeen(const std::vector<ShellCell>& row) {
+  return static_cast<std::size_t>(
+      std::count_if(row.begin(), row.end(), [](const ShellCell& cell) { return cell.seen(); }));
 }
 
 /// Where the shell stands at a radius [m].
 Eigen::Vector2d placeOf(const Circle& datum_circle, const Station& station, double radius) {
   return datum_circle.center +
          radius * Eigen::Vector2d(portable::cos(station.direction), portable::sin(station.direction));
+}
+
+/// How far the shell is off a circle at every station, NaN where it is not seen [m].
+std::vector<double> deviationsFrom(const Circle& circle, const std::vector<ShellCell>& row,
+                                   const std::vector<Station>& stations, const Circle& datum_circle) {
+  std::vector<double> deviations(row.size(), kUnknown);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i].seen()) deviations[i] = circle.residual(placeOf(datum_circle, stations[i], row[i].radius));
+  }
+  return deviations;
 }
 
 /// The circle of least squares through the shell all round. What is not seen is taken from the harmonics of the rest:
@@ -84,18 +99,13 @@ Roundness arcOf(const std::vector<ShellCell>& row, double height, const std::vec
                 const Circle& datum_circle, const Circle& expected) {
   Roundness arc;
   arc.height = height;
-  std::vector<double> deviations(row.size(), kUnknown), seen;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    if (!row[i].seen()) continue;
-    deviations[i] = expected.residual(placeOf(datum_circle, stations[i], row[i].radius));
-    seen.push_back(deviations[i]);
-  }
-  arc.stations = seen.size();
+  arc.stations = countSeen(row);
   if (arc.stations < kFewestStations) return arc;
-  arc.widest_gap = static_cast<double>(widestGap(row)) * kTwoPi / static_cast<double>(row.size()) * datum_circle.radius;
+  const std::vector<double> deviations = deviationsFrom(expected, row, stations, datum_circle);
+  arc.widest_gap = widestGap(row) * datum_circle.radius;
   arc.circle = expected;
   findExtremes(row, deviations, stations, arc);
-  arc.sigma = std::hypot(arc.sigma, median(seen));
+  arc.sigma = std::hypot(arc.sigma, median(finiteOf(deviations)));
   return arc;
 }
 
@@ -106,18 +116,15 @@ Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const st
   Roundness roundness;
   roundness.height = height;
   deviations.assign(row.size(), kUnknown);
-  roundness.stations = static_cast<std::size_t>(
-      std::count_if(row.begin(), row.end(), [](const ShellCell& cell) { return cell.seen(); }));
-  const double gap = static_cast<double>(widestGap(row)) * kTwoPi / static_cast<double>(row.size());
+  roundness.stations = countSeen(row);
+  const double gap = widestGap(row);
   if (roundness.stations < kFewestStations || 2 * roundness.stations < row.size() || gap > kWidestGap) return roundness;
   roundness.widest_gap = gap * datum_circle.radius;
   const Circle circle = circleThrough(row, stations, datum_circle, kOvalOrder);
   const Circle plainer = circleThrough(row, stations, datum_circle, kOvalOrder / 2);
   if (!circle.valid() || !plainer.valid()) return roundness;
   roundness.circle = circle;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    if (row[i].seen()) deviations[i] = circle.residual(placeOf(datum_circle, stations[i], row[i].radius));
-  }
+  deviations = deviationsFrom(circle, row, stations, datum_circle);
   const std::size_t worst = findExtremes(row, deviations, stations, roundness);
   const Eigen::Vector2d place = placeOf(datum_circle, stations[worst], row[worst].radius);
   roundness.sigma = std::hypot(roundness.sigma, circle.residual(place) - plainer.residual(place));

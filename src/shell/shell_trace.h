@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "foot/polar_ring.h"
@@ -19,13 +20,9 @@ struct ShellArc {
   ShellCell first, last;  ///< the shell at its ends
 };
 
-/// The shell at the stations between the arc's ends, traced from column to column of its points. Empty where it cannot
-/// be traced: a dent or a peaked weld runs on, what stands before the shell begins and ends with a jump.
-struct ShellTrace {
-  bool runs_on = false;
-  std::vector<ShellCell> between;  ///< steps - 1 of them
-};
-
-ShellTrace traceShell(const PolarRing& ring, const ShellArc& arc);
+/// The shell at the stations between the arc's ends, steps - 1 of them, traced from column to column of its points;
+/// nothing where it cannot be: a dent or a peaked weld runs on, what stands before the shell begins and ends with a
+/// jump.
+std::optional<std::vector<ShellCell>> traceShell(const PolarRing& ring, const ShellArc& arc);
 
 }  // namespace tank_datum

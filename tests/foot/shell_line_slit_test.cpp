@@ -3,20 +3,15 @@
 #include <cmath>
 #include <random>
 
-#include "foot/shell_line.h"
 #include "support/made_clouds.h"
-#include "support/made_rings.h"
+#include "support/made_shell_lines.h"
 
 /// Lines through a shell that is seen in columns alone.
 namespace tank_datum::shell_line_slit_test {
 
 using made_clouds::kTurn;
 using made_clouds::uniform;
-using made_rings::levelTank;
-
-constexpr double kRadius = 10.0;
-constexpr double kReach = 0.5;
-constexpr double kStep = kTurn / 360.0;
+using namespace made_shell_lines;
 
 /// A shell that is seen all round, but for a degree either side of azimuth 1, where columns alone show it.
 struct SlitShell {
@@ -38,8 +33,7 @@ struct SlitShell {
         points.emplace_back(r * std::cos(a), r * std::sin(a), 0.06 + 0.01 * i);
       }
     }
-    const PolarRing ring(points, {0, 0});
-    return fitShellLine(ring, outlineShell(ring, levelTank(kRadius), kReach), {1.0, kStep, 0.0, {0.05, kReach}});
+    return lineAt(points, 1.0);
   }
 };
 

@@ -8,6 +8,7 @@
 #include "core/statistics.h"
 #include "support/made_clouds.h"
 #include "support/made_rings.h"
+#include "support/made_shell_lines.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum::shell_line_test {
@@ -15,10 +16,7 @@ namespace tank_datum::shell_line_test {
 using made_clouds::kTurn;
 using made_clouds::uniform;
 using made_rings::levelTank;
-
-constexpr double kRadius = 10.0;
-constexpr double kReach = 0.5;
-constexpr double kStep = kTurn / 360.0;
+using namespace made_shell_lines;
 
 /// A shell of 0.5 m, its foot at z = 0, by its radius against azimuth and height.
 struct Shell {
@@ -40,12 +38,6 @@ struct Shell {
     return all;
   }
 };
-
-/// The line at an azimuth, from heights 0.05 to 0.5 m and a degree on either side.
-ShellLine lineAt(const Points& points, double azimuth, double from = 0.05, double half_width = kStep) {
-  const PolarRing ring(points, {0, 0});
-  return fitShellLine(ring, outlineShell(ring, levelTank(kRadius), kReach), {azimuth, half_width, 0.0, {from, kReach}});
-}
 
 TEST(ShellLine, IsAFormula) {
   ShellLine line;

@@ -194,9 +194,9 @@ TEST(SetupAgreement, PlacesMakeARadiusOfWhatNoOverlapShows) {
   agreement.setups.resize(5);
   for (std::size_t s = 0; s < 4; ++s) agreement.setups[s].stations = 90;
   agreement.spread.plan = 0.003;
-  EXPECT_EQ(agreement.planError(), 0.0) << "not adjusted, one setup";
+  EXPECT_EQ(agreement.errorsOfOne().plan, 0.0) << "not adjusted, one setup";
   agreement.covariance = Eigen::MatrixXd::Identity(5, 5);
-  EXPECT_DOUBLE_EQ(agreement.planError(), 0.003);
+  EXPECT_DOUBLE_EQ(agreement.errorsOfOne().plan, 0.003);
   EXPECT_DOUBLE_EQ(agreement.radiusError(), 0.0015) << "of the four that see the foot";
   SetupAgreement merged;
   merged.merged_sigma = 0.0028;

@@ -113,7 +113,6 @@ struct SetupAgreement {
 
   bool adjusted() const { return covariance.size() > 0; }
   SetupSpread errorsOfOne() const;  ///< of each of several setups before they are adjusted; zeros of one
-  double planError() const;         ///< of each of several setups in x and in y, before they are adjusted [m]; 0 of one
   double radiusError() const;       ///< that their places leave in a tank's radius, which no overlap shows [m]
 };
 
