@@ -27,10 +27,10 @@ def changed(change: Callable[[Any], object]) -> Damage:
     return damage
 
 
-def cut(name: str, share: float) -> Damage:
+def cut(name: str, kept: Callable[[bytes], float]) -> Damage:
     def damage(folder: Path) -> None:
         content = (folder / name).read_bytes()
-        (folder / name).write_bytes(content[: int(share * len(content))])
+        (folder / name).write_bytes(content[: int(kept(content))])
 
     return damage
 
@@ -48,7 +48,7 @@ def written(name: str, content: bytes) -> Damage:
 
 
 DAMAGES: dict[str, Damage] = {
-    "json cut": cut("datum.json", 0.7),
+    "json cut": cut("datum.json", lambda content: 0.7 * len(content)),
     "json not utf-8": written("datum.json", b'{"schema": 1, "status": "\xff"}'),
     "json deep": written("datum.json", b"[" * 100_000),
     "schema true": changed(lambda r: r.update(schema=True)),
@@ -66,16 +66,17 @@ DAMAGES: dict[str, Damage] = {
         lambda r: r["covariance"].update(independent=[0.001] * 9, factors=[])
     ),
     "fewer rows": rows("stations.csv", 99),
-    "csv cut": cut("stations.csv", 0.5),
+    "csv cut": cut("stations.csv", lambda content: content.rindex(b"\n")),
     "csv not utf-8": written("stations.csv", b"\xff\xfe"),
     "csv a quote": written("stations.csv", b'"'),
     "csv a column twice": written("stations.csv", b"station,station\n"),
-    "shell cut": cut("shell.csv", 0.5),
+    "shell cut in its last column": cut("shell.csv", lambda content: content.rindex(b",") + 2),
+    "shell of fewer rows": rows("shell.csv", 99),
     "points without an axis": written(
         "datum_points.pcd",
         b"FIELDS full_x full_y x y z\nSIZE 8 8 4 4 4\nPOINTS 1\nDATA binary\n" + bytes(28),
     ),
-    "points cut": cut("datum_points.pcd", 0.9),
+    "points cut": cut("datum_points.pcd", lambda content: 0.9 * len(content)),
 }
 
 

@@ -63,7 +63,7 @@ def load(path: str | os.PathLike[str]) -> Datum:
         record,
         stations,
         _cloud(main.parent / "datum_points.pcd", files.get("datum_points.pcd")),
-        _shell(main.parent / "shell.csv", files.get("shell.csv")),
+        _shell(main.parent / "shell.csv", files.get("shell.csv"), record),
         files=files,
         source=os.fsdecode(encoded),
     )
@@ -133,6 +133,8 @@ def _table(path: Path, content: bytes, needed: list[str]) -> NDArray[Any]:
         header, *rows = list(lines) or [[]]
     except (csv.Error, UnicodeDecodeError) as error:
         raise _refused(path, str(error), "a table as tank_datum writes it") from None
+    if not content.endswith(b"\n"):
+        raise _refused(path, "a last line without an end", "all of the table")
     lacking = [name for name in needed if name not in header]
     if lacking or len(set(header)) < len(header):
         said = f"no column {lacking[0]}" if lacking else "a column twice"
@@ -152,10 +154,16 @@ def _table(path: Path, content: bytes, needed: list[str]) -> NDArray[Any]:
     return table
 
 
-def _shell(path: Path, content: bytes | None) -> NDArray[Any]:
+def _shell(path: Path, content: bytes | None, record: dict[str, Any]) -> NDArray[Any]:
     if content is None:
         return np.zeros(0, dtype=_dtype(_SHELL))
-    return _table(path, content, _SHELL)
+    table = _table(path, content, _SHELL)
+    for row in (record.get("shell") or {}).get("roundness", []):
+        rows = np.count_nonzero(table["height"] == row["height"])
+        if rows != row["n"]:
+            said = f"{rows} rows at a height of {row['height']} m"
+            raise _refused(path, said, f"{row['n']}, as datum.json has")
+    return table
 
 
 def _stations(listed: list[dict[str, Any]]) -> NDArray[Any]:
