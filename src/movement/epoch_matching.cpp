@@ -96,10 +96,12 @@ std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elev
     m.direction = withinTurn(here.direction + places.turned);
     const Elevation there = elevationAt(other, withinTurn(m.direction - other_turned), m.slope);
     if (!std::isfinite(there.z)) continue;
-    m.dz = places.of_baseline ? there.z - here.z : here.z - there.z;
     m.sigma = std::hypot(here.sigma_z, there.sigma_z);
-    m.sigma_baseline = places.of_baseline ? here.sigma_z : there.sigma_z;
-    m.shared = joined(here.shared, there.shared);
+    const Elevation &baseline = places.of_baseline ? here : there, &current = places.of_baseline ? there : here;
+    m.dz = current.z - baseline.z;
+    m.sigma_baseline = baseline.sigma_z;
+    m.shared = joined(baseline.shared, current.shared);
+    m.shared_baseline = static_cast<Eigen::Index>(baseline.shared.size());
     m.window = std::fmax(std::fmax(here.window, there.window), kLeastShared);
     matched.push_back(m);
   }
@@ -180,8 +182,10 @@ void CommonPart::removeFromErrors(std::vector<MatchedStation>& stations) const {
   shared -= rows_ * (fit_ * shared);
   for (Eigen::Index i = 0; i < shared.rows(); ++i) {
     MatchedStation& m = stations[static_cast<std::size_t>(i)];
-    m.sigma = std::hypot(m.own(), shared.row(i).norm());
+    const double own = m.own(), own_of_baseline = m.ownOfBaseline();
     m.shared = shared.row(i);
+    m.sigma = std::hypot(own, m.shared.norm());
+    m.sigma_baseline = std::hypot(own_of_baseline, m.sharedOfBaseline());
   }
 }
 

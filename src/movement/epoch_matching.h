@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "tank_datum/movement/movement.h"
 
@@ -22,10 +23,18 @@ struct MatchedStation {
   double sigma_baseline = 0.0;  ///< the baseline's part of it [m]
   double window = 0.0;          ///< the wider of the arcs that the two elevations come from [rad]
   double slope = 0.0;           ///< of the interpolated elevation along the direction [m/rad]
-  Eigen::VectorXd shared;       ///< what errors of many stations make of its error, one sigma of each [m]
+  /// What errors of many stations make of its error, one sigma of each, first the baseline's [m].
+  Eigen::VectorXd shared;
+  Eigen::Index shared_baseline = 0;  ///< how many of these are the baseline's
 
   /// The part of sigma that is the station's own [m].
   double own() const { return std::sqrt(std::fmax(0.0, sigma * sigma - shared.squaredNorm())); }
+  /// The part of sigma_baseline that is the station's own [m].
+  double ownOfBaseline() const {
+    return std::sqrt(std::fmax(0.0, square(sigma_baseline) - square(sharedOfBaseline())));
+  }
+  /// The part of sigma_baseline that is shared [m].
+  double sharedOfBaseline() const { return shared.head(shared_baseline).norm(); }
 };
 
 /// Stations measured in both surveys, by direction.

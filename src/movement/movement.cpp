@@ -14,6 +14,7 @@
 #include "movement/movement_errors.h"
 #include "movement/movement_significance.h"
 #include "movement/same_tank.h"
+#include "movement/unmoved.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/datum.h"
 #include "tank_datum/fit/curves.h"
@@ -51,15 +52,17 @@ void describeWhole(const CommonMotion& motion, double freedom, double radius, Mo
 }
 
 /// What is left of the movement without that of the tank as a rigid body, and its largest.
-void describeRest(std::vector<MatchedStation> matched, const CommonErrors& common, const MovementOptions& options,
+void describeRest(const std::vector<MatchedStation>& matched, const CommonErrors& common, double correlation,
                   Movement& movement) {
   const CommonPart rigid(matched, Removal::Tilt, true);
-  rigid.removeFrom(matched);
-  rigid.removeFromErrors(matched);
-  for (const MatchedStation& m : matched) movement.stations[m.station].rest = m.dz;
-  const LargestRest largest = largestRest(matched, common, options);
+  std::vector<MatchedStation> rest = matched;
+  rigid.removeFrom(rest);
+  rigid.removeFromErrors(rest);
+  for (const MatchedStation& m : rest) movement.stations[m.station].rest = m.dz;
+  Unmoved unmoved(matched, rigid, {0.0, 0.0, common.turn, common.freedom}, correlation);
+  const LargestRest largest = largestRest(rest, unmoved, common.turn);
   movement.max_rest = largest.dz, movement.sigma_rest = largest.sigma, movement.rest_threshold = largest.threshold;
-  movement.rest_azimuth = movement.stations[matched[largest.station].station].azimuth;
+  movement.rest_azimuth = movement.stations[rest[largest.station].station].azimuth;
   movement.rest_significant = largest.moved;
 }
 
@@ -132,7 +135,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
     return movement;
   }
   const double rim = options.registration_tilt * current.circle.radius;
-  const MovementErrors errors = shownErrors(matched, baseline.levelled && current.levelled);
+  const MovementErrors errors = shownErrors(matched);
   widenErrors(matched, errors, options.correlation);
   movement.errors_shown = errors.shown, movement.errors_used = errors.scale;
   movement.shared_arc = errors.shared;
@@ -141,11 +144,12 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   requireSameSurface(baseline, current, movement);
   movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);
   const CommonErrors common{options.registration_error, rim, offset.sigma, errors.freedom};
-  describeRest(matched, common, options, movement);
+  describeRest(matched, common, options.correlation, movement);
   const CommonPart part(matched, options.removal, true);
+  Unmoved unmoved(matched, part, common, options.correlation);
   part.removeFrom(matched);
   part.removeFromErrors(matched);
-  const Significance found = findMoved(matched, common, options);
+  const Significance found = findMoved(matched, unmoved, common);
   takeFound(found, matched, movement);
   summarise(movement);
   return movement;

@@ -59,13 +59,14 @@ int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedSt
 
 }  // namespace
 
-MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool declared) {
+MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   constexpr std::size_t kFewStations = 16;
   constexpr double kMismatch = 1.25;    // few stations exceed their sigma by less through chance
   constexpr double kEfficiency = 0.87;  // of biweightSigma
   constexpr double kNone = 0.35;        // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;    // an arc is known to about a quarter
-  constexpr double kMisstated = 4.0;    // nobody states errors of a levelling by more too small: beyond, the tank moved
+  constexpr double kMisstated =
+      4.0;  // errors are not stated by more too small, of a scan or a levelling: beyond, the tank moved
   MovementErrors errors;
   const std::size_t n = stations.size();
   std::vector<MatchedStation> level = stations;
@@ -92,17 +93,16 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations, bool dec
   const double freedom = std::max(1.0, kEfficiency * (independent - taken));
   if (errors.shared > 0.0) errors.freedom_whole = freedom;  // the arc is known no better than a scale would be
   if (errors.shown <= (n < kFewStations ? kMismatch : 1.0)) return errors;
-  errors.scale = declared ? std::min(kMisstated, errors.shown) : errors.shown;
-  if (declared && errors.shown > kMisstated) return errors;
+  errors.scale = std::min(kMisstated, errors.shown);
+  if (errors.shown > kMisstated) return errors;
   if (errors.shown > kMismatch) errors.freedom = errors.freedom_whole = freedom;
   return errors;
 }
 
 void widenErrors(std::vector<MatchedStation>& stations, const MovementErrors& errors, double declared) {
   for (MatchedStation& m : stations) {
-    const double before = m.sigma;
+    m.sigma_baseline = std::hypot(errors.scale * m.ownOfBaseline(), m.sharedOfBaseline());
     m.sigma = std::hypot(errors.scale * m.own(), m.shared.norm());
-    m.sigma_baseline *= m.sigma / before;
     m.window = declared > 0.0 ? declared : std::max(m.window, errors.shared);
   }
 }

@@ -7,7 +7,6 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/window_means.h"
-#include "movement/unmoved.h"
 
 namespace tank_datum {
 namespace {
@@ -100,15 +99,12 @@ double largestOf(const std::vector<MatchedStation>& stations, const std::vector<
 
 }  // namespace
 
-LargestRest largestRest(const std::vector<MatchedStation>& stations, const CommonErrors& common,
-                        MovementOptions options) {
-  options.removal = Removal::Tilt;
-  Unmoved unmoved(stations, {0.0, 0.0, common.turn, common.freedom}, options);
+LargestRest largestRest(const std::vector<MatchedStation>& stations, Unmoved& unmoved, double turn) {
   Steadied steadied(stations);
   LargestRest largest;
   std::vector<double> sigmas, maxima;
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    sigmas.push_back(std::hypot(stations[i].sigma, stations[i].slope * common.turn));
+    sigmas.push_back(std::hypot(stations[i].sigma, stations[i].slope * turn));
     if (std::abs(stations[i].dz) > std::abs(stations[largest.station].dz)) largest.station = i;
   }
   largest.dz = stations[largest.station].dz, largest.sigma = sigmas[largest.station];
@@ -118,9 +114,7 @@ LargestRest largestRest(const std::vector<MatchedStation>& stations, const Commo
   return largest;
 }
 
-Significance findMoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
-                       const MovementOptions& options) {
-  Unmoved unmoved(stations, common, options);
+Significance findMoved(const std::vector<MatchedStation>& stations, Unmoved& unmoved, const CommonErrors& common) {
   Steadied steadied(stations);
   std::vector<float> draws;
   for (std::size_t draw = 0; draw < kDraws; ++draw) {

@@ -3,16 +3,9 @@
 #include <vector>
 
 #include "movement/epoch_matching.h"
+#include "movement/unmoved.h"
 
 namespace tank_datum {
-
-/// What all stations share of the errors, 1 sigma.
-struct CommonErrors {
-  double height = 0.0;   ///< left after the removal [m]
-  double rim = 0.0;      ///< height at the shell by a tilt about either level axis, left after the removal [m]
-  double turn = 0.0;     ///< of the azimuth offset [rad]
-  double freedom = 0.0;  ///< degrees of freedom of the scale of the stations' sigmas; 0: it is known
-};
 
 /// Which stations moved, and the threshold that says so.
 struct Significance {
@@ -31,9 +24,9 @@ struct LargestRest {
 };
 
 /// @param stations  by direction, a plane taken from dz and from what they share of their errors
-/// @param common    `turn` and `freedom` of it count: the plane takes the others
-LargestRest largestRest(const std::vector<MatchedStation>& stations, const CommonErrors& common,
-                        MovementOptions options);
+/// @param unmoved   the same plane taken from its draws
+/// @param turn      1 sigma of the azimuth offset [rad]
+LargestRest largestRest(const std::vector<MatchedStation>& stations, Unmoved& unmoved, double turn);
 
 /// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
 /// standard deviation on an unmoved tank. The threshold is the 97 % point of the largest of them all in 2000 simulated
@@ -45,7 +38,7 @@ LargestRest largestRest(const std::vector<MatchedStation>& stations, const Commo
 /// Single stations that stand out from their neighbours by themselves are taken for errors and not for movement, in the
 /// simulated comparisons as well (Hampel, JASA 69, 1974).
 /// @param stations  by direction, dz after the removal
-Significance findMoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
-                       const MovementOptions& options);
+/// @param unmoved   with the same removal
+Significance findMoved(const std::vector<MatchedStation>& stations, Unmoved& unmoved, const CommonErrors& common);
 
 }  // namespace tank_datum

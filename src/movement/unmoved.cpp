@@ -46,13 +46,13 @@ const std::vector<MatchedStation>& Steadied::of(const std::vector<MatchedStation
   return steadied_;
 }
 
-Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common,
-                 const MovementOptions& options)
-    : stations_(stations), common_(common), part_(stations, options.removal, true) {
+Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonPart& removed, const CommonErrors& common,
+                 double correlation)
+    : stations_(stations), removed_(removed), common_(common) {
   cells_ = std::max<std::size_t>(360, stations.size());
   const double cell = kTwoPi / static_cast<double>(cells_);
   for (const MatchedStation& m : stations) {
-    const double window = options.correlation > 0.0 ? options.correlation : m.window;
+    const double window = correlation > 0.0 ? correlation : m.window;
     const double most = 0.5 * static_cast<double>(cells_);
     const auto width = static_cast<std::size_t>(std::clamp(std::ceil(window / cell - 1e-6), 1.0, most));
     const double start = std::round(m.direction / cell - 0.5 * static_cast<double>(width));
@@ -75,7 +75,7 @@ const std::vector<MatchedStation>& Unmoved::draw() {
     const double error = (sums[s.first + s.width] - sums[s.first]) * s.scale;
     stations_[i].dz = own_[i] * width * error + stations_[i].shared.dot(common) + stations_[i].slope * turn;
   }
-  part_.removeFrom(stations_);
+  removed_.removeFrom(stations_);
   const double height = common_.height * normal_(), east = common_.rim * normal_(), north = common_.rim * normal_();
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     stations_[i].dz += height + east * towards_[i].x() + north * towards_[i].y();

@@ -4,9 +4,17 @@
 #include <vector>
 
 #include "core/deviates.h"
-#include "movement/movement_significance.h"
+#include "movement/epoch_matching.h"
 
 namespace tank_datum {
+
+/// What all stations share of the errors, 1 sigma.
+struct CommonErrors {
+  double height = 0.0;   ///< left after the removal [m]
+  double rim = 0.0;      ///< height at the shell by a tilt about either level axis, left after the removal [m]
+  double turn = 0.0;     ///< of the azimuth offset [rad]
+  double freedom = 0.0;  ///< degrees of freedom of the scale of the stations' sigmas; 0: it is known
+};
 
 /// Leaves no station by itself (a Hampel filter): one that is further from the median of the stations within 2 degrees
 /// than two and a half of its sigmas is put there. A shell carries no step over one degree, but scans have single
@@ -26,10 +34,15 @@ class Steadied {
 };
 
 /// Comparisons of an unmoved tank. A station's own error is the mean of white noise along its window, so that stations
-/// share errors as far as they share points; to it come the errors that the surveys say their stations share.
+/// share errors as far as they share points; to it come the errors that the surveys say their stations share. What was
+/// taken from the differences is taken from the draws, by the same fit.
 class Unmoved {
  public:
-  Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, const MovementOptions& options);
+  /// @param stations     before the removal
+  /// @param removed      taken from dz
+  /// @param correlation  arc within which stations share points; 0: their windows [rad]
+  Unmoved(const std::vector<MatchedStation>& stations, const CommonPart& removed, const CommonErrors& common,
+          double correlation);
 
   /// The stations with errors alone for dz.
   const std::vector<MatchedStation>& draw();
@@ -40,8 +53,8 @@ class Unmoved {
     double scale;
   };
   std::vector<MatchedStation> stations_;
+  CommonPart removed_;
   CommonErrors common_;
-  CommonPart part_;
   std::size_t cells_ = 0;
   std::vector<Share> shares_;
   std::vector<double> own_;               ///< standard errors of the stations' own [m]

@@ -33,7 +33,7 @@ TEST(RingPairs, ASectorThatMovedIsNoError) {
       auto stations = differences(360, 1, 5);
       for (std::size_t i = 0; i < 360; ++i)
         stations[i].dz -= moved * sectorAt(static_cast<double>(i) - 100.0, width, 5);
-      const MovementErrors errors = shownErrors(stations, false);
+      const MovementErrors errors = shownErrors(stations);
       EXPECT_NEAR(errors.shown, 1.0, 0.2) << width << " " << moved;
       EXPECT_LT(errors.shared, 5.0 * kDegree) << width << " " << moved;
     }
