@@ -11,25 +11,32 @@
 namespace tank_datum {
 namespace {
 
-/// The line off = at + lean * z of an upright wall, from the medians of its middle and upper third: its lowest third
-/// may be another's.
+/// A line off = at + lean * z.
 struct WallLine {
   double at, lean;
 
-  explicit WallLine(const std::vector<Hit>& run) {
-    const std::size_t third = run.size() / 3;
-    const auto middle = [&](std::size_t from, std::size_t to, double Hit::*value) {
-      std::vector<double> values;
-      for (std::size_t i = from; i < to; ++i) values.push_back(run[i].*value);
-      return median(values);
-    };
-    const double z = middle(third, 2 * third, &Hit::z), off = middle(third, 2 * third, &Hit::off);
-    const double upper_z = middle(2 * third, run.size(), &Hit::z);
-    lean = upper_z > z ? (middle(2 * third, run.size(), &Hit::off) - off) / (upper_z - z) : 0.0;
-    at = off - lean * z;
-  }
   double from(const Hit& hit) const { return std::abs(hit.off - at - lean * hit.z); }
 };
+
+/// The line of an upright wall, from the medians of its middle and upper third: its lowest third may be another's.
+/// Under a dome, which leans and the wall below it does not, from those of its lowest and middle third.
+WallLine lineOf(const std::vector<Hit>& run) {
+  constexpr double kLeans = 0.05;  // more than a shell does [m/m]
+  const std::size_t third = run.size() / 3;
+  const auto middle = [&](std::size_t from, std::size_t to, double Hit::*value) {
+    std::vector<double> values;
+    for (std::size_t i = from; i < to; ++i) values.push_back(run[i].*value);
+    return median(values);
+  };
+  const double z = middle(third, 2 * third, &Hit::z), off = middle(third, 2 * third, &Hit::off);
+  const auto leanTo = [&](std::size_t from, std::size_t to) {
+    const double rise = middle(from, to, &Hit::z) - z;
+    return rise != 0.0 ? (middle(from, to, &Hit::off) - off) / rise : 0.0;
+  };
+  const double upper = leanTo(2 * third, run.size()), lower = leanTo(0, third);
+  const double lean = std::abs(upper) > kLeans && std::abs(lower) < 0.5 * std::abs(upper) ? lower : upper;
+  return {off - lean * z, lean};
+}
 
 /// The first and the last of hits without a hole between them.
 struct Stretch {
@@ -103,7 +110,7 @@ std::optional<WallRun> shellRun(std::vector<Hit> hits, double voxel, double thic
   sortByHeight(hits);
   std::vector<Hit> run = longestRun(hits, kHoleInVoxels * voxel);
   if (run.size() < 3) return std::nullopt;
-  const WallLine line(run);
+  const WallLine line = lineOf(run);
   const auto dropOthers = [&](std::vector<Hit>& of) {
     of.erase(std::remove_if(of.begin(), of.end(), [&](const Hit& hit) { return line.from(hit) > thickness; }),
              of.end());

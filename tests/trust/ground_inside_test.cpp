@@ -90,4 +90,35 @@ TEST(GroundInside, FromInsideItIsTheTanksOwn) {
   EXPECT_TRUE(std::isnan(shareOf(seen)));
 }
 
+/// Posts every five degrees, each `wide` degrees, before ground that goes on.
+double shareBehindPosts(double wide, int of_degree) {
+  Tank tank;
+  tank.circle = {{0.0, 0.0}, kRadius};
+  tank.foot.coefficients = Eigen::Vector3d(0.0, 0.0, 0.0);
+  ShellEvidence shell;
+  shell.circle = tank.circle;
+  shell.noise = kNoise;
+  shell.sigma_radius = 0.001;
+  Ring ring;
+  ring.reach = 0.5;
+  for (int i = 0; i < 360 * of_degree; ++i) {
+    const double degrees = (i + 0.5) / of_degree, a = degrees * kDegree;
+    const Eigen::Vector2d towards(std::cos(a), std::sin(a));
+    const auto add = [&](double off, double z) {
+      const Eigen::Vector2d p = (kRadius + off) * towards;
+      ring.points.emplace_back(p.x(), p.y(), z);
+    };
+    add(0.3, 0.0);
+    std::fmod(degrees, 5.0) < wide ? add(0.0, 0.3) : add(-0.3, 0.0);
+  }
+  return groundInside(ring, tank, shell);
+}
+
+TEST(GroundInside, IsSeenBetweenPosts) {
+  EXPECT_NEAR(shareBehindPosts(2.0, 10), 3.0 / 2.0, 1e-12);
+  EXPECT_NEAR(shareBehindPosts(4.0, 10), 1.0 / 4.0, 1e-12);
+  EXPECT_EQ(shareBehindPosts(2.0, 4), 0.0) << "too few points of a degree";
+  EXPECT_EQ(shareBehindPosts(5.0, 10), 0.0) << "a wall";
+}
+
 }  // namespace tank_datum::ground_inside_test
