@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/portable_math.h"
@@ -21,16 +20,14 @@
 namespace tank_datum {
 namespace {
 
-/// The circle through the shell's own points up to a height above its foot: the walls' cells know it to a share of a
-/// voxel only. Tens of thousands of points, evenly spread, know it to a hundredth of a millimetre.
-Circle refineCircle(const Points& points, double voxel, const Circle& circle, const PeriodicFit& foot, double band,
-                    double highest) {
+/// The circle through the shell's own points, over all of its height: the walls' cells know it to a share of a voxel
+/// only. Tens of thousands of them, evenly spread, know it to a hundredth of a millimetre.
+Circle refineCircle(const Points& points, double voxel, const Circle& circle, const PeriodicFit& foot, double band) {
   std::vector<Eigen::Vector2d> plan;
   for (const auto& p : points) {
     const Eigen::Vector2d arm = p.head<2>() - circle.center;
     if (std::abs(arm.norm() - circle.radius) > band) continue;
-    const double height = p.z() - foot(portable::atan2(arm.y(), arm.x()));
-    if (height > 2.0 * voxel && height <= highest) plan.push_back(p.head<2>());
+    if (p.z() - foot(portable::atan2(arm.y(), arm.x())) > 2.0 * voxel) plan.push_back(p.head<2>());
   }
   constexpr std::size_t kPlenty = 50'000;
   const std::size_t stride = plan.size() / kPlenty + 1;
@@ -205,8 +202,6 @@ PeriodicFit footOf(const Tank& tank, const std::vector<WallView>& views) {
                         {4.0 * tank.resolution + 0.02 * tank.circle.radius, kWithinReach * reach});
 }
 
-constexpr double kNarrows = 0.25;  // voxels: a shell's radius does not change by more with height, a dome's does
-
 }  // namespace
 
 Tank describe(const Points& points, const Sample& sample, const Circle& circle, double rms, double least, bool given) {
@@ -235,14 +230,8 @@ Tank describe(const Points& points, const Sample& sample, const Circle& circle, 
   }
   tank.low_wall = lowWall(tank, views, points, sample.voxel);
   tank.foot = footOf(tank, views);
-  if (tank.foot.valid()) {
-    const auto refined = [&](double highest) {
-      return refineCircle(points, sample.voxel, tank.circle, tank.foot, bandOf(sample.voxel, tank.rms), highest);
-    };
-    const Circle whole = refined(std::numeric_limits<double>::infinity()), low = refined(0.5 * tank.height);
-    const bool is_domed = std::abs(low.radius - whole.radius) > kNarrows * sample.voxel;
-    tank.circle = is_domed ? low : whole;
-  }
+  if (tank.foot.valid())
+    tank.circle = refineCircle(points, sample.voxel, tank.circle, tank.foot, bandOf(sample.voxel, tank.rms));
   return tank;
 }
 

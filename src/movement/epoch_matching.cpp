@@ -189,6 +189,26 @@ void CommonPart::removeFromErrors(std::vector<MatchedStation>& stations) const {
   }
 }
 
+namespace {
+
+/// Variance of an azimuth offset by what the stations share of their errors [rad^2].
+double sharedVariance(std::vector<MatchedStation> stations) {
+  const CommonPart rigid(stations, Removal::Tilt, false);
+  rigid.removeFromErrors(stations);
+  for (MatchedStation& m : stations) m.dz = m.slope;
+  rigid.removeFrom(stations);
+  double information = 0.0;
+  Eigen::VectorXd turned = Eigen::VectorXd::Zero(stations.front().shared.size());
+  for (const MatchedStation& m : stations) {
+    const double weighted = m.dz / square(m.sigma);
+    information += weighted * m.dz;
+    turned += weighted * m.shared;
+  }
+  return turned.squaredNorm() / square(information);
+}
+
+}  // namespace
+
 AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
   constexpr int kSteps = 720;
   constexpr double kStep = kTwoPi / kSteps, kElsewhere = 10.0 * kPi / 180.0;
@@ -219,11 +239,12 @@ AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const 
   AzimuthOffset offset;
   offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);
   // neighbours share points: as many independent differences as their windows fit into the turn
+  const std::vector<MatchedStation> matched = matchStations(baseline, current, offset.value).stations;
   std::vector<double> windows;
-  for (const MatchedStation& m : matchStations(baseline, current, offset.value).stations) windows.push_back(m.window);
+  for (const MatchedStation& m : matched) windows.push_back(m.window);
   const double shared = options.correlation > 0.0 ? options.correlation : median(windows);
   const double independent = std::min(static_cast<double>(windows.size()), kTwoPi / std::max(shared, kStep));
-  offset.sigma = std::sqrt(2.0 * std::max(middle, 1.0) / (independent * curvature));
+  offset.sigma = std::sqrt(2.0 * std::max(middle, 1.0) / (independent * curvature) + sharedVariance(matched));
   return offset;
 }
 

@@ -203,14 +203,14 @@ TEST(SetupAgreement, PlacesMakeARadiusOfWhatNoOverlapShows) {
   EXPECT_DOUBLE_EQ(merged.radiusError(), 0.0028);
 }
 
-/// The agreement of points of a shell that bear so many labels.
+/// The agreement of points of a shell that bear so many labels, two of each: too few to compare.
 SetupAgreement agreementOfLabels(std::size_t labels) {
   const TestFolder folder;
   std::string text = "x y z setup\n";
-  for (int i = 0; i < 4000; ++i) {
-    const double azimuth = 0.01 * i;
+  for (std::size_t i = 0; i < 2 * labels; ++i) {
+    const double azimuth = 0.01 * static_cast<double>(i);
     text += std::to_string(5.0 * std::cos(azimuth)) + " " + std::to_string(5.0 * std::sin(azimuth)) + " 0.2 " +
-            std::to_string(static_cast<std::size_t>(i) % labels) + "\n";
+            std::to_string(i % labels) + "\n";
   }
   const Scan scan = Scan::open({folder.file("scan.txt", text)});
   Tank tank;
