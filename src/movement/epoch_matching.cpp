@@ -191,20 +191,22 @@ void CommonPart::removeFromErrors(std::vector<MatchedStation>& stations) const {
 
 namespace {
 
-/// Variance of an azimuth offset by what the stations share of their errors [rad^2].
-double sharedVariance(std::vector<MatchedStation> stations) {
+/// Variance of an azimuth offset [rad^2].
+/// @param independent  what it were if the stations shared nothing but points [rad^2]
+/// @param information  on the offset, from the curvature of the misfit: slopes from station to station are noisy
+/// [rad^-2]
+double offsetVariance(std::vector<MatchedStation> stations, double independent, double information) {
   const CommonPart rigid(stations, Removal::Tilt, false);
   rigid.removeFromErrors(stations);
   for (MatchedStation& m : stations) m.dz = m.slope;
   rigid.removeFrom(stations);
-  double information = 0.0;
-  Eigen::VectorXd turned = Eigen::VectorXd::Zero(stations.front().shared.size());
+  double own = 0.0;
+  Eigen::VectorXd shared = Eigen::VectorXd::Zero(stations.front().shared.size());
   for (const MatchedStation& m : stations) {
-    const double weighted = m.dz / square(m.sigma);
-    information += weighted * m.dz;
-    turned += weighted * m.shared;
+    own += square(m.own() / m.sigma);
+    shared += m.dz / square(m.sigma) * m.shared;
   }
-  return turned.squaredNorm() / square(information);
+  return independent * own / static_cast<double>(stations.size()) + shared.squaredNorm() / square(information);
 }
 
 }  // namespace
@@ -244,7 +246,9 @@ AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const 
   for (const MatchedStation& m : matched) windows.push_back(m.window);
   const double shared = options.correlation > 0.0 ? options.correlation : median(windows);
   const double independent = std::min(static_cast<double>(windows.size()), kTwoPi / std::max(shared, kStep));
-  offset.sigma = std::sqrt(2.0 * std::max(middle, 1.0) / (independent * curvature) + sharedVariance(matched));
+  const double information = 0.5 * static_cast<double>(matched.size()) * curvature;
+  offset.sigma =
+      std::sqrt(offsetVariance(matched, 2.0 * std::max(middle, 1.0) / (independent * curvature), information));
   return offset;
 }
 

@@ -90,4 +90,17 @@ TEST(CompareEpochs, WavesOfTheWholeRingThatFallWithTheirNumberAreMovement) {
   }
 }
 
+TEST(CompareEpochs, AnAzimuthOffsetIsAsUncertainAsSharedErrorsMakeIt) {
+  MovementOptions options;
+  options.estimate_offset = true;
+  double squares = 0.0;
+  constexpr unsigned kRuns = 24;
+  for (unsigned run = 1; run <= kRuns; ++run) {
+    const Movement m = compareEpochs(aloneSetups(5, 0.0006, run), aloneSetups(5, 0.0006, 500 + run), options);
+    squares += std::pow(m.azimuth_offset / m.sigma_azimuth_offset, 2);
+  }
+  EXPECT_GT(squares, 0.4 * kRuns);  // chi-square of 24: one in a thousand is beyond either
+  EXPECT_LT(squares, 2.15 * kRuns);
+}
+
 }  // namespace tank_datum::shared_errors_test
