@@ -112,15 +112,12 @@ std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elev
 /// Mean squared standardised difference at a turn, without what is common: a tilt that has changed would turn the
 /// shape. NaN with too few stations.
 double misfitAt(const Epoch& baseline, const Epoch& current, double offset) {
-  Matching matching = matchStations(baseline, current, offset);
-  std::vector<MatchedStation>& matched = matching.stations;
+  const std::vector<MatchedStation> matched = matchStations(baseline, current, offset).stations;
   const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
   if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
-  const CommonPart rigid(matched, Removal::Tilt, false);
-  rigid.removeFrom(matched);
-  rigid.removeFromErrors(matched);
   double sum = 0;
-  for (const MatchedStation& m : matched) sum += (m.dz / m.sigma) * (m.dz / m.sigma);
+  for (const MatchedStation& m : Removed(matched, Removal::Tilt, false).stations)
+    sum += (m.dz / m.sigma) * (m.dz / m.sigma);
   return sum / static_cast<double>(matched.size());
 }
 

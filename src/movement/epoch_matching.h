@@ -62,6 +62,18 @@ class CommonPart {
   Eigen::MatrixXd rows_, fit_;  ///< one row per station; from dz to the coefficients
 };
 
+/// Stations without a common part.
+struct Removed {
+  CommonPart part;
+  std::vector<MatchedStation> stations;  ///< dz and errors without it
+
+  Removed(const std::vector<MatchedStation>& given, Removal removal, bool robust)
+      : part(given, removal, robust), stations(given) {
+    part.removeFrom(stations);
+    part.removeFromErrors(stations);
+  }
+};
+
 struct AzimuthOffset {
   double value = 0.0;  ///< [rad]
   double sigma = 0.0;  ///< its standard error [rad]

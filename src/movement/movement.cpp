@@ -52,15 +52,10 @@ void describeWhole(const CommonMotion& motion, double freedom, double radius, Mo
 }
 
 /// What is left of the movement without that of the tank as a rigid body, and its largest.
-void describeRest(const std::vector<MatchedStation>& matched, const CommonErrors& common, double correlation,
+void describeRest(const std::vector<MatchedStation>& rest, const std::vector<double>& drawn, double turn,
                   Movement& movement) {
-  const CommonPart rigid(matched, Removal::Tilt, true);
-  std::vector<MatchedStation> rest = matched;
-  rigid.removeFrom(rest);
-  rigid.removeFromErrors(rest);
   for (const MatchedStation& m : rest) movement.stations[m.station].rest = m.dz;
-  Unmoved unmoved(matched, rigid, {0.0, 0.0, common.turn, common.freedom}, correlation);
-  const LargestRest largest = largestRest(rest, unmoved, common.turn);
+  const LargestRest largest = largestRest(rest, drawn, turn);
   movement.max_rest = largest.dz, movement.sigma_rest = largest.sigma, movement.rest_threshold = largest.threshold;
   movement.rest_azimuth = movement.stations[rest[largest.station].station].azimuth;
   movement.rest_significant = largest.moved;
@@ -144,13 +139,10 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   requireSameSurface(baseline, current, movement);
   movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);
   const CommonErrors common{options.registration_error, rim, offset.sigma, errors.freedom};
-  describeRest(matched, common, options.correlation, movement);
-  const CommonPart part(matched, options.removal, true);
-  Unmoved unmoved(matched, part, common, options.correlation);
-  part.removeFrom(matched);
-  part.removeFromErrors(matched);
-  const Significance found = findMoved(matched, unmoved, common);
-  takeFound(found, matched, movement);
+  const Removed rest(matched, Removal::Tilt, true), left(matched, options.removal, true);
+  const UnmovedDraws draws = drawUnmoved(matched, rest, left, common, options.correlation);
+  describeRest(rest.stations, draws.largest_rest, common.turn, movement);
+  takeFound(findMoved(left.stations, draws.dz, common), left.stations, movement);
   summarise(movement);
   return movement;
 }

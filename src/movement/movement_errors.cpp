@@ -69,12 +69,8 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
       4.0;  // errors are not stated by more too small, of a scan or a levelling: beyond, the tank moved
   MovementErrors errors;
   const std::size_t n = stations.size();
-  std::vector<MatchedStation> level = stations;
-  const CommonPart plane(level, Removal::Tilt, true);
-  plane.removeFrom(level);
-  plane.removeFromErrors(level);
   std::vector<double> values;
-  for (const MatchedStation& m : level) values.push_back(m.dz / m.sigma);
+  for (const MatchedStation& m : Removed(stations, Removal::Tilt, true).stations) values.push_back(m.dz / m.sigma);
   const RingPairs pairs(stations);
   const int waves = removeStandingWaves(values, stations, pairs);
   const double scatter = pairs.scatterOf(values);

@@ -11,17 +11,10 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kDraws = 2000;
 /// Aimed at, so that at most 5 % are left where errors reach somewhat beyond the windows that surveys give for them.
 constexpr double kFalseAlarms = 0.03;
 constexpr double kWidths[] = {0.0,          3 * kDegree,  6 * kDegree,
                               12 * kDegree, 24 * kDegree, 48 * kDegree};  ///< whole [rad]
-
-std::vector<float> dzOf(const std::vector<MatchedStation>& stations) {
-  std::vector<float> dz;
-  for (const MatchedStation& m : stations) dz.push_back(static_cast<float>(m.dz));
-  return dz;
-}
 
 /// The windows of one width against what they are in draws of an unmoved tank.
 class Scale {
@@ -90,37 +83,22 @@ bool isFlanked(const std::vector<MatchedStation>& stations, const std::vector<bo
   return before && after;
 }
 
-/// The largest dz in its standard errors.
-double largestOf(const std::vector<MatchedStation>& stations, const std::vector<double>& sigmas) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < stations.size(); ++i) largest = std::max(largest, std::abs(stations[i].dz) / sigmas[i]);
-  return largest;
-}
-
 }  // namespace
 
-LargestRest largestRest(const std::vector<MatchedStation>& stations, Unmoved& unmoved, double turn) {
-  Steadied steadied(stations);
+LargestRest largestRest(const std::vector<MatchedStation>& stations, const std::vector<double>& drawn, double turn) {
+  const std::vector<double> sigmas = sigmasOf(stations, turn);
   LargestRest largest;
-  std::vector<double> sigmas, maxima;
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    sigmas.push_back(std::hypot(stations[i].sigma, stations[i].slope * turn));
     if (std::abs(stations[i].dz) > std::abs(stations[largest.station].dz)) largest.station = i;
   }
   largest.dz = stations[largest.station].dz, largest.sigma = sigmas[largest.station];
-  for (std::size_t draw = 0; draw < kDraws; ++draw) maxima.push_back(largestOf(steadied.of(unmoved.draw()), sigmas));
-  largest.threshold = quantile(maxima, 1.0 - kFalseAlarms);
-  largest.moved = largestOf(steadied.of(stations), sigmas) > largest.threshold;
+  largest.threshold = quantile(drawn, 1.0 - kFalseAlarms);
+  largest.moved = largestOf(Steadied(stations).of(stations), sigmas) > largest.threshold;
   return largest;
 }
 
-Significance findMoved(const std::vector<MatchedStation>& stations, Unmoved& unmoved, const CommonErrors& common) {
-  Steadied steadied(stations);
-  std::vector<float> draws;
-  for (std::size_t draw = 0; draw < kDraws; ++draw) {
-    const std::vector<float> dz = dzOf(steadied.of(unmoved.draw()));
-    draws.insert(draws.end(), dz.begin(), dz.end());
-  }
+Significance findMoved(const std::vector<MatchedStation>& stations, const std::vector<float>& draws,
+                       const CommonErrors& common) {
   Significance result;
   result.moved.assign(stations.size(), false);
   std::vector<double> maxima(kDraws, 0.0);
@@ -130,7 +108,7 @@ Significance findMoved(const std::vector<MatchedStation>& stations, Unmoved& unm
     scales.back().raise(maxima);
   }
   result.threshold = quantile(maxima, 1.0 - kFalseAlarms);
-  const std::vector<float> dz = dzOf(steadied.of(stations));
+  const std::vector<float> dz = dzOf(Steadied(stations).of(stations));
   for (std::size_t k = 0; k < scales.size(); ++k) {
     const std::vector<bool> before = result.moved, whole = scales[k].beyond(result.threshold, dz);
     if (std::find(whole.begin(), whole.end(), true) == whole.end()) continue;
@@ -139,9 +117,8 @@ Significance findMoved(const std::vector<MatchedStation>& stations, Unmoved& unm
       if (whole[i] && (left[i] || isFlanked(stations, before, i, kWidths[k]))) result.moved[i] = true;
     }
   }
-  for (const MatchedStation& m : stations) {
-    const double own = std::hypot(m.sigma, m.slope * common.turn);
-    result.sigmas.push_back(std::hypot(own, std::hypot(common.height, common.rim)));
+  for (const double sigma : sigmasOf(stations, common.turn)) {
+    result.sigmas.push_back(std::hypot(sigma, std::hypot(common.height, common.rim)));
   }
   return result;
 }

@@ -24,9 +24,9 @@ struct LargestRest {
 };
 
 /// @param stations  by direction, a plane taken from dz and from what they share of their errors
-/// @param unmoved   the same plane taken from its draws
+/// @param drawn     the largest of each draw of an unmoved tank, in standard errors
 /// @param turn      1 sigma of the azimuth offset [rad]
-LargestRest largestRest(const std::vector<MatchedStation>& stations, Unmoved& unmoved, double turn);
+LargestRest largestRest(const std::vector<MatchedStation>& stations, const std::vector<double>& drawn, double turn);
 
 /// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
 /// standard deviation on an unmoved tank. The threshold is the 97 % point of the largest of them all in 2000 simulated
@@ -38,7 +38,8 @@ LargestRest largestRest(const std::vector<MatchedStation>& stations, Unmoved& un
 /// Single stations that stand out from their neighbours by themselves are taken for errors and not for movement, in the
 /// simulated comparisons as well (Hampel, JASA 69, 1974).
 /// @param stations  by direction, dz after the removal
-/// @param unmoved   with the same removal
-Significance findMoved(const std::vector<MatchedStation>& stations, Unmoved& unmoved, const CommonErrors& common);
+/// @param draws     of an unmoved tank, dz after the removal, a row per draw [m]
+Significance findMoved(const std::vector<MatchedStation>& stations, const std::vector<float>& draws,
+                       const CommonErrors& common);
 
 }  // namespace tank_datum

@@ -46,9 +46,8 @@ const std::vector<MatchedStation>& Steadied::of(const std::vector<MatchedStation
   return steadied_;
 }
 
-Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonPart& removed, const CommonErrors& common,
-                 double correlation)
-    : stations_(stations), removed_(removed), common_(common) {
+Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, double correlation)
+    : stations_(stations), common_(common) {
   cells_ = std::max<std::size_t>(360, stations.size());
   const double cell = kTwoPi / static_cast<double>(cells_);
   for (const MatchedStation& m : stations) {
@@ -75,12 +74,52 @@ const std::vector<MatchedStation>& Unmoved::draw() {
     const double error = (sums[s.first + s.width] - sums[s.first]) * s.scale;
     stations_[i].dz = own_[i] * width * error + stations_[i].shared.dot(common) + stations_[i].slope * turn;
   }
-  removed_.removeFrom(stations_);
-  const double height = common_.height * normal_(), east = common_.rim * normal_(), north = common_.rim * normal_();
-  for (std::size_t i = 0; i < stations_.size(); ++i) {
-    stations_[i].dz += height + east * towards_[i].x() + north * towards_[i].y();
-  }
+  height_ = common_.height * normal_();
+  rim_.x() = common_.rim * normal_(), rim_.y() = common_.rim * normal_();
   return stations_;
+}
+
+void Unmoved::addRegistration(std::vector<MatchedStation>& stations) const {
+  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].dz += height_ + rim_.dot(towards_[i]);
+}
+
+UnmovedDraws drawUnmoved(const std::vector<MatchedStation>& stations, const Removed& rest, const Removed& left,
+                         const CommonErrors& common, double correlation) {
+  Unmoved unmoved(stations, common, correlation);
+  Steadied steadied_rest(rest.stations), steadied_left(left.stations);
+  const std::vector<double> sigmas = sigmasOf(rest.stations, common.turn);
+  UnmovedDraws draws;
+  std::vector<MatchedStation> drawn;
+  for (std::size_t draw = 0; draw < kDraws; ++draw) {
+    const std::vector<MatchedStation>& errors = unmoved.draw();
+    drawn = errors;
+    rest.part.removeFrom(drawn);
+    draws.largest_rest.push_back(largestOf(steadied_rest.of(drawn), sigmas));
+    drawn = errors;
+    left.part.removeFrom(drawn);
+    unmoved.addRegistration(drawn);
+    const std::vector<float> dz = dzOf(steadied_left.of(drawn));
+    draws.dz.insert(draws.dz.end(), dz.begin(), dz.end());
+  }
+  return draws;
+}
+
+std::vector<double> sigmasOf(const std::vector<MatchedStation>& stations, double turn) {
+  std::vector<double> sigmas;
+  for (const MatchedStation& m : stations) sigmas.push_back(std::hypot(m.sigma, m.slope * turn));
+  return sigmas;
+}
+
+double largestOf(const std::vector<MatchedStation>& stations, const std::vector<double>& sigmas) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < stations.size(); ++i) largest = std::max(largest, std::abs(stations[i].dz) / sigmas[i]);
+  return largest;
+}
+
+std::vector<float> dzOf(const std::vector<MatchedStation>& stations) {
+  std::vector<float> dz;
+  for (const MatchedStation& m : stations) dz.push_back(static_cast<float>(m.dz));
+  return dz;
 }
 
 }  // namespace tank_datum

@@ -8,6 +8,8 @@
 
 namespace tank_datum {
 
+constexpr std::size_t kDraws = 2000;  ///< simulated comparisons
+
 /// What all stations share of the errors, 1 sigma.
 struct CommonErrors {
   double height = 0.0;   ///< left after the removal [m]
@@ -34,18 +36,17 @@ class Steadied {
 };
 
 /// Comparisons of an unmoved tank. A station's own error is the mean of white noise along its window, so that stations
-/// share errors as far as they share points; to it come the errors that the surveys say their stations share. What was
-/// taken from the differences is taken from the draws, by the same fit.
+/// share errors as far as they share points; to it come the errors that the surveys say their stations share.
 class Unmoved {
  public:
-  /// @param stations     before the removal
-  /// @param removed      taken from dz
+  /// @param stations     before anything is removed
   /// @param correlation  arc within which stations share points; 0: their windows [rad]
-  Unmoved(const std::vector<MatchedStation>& stations, const CommonPart& removed, const CommonErrors& common,
-          double correlation);
+  Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, double correlation);
 
-  /// The stations with errors alone for dz.
+  /// Draws the stations with errors alone for dz.
   const std::vector<MatchedStation>& draw();
+  /// Adds the height and the tilt that the registration leaves, as they were drawn with them.
+  void addRegistration(std::vector<MatchedStation>& stations) const;
 
  private:
   struct Share {
@@ -53,13 +54,37 @@ class Unmoved {
     double scale;
   };
   std::vector<MatchedStation> stations_;
-  CommonPart removed_;
   CommonErrors common_;
   std::size_t cells_ = 0;
   std::vector<Share> shares_;
   std::vector<double> own_;               ///< standard errors of the stations' own [m]
   std::vector<Eigen::Vector2d> towards_;  ///< the stations from the axis, of length 1
+  double height_ = 0.0;                   ///< drawn [m]
+  Eigen::Vector2d rim_{0.0, 0.0};         ///< drawn [m]
   Deviates normal_{20180419};
 };
+
+/// Comparisons of an unmoved tank that lose by the same fits what the differences lost.
+struct UnmovedDraws {
+  std::vector<double> largest_rest;  ///< out of plane: of each draw, in standard errors
+  std::vector<float> dz;             ///< after the removal, a row per draw [m]
+};
+
+/// @param stations     before anything is removed
+/// @param rest         without a plane
+/// @param left         after the removal
+/// @param correlation  arc within which stations share points; 0: their windows [rad]
+UnmovedDraws drawUnmoved(const std::vector<MatchedStation>& stations, const Removed& rest, const Removed& left,
+                         const CommonErrors& common, double correlation);
+
+/// Standard errors of dz, the azimuth offset's part of them included [m].
+/// @param turn  1 sigma of the azimuth offset [rad]
+std::vector<double> sigmasOf(const std::vector<MatchedStation>& stations, double turn);
+
+/// The largest dz in its standard errors.
+double largestOf(const std::vector<MatchedStation>& stations, const std::vector<double>& sigmas);
+
+/// All dz, as draws have them [m].
+std::vector<float> dzOf(const std::vector<MatchedStation>& stations);
 
 }  // namespace tank_datum

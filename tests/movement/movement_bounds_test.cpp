@@ -128,8 +128,8 @@ std::vector<MatchedStation> stationsAt(std::size_t count, double degrees_apart) 
 }
 
 Significance foundOf(const std::vector<MatchedStation>& stations) {
-  Unmoved unmoved(stations, CommonPart(stations, Removal::Nothing, true), {}, 0.0);
-  return findMoved(stations, unmoved, {});
+  const Removed nothing(stations, Removal::Nothing, true);
+  return findMoved(stations, drawUnmoved(stations, nothing, nothing, {}, 0.0).dz, {});
 }
 
 TEST(FindMoved, OfAnUnmovedTankThreeInAHundredComparisonsPassTheThreshold) {
