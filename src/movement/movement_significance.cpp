@@ -101,7 +101,7 @@ Significance findMoved(const std::vector<MatchedStation>& stations, const std::v
                        const CommonErrors& common) {
   Significance result;
   result.moved.assign(stations.size(), false);
-  std::vector<double> maxima(kDraws, 0.0);
+  std::vector<double> maxima(draws.size() / stations.size(), 0.0);
   std::vector<Scale> scales;
   for (const double width : kWidths) {
     scales.emplace_back(stations, result.moved, width, draws);

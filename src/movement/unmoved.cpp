@@ -1,9 +1,11 @@
 #include "movement/unmoved.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/deviates.h"
 #include "core/portable_math.h"
 #include "core/units.h"
 
@@ -11,40 +13,36 @@ namespace tank_datum {
 namespace {
 
 constexpr double kOutlier = 2.5;  // sigmas
+constexpr std::size_t kDraws = 2000;
 
-}  // namespace
+/// Comparisons of an unmoved tank. A station's own error is the mean of white noise along its window, so that stations
+/// share errors as far as they share points; to it come the errors that the surveys say their stations share.
+class Unmoved {
+ public:
+  /// @param stations     before anything is removed
+  /// @param correlation  arc within which stations share points; 0: their windows [rad]
+  Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, double correlation);
 
-Steadied::Steadied(const std::vector<MatchedStation>& stations) {
-  constexpr double kNear = 2.0 * kPi / 180.0 + 1e-6;
-  const std::size_t n = stations.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto near = [&](std::size_t j) {
-      return std::abs(std::remainder(stations[j].direction - stations[i].direction, kTwoPi)) <= kNear;
-    };
-    std::vector<std::size_t> beside = {i};
-    for (std::size_t k = 1; k < n && near((i + k) % n); ++k) beside.push_back((i + k) % n);
-    for (std::size_t k = 1; k < n && near((i + n - k) % n); ++k) beside.push_back((i + n - k) % n);
-    if (beside.size() < 5) beside.clear();
-    beside_.push_back(std::move(beside));
-    reach_.push_back(kOutlier * stations[i].own());
-  }
-}
+  /// Draws the stations with errors alone for dz.
+  const std::vector<MatchedStation>& draw();
+  /// Adds the height and the tilt that the registration leaves, as they were drawn with them.
+  void addRegistration(std::vector<MatchedStation>& stations) const;
 
-const std::vector<MatchedStation>& Steadied::of(const std::vector<MatchedStation>& stations) {
-  steadied_ = stations;
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    const double reach = reach_[i];
-    std::size_t far = 0;  // the median is no further off than half of the stations are
-    for (const std::size_t j : beside_[i]) far += std::abs(stations[j].dz - stations[i].dz) > reach ? 1 : 0;
-    if (2 * far < beside_[i].size() || beside_[i].empty()) continue;
-    around_.clear();
-    for (const std::size_t j : beside_[i]) around_.push_back(stations[j].dz);
-    const auto middle = around_.begin() + static_cast<std::ptrdiff_t>(around_.size() / 2);
-    std::nth_element(around_.begin(), middle, around_.end());
-    if (std::abs(stations[i].dz - *middle) > reach) steadied_[i].dz = *middle;
-  }
-  return steadied_;
-}
+ private:
+  struct Share {
+    std::size_t first, width;
+    double scale;
+  };
+  std::vector<MatchedStation> stations_;
+  CommonErrors common_;
+  std::size_t cells_ = 0;
+  std::vector<Share> shares_;
+  std::vector<double> own_;               ///< standard errors of the stations' own [m]
+  std::vector<Eigen::Vector2d> towards_;  ///< the stations from the axis, of length 1
+  double height_ = 0.0;                   ///< drawn [m]
+  Eigen::Vector2d rim_{0.0, 0.0};         ///< drawn [m]
+  Deviates normal_{20180419};
+};
 
 Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, double correlation)
     : stations_(stations), common_(common) {
@@ -81,6 +79,40 @@ const std::vector<MatchedStation>& Unmoved::draw() {
 
 void Unmoved::addRegistration(std::vector<MatchedStation>& stations) const {
   for (std::size_t i = 0; i < stations.size(); ++i) stations[i].dz += height_ + rim_.dot(towards_[i]);
+}
+
+}  // namespace
+
+Steadied::Steadied(const std::vector<MatchedStation>& stations) {
+  constexpr double kNear = 2.0 * kPi / 180.0 + 1e-6;
+  const std::size_t n = stations.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto near = [&](std::size_t j) {
+      return std::abs(std::remainder(stations[j].direction - stations[i].direction, kTwoPi)) <= kNear;
+    };
+    std::vector<std::size_t> beside = {i};
+    for (std::size_t k = 1; k < n && near((i + k) % n); ++k) beside.push_back((i + k) % n);
+    for (std::size_t k = 1; k < n && near((i + n - k) % n); ++k) beside.push_back((i + n - k) % n);
+    if (beside.size() < 5) beside.clear();
+    beside_.push_back(std::move(beside));
+    reach_.push_back(kOutlier * stations[i].own());
+  }
+}
+
+const std::vector<MatchedStation>& Steadied::of(const std::vector<MatchedStation>& stations) {
+  steadied_ = stations;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const double reach = reach_[i];
+    std::size_t far = 0;  // the median is no further off than half of the stations are
+    for (const std::size_t j : beside_[i]) far += std::abs(stations[j].dz - stations[i].dz) > reach ? 1 : 0;
+    if (2 * far < beside_[i].size() || beside_[i].empty()) continue;
+    around_.clear();
+    for (const std::size_t j : beside_[i]) around_.push_back(stations[j].dz);
+    const auto middle = around_.begin() + static_cast<std::ptrdiff_t>(around_.size() / 2);
+    std::nth_element(around_.begin(), middle, around_.end());
+    if (std::abs(stations[i].dz - *middle) > reach) steadied_[i].dz = *middle;
+  }
+  return steadied_;
 }
 
 UnmovedDraws drawUnmoved(const std::vector<MatchedStation>& stations, const Removed& rest, const Removed& left,

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
-#include "core/deviates.h"
 #include "movement/epoch_matching.h"
 
 namespace tank_datum {
-
-constexpr std::size_t kDraws = 2000;  ///< simulated comparisons
 
 /// What all stations share of the errors, 1 sigma.
 struct CommonErrors {
@@ -35,36 +31,7 @@ class Steadied {
   std::vector<double> around_;
 };
 
-/// Comparisons of an unmoved tank. A station's own error is the mean of white noise along its window, so that stations
-/// share errors as far as they share points; to it come the errors that the surveys say their stations share.
-class Unmoved {
- public:
-  /// @param stations     before anything is removed
-  /// @param correlation  arc within which stations share points; 0: their windows [rad]
-  Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, double correlation);
-
-  /// Draws the stations with errors alone for dz.
-  const std::vector<MatchedStation>& draw();
-  /// Adds the height and the tilt that the registration leaves, as they were drawn with them.
-  void addRegistration(std::vector<MatchedStation>& stations) const;
-
- private:
-  struct Share {
-    std::size_t first, width;
-    double scale;
-  };
-  std::vector<MatchedStation> stations_;
-  CommonErrors common_;
-  std::size_t cells_ = 0;
-  std::vector<Share> shares_;
-  std::vector<double> own_;               ///< standard errors of the stations' own [m]
-  std::vector<Eigen::Vector2d> towards_;  ///< the stations from the axis, of length 1
-  double height_ = 0.0;                   ///< drawn [m]
-  Eigen::Vector2d rim_{0.0, 0.0};         ///< drawn [m]
-  Deviates normal_{20180419};
-};
-
-/// Comparisons of an unmoved tank that lose by the same fits what the differences lost.
+/// 2000 comparisons of an unmoved tank that lose by the same fits what the differences lost.
 struct UnmovedDraws {
   std::vector<double> largest_rest;  ///< out of plane: of each draw, in standard errors
   std::vector<float> dz;             ///< after the removal, a row per draw [m]
