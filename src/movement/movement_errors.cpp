@@ -57,6 +57,12 @@ int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedSt
   return standing;
 }
 
+double medianWindow(const std::vector<MatchedStation>& stations) {
+  std::vector<double> windows;
+  for (const MatchedStation& m : stations) windows.push_back(m.window);
+  return median(windows);
+}
+
 }  // namespace
 
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
@@ -67,6 +73,7 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   constexpr double kCautious = 1.25;    // an arc is known to about a quarter
   constexpr double kMisstated =
       4.0;  // errors are not stated by more too small, of a scan or a levelling: beyond, the tank moved
+  constexpr double kOfWindows = 2.0;  // an arc that is learnt, of errors that share no more than points
   MovementErrors errors;
   const std::size_t n = stations.size();
   std::vector<double> values;
@@ -89,8 +96,10 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   const double freedom = std::max(1.0, kEfficiency * (independent - taken));
   if (errors.shared > 0.0) errors.freedom_whole = freedom;  // the arc is known no better than a scale would be
   if (errors.shown <= (n < kFewStations ? kMismatch : 1.0)) return errors;
-  errors.scale = std::min(kMisstated, errors.shown);
-  if (errors.shown > kMisstated) return errors;
+  // what neighbours share by their windows alone is no movement
+  const bool is_noise = pairs.widest() > 0 && errors.shared < kOfWindows * medianWindow(stations);
+  errors.scale = is_noise ? errors.shown : std::min(kMisstated, errors.shown);
+  if (errors.scale < errors.shown) return errors;
   if (errors.shown > kMismatch) errors.freedom = errors.freedom_whole = freedom;
   return errors;
 }

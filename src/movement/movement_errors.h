@@ -8,7 +8,7 @@ namespace tank_datum {
 
 /// What the differences of two surveys show of their errors.
 struct MovementErrors {
-  double scale = 1.0;          ///< errors over the given sigmas, 1 to 4
+  double scale = 1.0;          ///< errors over the given sigmas, at least 1
   double shown = 1.0;          ///< the same as the stations show it, above or below 1
   double shared = 0.0;         ///< arc within which neighbours share errors; 0: not beyond what the surveys say [rad]
   double freedom = 0.0;        ///< degrees of freedom that the scale is known by; 0: the given sigmas stand
@@ -18,7 +18,8 @@ struct MovementErrors {
 /// Scatter and autocorrelation of dz about a robust plane, by biweight, medians and pairs of stations (RingPairs): a
 /// movement of less than half of the ring hardly changes them, nor does a long wave of the whole ring that stands far
 /// above the waves shorter than it. Fewer than 16 stations must scatter by a quarter more than their sigmas; the waves
-/// need 11, the autocorrelation 32. What stations scatter beyond four times their sigmas is movement, not error.
+/// need 11, the autocorrelation 32. What stations scatter beyond four times their sigmas is movement, not error,
+/// but for what neighbours share by their windows alone.
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations);
 
 /// Gives the stations the larger of given and shown errors of their own, and the wider of the arcs.

@@ -10,7 +10,10 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kFewest = 5.0;  // points of a sector that show something
+constexpr double kFewest = 5.0;            // points of a sector that show something
+constexpr std::size_t kDegrees = 360;      // sectors
+constexpr std::ptrdiff_t kJoined = 5;      // that show a wall of few points
+constexpr double kPlenty = 2.0 * kFewest;  // points of the wall in a degree, usually: one without any is no chance
 
 /// What a sector shows: points of the wall, and of the ground on either side of it.
 struct SectorSeen {
@@ -19,41 +22,54 @@ struct SectorSeen {
   void add(const SectorSeen& other) { wall += other.wall, inside += other.inside, outside += other.outside; }
   bool hasWall() const { return wall >= kFewest; }
   /// As ground that goes on from outside: strays lie thinner.
-  bool isOpen() const {
+  bool groundGoesOn() const {
     constexpr double kAsDense = 0.3;
-    return !hasWall() && outside >= kFewest && inside >= std::max(kFewest, kAsDense * outside);
+    return outside >= kFewest && inside >= std::max(kFewest, kAsDense * outside);
   }
 };
 
-/// Open sectors over those with a wall, of so many joined to one.
-double shareOpen(const std::vector<SectorSeen>& sectors, std::size_t joined) {
-  double walls = 0.0, open = 0.0;
-  for (std::size_t first = 0; first < sectors.size(); first += joined) {
-    SectorSeen sector;
-    for (std::size_t i = first; i < first + joined; ++i) sector.add(sectors[i]);
-    walls += sector.hasWall(), open += sector.isOpen();
+/// Degrees of a few joined ones in which the wall is seen, and those in which ground is and no wall.
+struct Degrees {
+  double wall = 0, open = 0;
+};
+
+/// Where the wall is seen by plenty of points, each degree is looked at: posts stand in some of them.
+Degrees degreesOf(const SectorSeen* first) {
+  constexpr double kNone = 0.1;  // of the fullest degree's points
+  SectorSeen all;
+  double fullest = 0.0;
+  for (const SectorSeen* degree = first; degree != first + kJoined; ++degree) {
+    all.add(*degree);
+    fullest = std::max(fullest, degree->wall);
   }
-  return walls > 0.0 ? open / walls : kUnknown;
+  const auto count = static_cast<double>(kJoined);
+  if (!all.hasWall()) return {0.0, all.groundGoesOn() ? count : 0.0};
+  if (all.wall < kPlenty * count) return {count, 0.0};
+  Degrees degrees;
+  for (const SectorSeen* degree = first; degree != first + kJoined; ++degree) {
+    const bool is_wall = degree->wall >= kNone * fullest;
+    degrees.wall += is_wall, degrees.open += !is_wall && degree->groundGoesOn();
+  }
+  return degrees;
 }
 
 }  // namespace
 
 double groundInside(const Ring& ring, const Tank& tank, const ShellEvidence& shell) {
-  constexpr std::size_t kSectors = 360, kJoined = 5;  // a degree tells posts from a wall, five tell it of few points
-  constexpr std::size_t kEnough = 200'000;            // points
-  constexpr double kClear = 0.15;                     // of the reach: the wall is above, the ground below
-  constexpr double kChance = 3.0;                     // standard errors
+  constexpr std::size_t kEnough = 200'000;  // points
+  constexpr double kClear = 0.15;           // of the reach: the wall is above, the ground below
+  constexpr double kChance = 3.0;           // standard errors
   if (!shell.known() || tank.side == Side::Inside) return kUnknown;
   const double radius = shell.circle.radius, near = shell.near();
   // opposite to the arc that is seen the circle errs by twice what its radius does
   const double clear = near + 2.0 * kChance * shell.sigma_radius;
-  std::vector<SectorSeen> sectors(kSectors);
+  std::vector<SectorSeen> sectors(kDegrees);
   const std::size_t stride = ring.points.size() / kEnough + 1;
   for (std::size_t i = 0; i < ring.points.size(); i += stride) {
     const Eigen::Vector3d& p = ring.points[i];
     const Eigen::Vector2d arm = p.head<2>() - shell.circle.center;
     const double off = arm.norm() - radius, turn = approxTurn(arm.x(), arm.y());
-    SectorSeen& sector = sectors[static_cast<std::size_t>(turn * kSectors) % kSectors];
+    SectorSeen& sector = sectors[static_cast<std::size_t>(turn * kDegrees) % kDegrees];
     if (p.z() - tank.foot(turn * kTwoPi) >= kClear * ring.reach) {
       sector.wall += std::abs(off) <= near ? 1.0 : 0.0;
     } else if (off < -clear) {
@@ -62,7 +78,12 @@ double groundInside(const Ring& ring, const Tank& tank, const ShellEvidence& she
       sector.outside += 1.0;
     }
   }
-  return std::fmax(shareOpen(sectors, kJoined), shareOpen(sectors, 1));  // passes over what is unknown
+  Degrees seen;
+  for (auto first = sectors.begin(); first != sectors.end(); first += kJoined) {
+    const Degrees degrees = degreesOf(&*first);
+    seen.wall += degrees.wall, seen.open += degrees.open;
+  }
+  return seen.wall > 0.0 ? seen.open / seen.wall : kUnknown;
 }
 
 }  // namespace tank_datum

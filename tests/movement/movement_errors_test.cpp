@@ -109,6 +109,19 @@ TEST(ShownErrors, TheyAreAtMostFourTimesAsLargeAsStated) {
   EXPECT_NEAR(of(40.0).shown, 40.0, 0.5);
 }
 
+TEST(ShownErrors, WhatNeighboursDoNotShareIsErrorHoweverLarge) {
+  const auto sixfold = [](int shared) {
+    auto stations = differences(360, shared, 3);
+    for (MatchedStation& m : stations) m.dz *= 6.0;
+    return shownErrors(stations);
+  };
+  for (const int shared : {1, 2, 3}) {
+    EXPECT_NEAR(sixfold(shared).scale, 6.0, 1.0) << shared;
+    EXPECT_GT(sixfold(shared).freedom, 0.0) << shared;
+  }
+  EXPECT_EQ(sixfold(20).scale, 4.0) << "as a movement is";
+}
+
 TEST(ShownErrors, AScaleFromResidualsIsKnownByAsManyAsTheBiweightUses) {
   EXPECT_EQ(shownErrors(scattered(28, 1.15)).freedom, 0.0) << "the given sigmas stand";
   EXPECT_NEAR(shownErrors(scattered(28, 1.35)).freedom, 0.87 * 25.0, 1e-9);

@@ -90,8 +90,9 @@ TEST(GroundInside, FromInsideItIsTheTanksOwn) {
   EXPECT_TRUE(std::isnan(shareOf(seen)));
 }
 
-/// Posts every five degrees, each `wide` degrees, before ground that goes on.
-double shareBehindPosts(double wide, int of_degree) {
+/// Posts every five degrees, each `wide` degrees, before ground that goes on; between them every so manyth point is of
+/// a wall.
+double shareBehindPosts(double wide, int of_degree, int every = 1 << 20) {
   Tank tank;
   tank.circle = {{0.0, 0.0}, kRadius};
   tank.foot.coefficients = Eigen::Vector3d(0.0, 0.0, 0.0);
@@ -109,16 +110,21 @@ double shareBehindPosts(double wide, int of_degree) {
       ring.points.emplace_back(p.x(), p.y(), z);
     };
     add(0.3, 0.0);
-    std::fmod(degrees, 5.0) < wide ? add(0.0, 0.3) : add(-0.3, 0.0);
+    std::fmod(degrees, 5.0) < wide || i % every == every - 1 ? add(0.0, 0.3) : add(-0.3, 0.0);
   }
   return groundInside(ring, tank, shell);
 }
 
 TEST(GroundInside, IsSeenBetweenPosts) {
-  EXPECT_NEAR(shareBehindPosts(2.0, 10), 3.0 / 2.0, 1e-12);
-  EXPECT_NEAR(shareBehindPosts(4.0, 10), 1.0 / 4.0, 1e-12);
-  EXPECT_EQ(shareBehindPosts(2.0, 4), 0.0) << "too few points of a degree";
-  EXPECT_EQ(shareBehindPosts(5.0, 10), 0.0) << "a wall";
+  EXPECT_NEAR(shareBehindPosts(2.0, 30), 3.0 / 2.0, 1e-12);
+  EXPECT_NEAR(shareBehindPosts(4.0, 30), 1.0 / 4.0, 1e-12);
+  EXPECT_EQ(shareBehindPosts(2.0, 20), 0.0) << "a wall of so few points has degrees without one";
+  EXPECT_EQ(shareBehindPosts(5.0, 30), 0.0) << "a wall";
+}
+
+TEST(GroundInside, BetweenPostsIsATenthOfTheirPointsAtMost) {
+  EXPECT_NEAR(shareBehindPosts(2.0, 40, 20), 3.0 / 2.0, 1e-12);
+  EXPECT_EQ(shareBehindPosts(2.0, 40, 7), 0.0);
 }
 
 }  // namespace tank_datum::ground_inside_test
