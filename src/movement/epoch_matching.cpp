@@ -8,7 +8,6 @@
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
-#include "tank_datum/core/error.h"
 
 namespace tank_datum {
 namespace {
@@ -109,18 +108,6 @@ std::vector<MatchedStation> matchAt(const Places& places, const std::vector<Elev
   return matched;
 }
 
-/// Mean squared standardised difference at a turn, without what is common: a tilt that has changed would turn the
-/// shape. NaN with too few stations.
-double misfitAt(const Epoch& baseline, const Epoch& current, double offset) {
-  const std::vector<MatchedStation> matched = matchStations(baseline, current, offset).stations;
-  const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
-  if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
-  double sum = 0;
-  for (const MatchedStation& m : Removed(matched, Removal::Tilt, false).stations)
-    sum += (m.dz / m.sigma) * (m.dz / m.sigma);
-  return sum / static_cast<double>(matched.size());
-}
-
 }  // namespace
 
 Matching matchStations(const Epoch& baseline, const Epoch& current, double offset) {
@@ -184,69 +171,6 @@ void CommonPart::removeFromErrors(std::vector<MatchedStation>& stations) const {
     m.sigma = std::hypot(own, m.shared.norm());
     m.sigma_baseline = std::hypot(own_of_baseline, m.sharedOfBaseline());
   }
-}
-
-namespace {
-
-/// Variance of an azimuth offset [rad^2].
-/// @param independent  what it were if the stations shared nothing but points [rad^2]
-/// @param information  on the offset, from the curvature of the misfit: slopes from station to station are noisy
-/// [rad^-2]
-double offsetVariance(std::vector<MatchedStation> stations, double independent, double information) {
-  const CommonPart rigid(stations, Removal::Tilt, false);
-  rigid.removeFromErrors(stations);
-  for (MatchedStation& m : stations) m.dz = m.slope;
-  rigid.removeFrom(stations);
-  double own = 0.0;
-  Eigen::VectorXd shared = Eigen::VectorXd::Zero(stations.front().shared.size());
-  for (const MatchedStation& m : stations) {
-    own += square(m.own() / m.sigma);
-    shared += m.dz / square(m.sigma) * m.shared;
-  }
-  return independent * own / static_cast<double>(stations.size()) + shared.squaredNorm() / square(information);
-}
-
-}  // namespace
-
-AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
-  constexpr int kSteps = 720;
-  constexpr double kStep = kTwoPi / kSteps, kElsewhere = 10.0 * kPi / 180.0;
-  const auto at = [&](double offset) { return misfitAt(baseline, current, offset); };
-  std::vector<double> misfits;
-  int best = -1;
-  for (int i = 0; i < kSteps; ++i) {
-    misfits.push_back(at(i * kStep));
-    if (std::isfinite(misfits.back()) && (best < 0 || misfits.back() < misfits[static_cast<std::size_t>(best)]))
-      best = i;
-  }
-  double second = std::nan("");
-  for (int i = 0; i < kSteps && best >= 0; ++i) {
-    const double away = std::abs(std::remainder((i - best) * kStep, kTwoPi));
-    if (away > kElsewhere && !(misfits[static_cast<std::size_t>(i)] >= second)) {
-      if (std::isfinite(misfits[static_cast<std::size_t>(i)])) second = misfits[static_cast<std::size_t>(i)];
-    }
-  }
-  // the parabola through three turns two degrees apart
-  constexpr double kReach = 4 * kStep;
-  const double middle = best < 0 ? std::nan("") : misfits[static_cast<std::size_t>(best)];
-  const double before = at(best * kStep - kReach), after = at(best * kStep + kReach);
-  const double curvature = (before - 2.0 * middle + after) / (kReach * kReach);
-  if (!(curvature > 0.0) || !(second > 2.0 * std::max(middle, 1.0))) {
-    throw Error(Error::Kind::Option, "movement", "azimuth offset",
-                "the datum's shape out of plane fits more than one turn", "an azimuth offset that is given");
-  }
-  AzimuthOffset offset;
-  offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);
-  // neighbours share points: as many independent differences as their windows fit into the turn
-  const std::vector<MatchedStation> matched = matchStations(baseline, current, offset.value).stations;
-  std::vector<double> windows;
-  for (const MatchedStation& m : matched) windows.push_back(m.window);
-  const double shared = options.correlation > 0.0 ? options.correlation : median(windows);
-  const double independent = std::min(static_cast<double>(windows.size()), kTwoPi / std::max(shared, kStep));
-  const double information = 0.5 * static_cast<double>(matched.size()) * curvature;
-  offset.sigma =
-      std::sqrt(offsetVariance(matched, 2.0 * std::max(middle, 1.0) / (independent * curvature), information));
-  return offset;
 }
 
 }  // namespace tank_datum

@@ -74,16 +74,7 @@ struct Removed {
   }
 };
 
-struct AzimuthOffset {
-  double value = 0.0;  ///< [rad]
-  double sigma = 0.0;  ///< its standard error [rad]
-};
-
 /// A direction as a survey counts azimuths, from where its own zero is and whichever way round [rad].
 double azimuthIn(const Epoch& epoch, double direction);
-
-/// The turn of the current survey at which the shapes out of plane agree best.
-/// @throws Error (Option) when the shape does not single out one turn
-AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
 
 }  // namespace tank_datum

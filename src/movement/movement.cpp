@@ -10,6 +10,7 @@
 #include "core/refusal.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "movement/azimuth_offset.h"
 #include "movement/epoch_matching.h"
 #include "movement/movement_errors.h"
 #include "movement/movement_significance.h"

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "fit/harmonics.h"
+#include "movement/azimuth_offset.h"
 #include "movement/epoch_matching.h"
 #include "movement/movement_errors.h"
 #include "movement/movement_significance.h"

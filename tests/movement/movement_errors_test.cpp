@@ -110,12 +110,12 @@ TEST(ShownErrors, TheyAreAtMostFourTimesAsLargeAsStated) {
 }
 
 TEST(ShownErrors, WhatNeighboursDoNotShareIsErrorHoweverLarge) {
-  const auto sixfold = [](int shared) {
+  const auto sixfold = [](std::size_t shared) {
     auto stations = differences(360, shared, 3);
     for (MatchedStation& m : stations) m.dz *= 6.0;
     return shownErrors(stations);
   };
-  for (const int shared : {1, 2, 3}) {
+  for (const std::size_t shared : {1U, 2U, 3U}) {
     EXPECT_NEAR(sixfold(shared).scale, 6.0, 1.0) << shared;
     EXPECT_GT(sixfold(shared).freedom, 0.0) << shared;
   }
