@@ -20,16 +20,15 @@ double misfitAt(const Epoch& baseline, const Epoch& current, double offset) {
   const std::vector<MatchedStation> matched = matchStations(baseline, current, offset).stations;
   const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
   if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
+  const Removed rest(matched, Removal::Tilt, false);
   double sum = 0;
-  for (const MatchedStation& m : Removed(matched, Removal::Tilt, false).stations)
-    sum += (m.dz / m.sigma) * (m.dz / m.sigma);
+  for (const MatchedStation& m : rest.stations) sum += square(m.dz / m.sigma);
   return sum / static_cast<double>(matched.size());
 }
 
 /// Variance of an azimuth offset [rad^2].
 /// @param independent  what it were if the stations shared nothing but points [rad^2]
-/// @param information  on the offset, from the curvature of the misfit: slopes from station to station are noisy
-/// [rad^-2]
+/// @param information  of the offset [rad^-2], by the curvature of the misfit: slopes from station to station are noisy
 double offsetVariance(std::vector<MatchedStation> stations, double independent, double information) {
   const CommonPart rigid(stations, Removal::Tilt, false);
   rigid.removeFromErrors(stations);

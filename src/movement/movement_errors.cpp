@@ -76,8 +76,9 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   constexpr double kOfWindows = 2.0;  // an arc that is learnt, of errors that share no more than points
   MovementErrors errors;
   const std::size_t n = stations.size();
+  const Removed level(stations, Removal::Tilt, true);
   std::vector<double> values;
-  for (const MatchedStation& m : Removed(stations, Removal::Tilt, true).stations) values.push_back(m.dz / m.sigma);
+  for (const MatchedStation& m : level.stations) values.push_back(m.dz / m.sigma);
   const RingPairs pairs(stations);
   const int waves = removeStandingWaves(values, stations, pairs);
   const double scatter = pairs.scatterOf(values);
