@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/portable_math.h"
-#include "core/statistics.h"
 #include "core/units.h"
 #include "movement/epoch_matching.h"
 #include "tank_datum/core/error.h"
@@ -76,11 +75,9 @@ AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const 
   offset.value = std::remainder(best * kStep - 0.5 * (after - before) / (2.0 * kReach) * 2.0 / curvature, kTwoPi);
   // neighbours share points: as many independent differences as their windows fit into the turn
   const std::vector<MatchedStation> matched = matchStations(baseline, current, offset.value).stations;
-  std::vector<double> windows;
-  for (const MatchedStation& m : matched) windows.push_back(m.window);
-  const double shared = options.correlation > 0.0 ? options.correlation : median(windows);
-  const double independent = std::min(static_cast<double>(windows.size()), kTwoPi / std::max(shared, kStep));
-  const double information = 0.5 * static_cast<double>(matched.size()) * curvature;
+  const auto count = static_cast<double>(matched.size());
+  const double shared = options.correlation > 0.0 ? options.correlation : medianWindow(matched);
+  const double independent = std::min(count, kTwoPi / std::max(shared, kStep)), information = 0.5 * count * curvature;
   offset.sigma =
       std::sqrt(offsetVariance(matched, 2.0 * std::max(middle, 1.0) / (independent * curvature), information));
   return offset;

@@ -117,6 +117,12 @@ Matching matchStations(const Epoch& baseline, const Epoch& current, double offse
   return at_baseline.stations.size() > at_current.stations.size() ? at_baseline : at_current;
 }
 
+double medianWindow(const std::vector<MatchedStation>& stations) {
+  std::vector<double> windows;
+  for (const MatchedStation& m : stations) windows.push_back(m.window);
+  return median(windows);
+}
+
 double azimuthIn(const Epoch& epoch, double direction) {
   const Elevation &first = epoch.stations.front(), &second = epoch.stations[epoch.stations.size() > 1 ? 1 : 0];
   const double azimuths = std::remainder(second.azimuth - first.azimuth, kTwoPi);

@@ -47,6 +47,9 @@ struct Matching {
 /// baseline's where that compares more of them.
 Matching matchStations(const Epoch& baseline, const Epoch& current, double offset);
 
+/// Of the arcs that elevations come from [rad].
+double medianWindow(const std::vector<MatchedStation>& stations);
+
 /// Takes a common height or tilt, fitted with weights 1/sigma^2, from dz.
 class CommonPart {
  public:

@@ -57,12 +57,6 @@ int removeStandingWaves(std::vector<double>& values, const std::vector<MatchedSt
   return standing;
 }
 
-double medianWindow(const std::vector<MatchedStation>& stations) {
-  std::vector<double> windows;
-  for (const MatchedStation& m : stations) windows.push_back(m.window);
-  return median(windows);
-}
-
 }  // namespace
 
 MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
@@ -71,9 +65,8 @@ MovementErrors shownErrors(const std::vector<MatchedStation>& stations) {
   constexpr double kEfficiency = 0.87;  // of biweightSigma
   constexpr double kNone = 0.35;        // correlations below it are none: a wide movement of one sigma makes as much
   constexpr double kCautious = 1.25;    // an arc is known to about a quarter
-  constexpr double kMisstated =
-      4.0;  // errors are not stated by more too small, of a scan or a levelling: beyond, the tank moved
-  constexpr double kOfWindows = 2.0;  // an arc that is learnt, of errors that share no more than points
+  constexpr double kMisstated = 4.0;    // errors are not stated by more too small: beyond, the tank moved
+  constexpr double kOfWindows = 2.0;    // an arc that is learnt, of errors that share no more than points
   MovementErrors errors;
   const std::size_t n = stations.size();
   const Removed level(stations, Removal::Tilt, true);
