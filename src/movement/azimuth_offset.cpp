@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/portable_math.h"
@@ -16,30 +17,28 @@ namespace {
 /// Mean squared standardised difference at a turn, without what is common: a tilt that has changed would turn the
 /// shape. NaN with too few stations.
 double misfitAt(const Epoch& baseline, const Epoch& current, double offset) {
-  const std::vector<MatchedStation> matched = matchStations(baseline, current, offset).stations;
+  std::vector<MatchedStation> matched = matchStations(baseline, current, offset).stations;
   const std::size_t sparser = std::min(baseline.judgeable(), current.judgeable());
   if (2 * matched.size() < sparser || matched.empty()) return std::nan("");
-  const Removed rest(matched, Removal::Tilt, false);
+  const Removed rest(std::move(matched), Removal::Tilt, false);
   double sum = 0;
   for (const MatchedStation& m : rest.stations) sum += square(m.dz / m.sigma);
-  return sum / static_cast<double>(matched.size());
+  return sum / static_cast<double>(rest.stations.size());
 }
 
 /// Variance of an azimuth offset [rad^2].
 /// @param independent  what it were if the stations shared nothing but points [rad^2]
 /// @param information  of the offset [rad^-2], by the curvature of the misfit: slopes from station to station are noisy
 double offsetVariance(std::vector<MatchedStation> stations, double independent, double information) {
-  const CommonPart rigid(stations, Removal::Tilt, false);
-  rigid.removeFromErrors(stations);
   for (MatchedStation& m : stations) m.dz = m.slope;
-  rigid.removeFrom(stations);
+  const Removed slopes(std::move(stations), Removal::Tilt, false);
   double own = 0.0;
-  Eigen::VectorXd shared = Eigen::VectorXd::Zero(stations.front().shared.size());
-  for (const MatchedStation& m : stations) {
+  Eigen::VectorXd shared = Eigen::VectorXd::Zero(slopes.stations.front().shared.size());
+  for (const MatchedStation& m : slopes.stations) {
     own += square(m.own() / m.sigma);
     shared += m.dz / square(m.sigma) * m.shared;
   }
-  return independent * own / static_cast<double>(stations.size()) + shared.squaredNorm() / square(information);
+  return independent * own / static_cast<double>(slopes.stations.size()) + shared.squaredNorm() / square(information);
 }
 
 }  // namespace

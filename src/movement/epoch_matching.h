@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/portable_math.h"
@@ -70,8 +71,8 @@ struct Removed {
   CommonPart part;
   std::vector<MatchedStation> stations;  ///< dz and errors without it
 
-  Removed(const std::vector<MatchedStation>& given, Removal removal, bool robust)
-      : part(given, removal, robust), stations(given) {
+  Removed(std::vector<MatchedStation> given, Removal removal, bool robust)
+      : part(given, removal, robust), stations(std::move(given)) {
     part.removeFrom(stations);
     part.removeFromErrors(stations);
   }

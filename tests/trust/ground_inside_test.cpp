@@ -20,29 +20,42 @@ struct Seen {
   Side side = Side::Outside;
 };
 
-double shareOf(const Seen& seen) {
+/// A tank off the origin and what is seen about it.
+struct Scene {
   Tank tank;
-  tank.circle = {{1.0, -2.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d(0.25, 0.0, 0.0);
-  tank.side = seen.side;
   ShellEvidence shell;
-  shell.circle = tank.circle;
-  shell.noise = kNoise;
-  shell.sigma_radius = seen.sigma_radius;
   Ring ring;
-  ring.reach = 0.5;
+
+  Scene() {
+    tank.circle = {{1.0, -2.0}, kRadius};
+    tank.foot.coefficients = Eigen::Vector3d(0.25, 0.0, 0.0);
+    shell.circle = tank.circle;
+    shell.noise = kNoise;
+    shell.sigma_radius = 0.0;
+    ring.reach = 0.5;
+  }
+  void add(double azimuth, double off, double height) {
+    const double r = kRadius + off;
+    ring.points.emplace_back(1.0 + r * std::cos(azimuth), -2.0 + r * std::sin(azimuth), 0.25 + height);
+  }
+  double share() const { return groundInside(ring, tank, shell); }
+};
+
+double shareOf(const Seen& seen) {
+  Scene scene;
+  scene.tank.side = seen.side;
+  scene.shell.sigma_radius = seen.sigma_radius;
   const auto add = [&](double from, double to, int of_sector, double off_from, double off_to, double height) {
     const int count = static_cast<int>(std::lround((to - from) / 5.0)) * of_sector;
     for (int i = 0; i < count; ++i) {
       const double share = (i + 0.5) / count, a = (from + (to - from) * share) * kDegree;
-      const double r = kRadius + off_from + (off_to - off_from) * std::fmod(0.618034 * i, 1.0);
-      ring.points.emplace_back(1.0 + r * std::cos(a), -2.0 + r * std::sin(a), 0.25 + height);
+      scene.add(a, off_from + (off_to - off_from) * std::fmod(0.618034 * i, 1.0), height);
     }
   };
   add(0.0, 80.0, 40, -0.005, 0.005, seen.wall_from);
   add(0.0, 360.0, seen.outside, 0.2, 0.4, 0.0);
   add(seen.at, seen.at + 60.0, seen.inside, -seen.from, -seen.to, 0.0);
-  return groundInside(ring, tank, shell);
+  return scene.share();
 }
 
 TEST(GroundInside, IsCountedBesideTheWall) {
@@ -93,26 +106,13 @@ TEST(GroundInside, FromInsideItIsTheTanksOwn) {
 /// Posts every five degrees, each `wide` degrees, before ground that goes on; between them every so manyth point is of
 /// a wall.
 double shareBehindPosts(double wide, int of_degree, int every = 1 << 20) {
-  Tank tank;
-  tank.circle = {{0.0, 0.0}, kRadius};
-  tank.foot.coefficients = Eigen::Vector3d(0.0, 0.0, 0.0);
-  ShellEvidence shell;
-  shell.circle = tank.circle;
-  shell.noise = kNoise;
-  shell.sigma_radius = 0.001;
-  Ring ring;
-  ring.reach = 0.5;
+  Scene scene;
   for (int i = 0; i < 360 * of_degree; ++i) {
     const double degrees = (i + 0.5) / of_degree, a = degrees * kDegree;
-    const Eigen::Vector2d towards(std::cos(a), std::sin(a));
-    const auto add = [&](double off, double z) {
-      const Eigen::Vector2d p = (kRadius + off) * towards;
-      ring.points.emplace_back(p.x(), p.y(), z);
-    };
-    add(0.3, 0.0);
-    std::fmod(degrees, 5.0) < wide || i % every == every - 1 ? add(0.0, 0.3) : add(-0.3, 0.0);
+    scene.add(a, 0.3, 0.0);
+    std::fmod(degrees, 5.0) < wide || i % every == every - 1 ? scene.add(a, 0.0, 0.3) : scene.add(a, -0.3, 0.0);
   }
-  return groundInside(ring, tank, shell);
+  return scene.share();
 }
 
 TEST(GroundInside, IsSeenBetweenPosts) {
