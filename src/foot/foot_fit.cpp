@@ -5,45 +5,41 @@
 #include <cmath>
 #include <utility>
 
-#include "core/parts.h"
+#include "core/parallel.h"
 #include "core/portable_math.h"
 #include "fit/surface_rows.h"
 #include "foot/foot_profile.h"
 
 namespace tank_datum {
 
-FootRing::FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach) {
-  struct Sides {
-    Entries around, behind;
-  };
-  const auto& points = ring.points();
-  auto parts = ofParts(points.size(), 0, [&](std::size_t begin, std::size_t end) {
-    Sides part;
+FootRing::FootRing(PolarRing ring, const ShellModel& shell, double side, double reach)
+    : entries_(ring.points().size()), behind_(-0.1 * reach) {
+  forEachRun(entries_.size(), 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const double radius = shell.at(points[i].azimuth), d = side * (points[i].radius - radius);
-      if (!(std::abs(d) < reach)) continue;
-      (d > -0.1 * reach ? part.around : part.behind).push_back({points[i].azimuth, radius, d, points[i].z});
+      const PolarPoint& p = ring.points()[i];
+      const double radius = shell.at(p.azimuth);
+      entries_[i] = {p.azimuth, radius, side * (p.radius - radius), p.z};
     }
-    return part;
   });
-  std::vector<Entries> around, behind;
-  for (Sides& part : parts) around.push_back(std::move(part.around)), behind.push_back(std::move(part.behind));
-  entries_ = concatenated(around);
-  behind_ = concatenated(behind);
+  const auto is_far = [reach](const Entry& e) { return !(std::abs(e.d) < reach); };
+  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_far), entries_.end());
 }
 
 std::vector<FootPoint> FootRing::around(double azimuth, double half_width, double z, double height) const {
+  std::size_t count = 0;
+  visitAround(azimuth, half_width, z, height, [&count](const FootPoint&) { ++count; });
   std::vector<FootPoint> points;
+  points.reserve(count);
   visitAround(azimuth, half_width, z, height, [&points](const FootPoint& p) { points.push_back(p); });
   return points;
 }
 
-std::pair<std::size_t, std::size_t> FootRing::between(const Entries& entries, double from, double to) {
-  const auto first = std::lower_bound(entries.begin(), entries.end(), from,
+std::pair<std::size_t, std::size_t> FootRing::between(double from, double to) const {
+  const auto first = std::lower_bound(entries_.begin(), entries_.end(), from,
                                       [](const Entry& e, double value) { return e.azimuth < value; });
   const auto last =
-      std::upper_bound(first, entries.end(), to, [](double value, const Entry& e) { return value < e.azimuth; });
-  return {static_cast<std::size_t>(first - entries.begin()), static_cast<std::size_t>(last - entries.begin())};
+      std::upper_bound(first, entries_.end(), to, [](double value, const Entry& e) { return value < e.azimuth; });
+  return {static_cast<std::size_t>(first - entries_.begin()), static_cast<std::size_t>(last - entries_.begin())};
 }
 
 namespace {

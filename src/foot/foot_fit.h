@@ -48,8 +48,9 @@ struct FootFit {
 /// The ring's points as the foot sees them: arc along the shell, distance from it, elevation; in order of azimuth.
 class FootRing {
  public:
+  /// @param ring  taken over, so that its points are not held twice
   /// @param side  +1 when the foundation lies outside of the shell, -1 inside
-  FootRing(const PolarRing& ring, const ShellModel& shell, double side, double reach);
+  FootRing(PolarRing ring, const ShellModel& shell, double side, double reach);
 
   /// Leaves out what stands upright before the shell, as chairs and plants do, with the ground about its foot: points
   /// low on an upright face are near the foundation's level, and on one side of it.
@@ -62,13 +63,17 @@ class FootRing {
   /// Calls visit(point) for each of them.
   template <typename Visit>
   void visitAround(double azimuth, double half_width, double z, double height, Visit&& visit) const {
-    visitIn(entries_, azimuth, half_width, z, height, visit);
+    visitIn(azimuth, half_width, z, height, [&](const FootPoint& p) {
+      if (p.d > behind_) visit(p);
+    });
   }
 
   /// The same of those farther behind the shell than its noise and what stands against it reach.
   template <typename Visit>
   void visitBehind(double azimuth, double half_width, double z, double height, Visit&& visit) const {
-    visitIn(behind_, azimuth, half_width, z, height, visit);
+    visitIn(azimuth, half_width, z, height, [&](const FootPoint& p) {
+      if (p.d <= behind_) visit(p);
+    });
   }
 
  private:
@@ -78,21 +83,21 @@ class FootRing {
   using Entries = std::vector<Entry, DefaultInitAllocator<Entry>>;
 
   /// Indices of the first entry from an azimuth on, and of the first beyond another.
-  static std::pair<std::size_t, std::size_t> between(const Entries& entries, double from, double to);
+  std::pair<std::size_t, std::size_t> between(double from, double to) const;
 
   template <typename Visit>
-  static void visitIn(const Entries& entries, double azimuth, double half_width, double z, double height,
-                      Visit&& visit) {
+  void visitIn(double azimuth, double half_width, double z, double height, Visit&& visit) const {
     for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
-      const auto [begin, end] = between(entries, azimuth + shift - half_width, azimuth + shift + half_width);
+      const auto [begin, end] = between(azimuth + shift - half_width, azimuth + shift + half_width);
       for (std::size_t i = begin; i < end; ++i) {
-        const Entry& e = entries[i];
+        const Entry& e = entries_[i];
         if (std::abs(e.z - z) < height) visit(FootPoint{(e.azimuth - azimuth - shift) * e.radius, e.d, e.z});
       }
     }
   }
 
-  Entries entries_, behind_;
+  Entries entries_;
+  double behind_;  ///< distance from the shell of what is farther behind it than its noise reaches [m]
 };
 
 /// A robust plane z = z0 + slope d + along t + bend t^2 through the points in the profile's band, in which what is

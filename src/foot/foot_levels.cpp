@@ -111,6 +111,8 @@ struct OwnFits {
 /// its patches.
 std::vector<FittedPoints> fittedStretches(const Foot& foot, const FootPass& pass,
                                           const std::vector<StationStretch>& stretches, LevelRoughness& rough) {
+  const FootProfile& section = pass.sections.whole;
+  const Roughness patches = patchesOf(patchWindows(foot, pass), section);  // windows and stretches are not held at once
   std::vector<FittedPoints> fitted(stretches.size());
   const auto fitAll = [&](double shared) {
     forEachIndex(stretches.size(), 0, [&](std::size_t k) {
@@ -118,8 +120,6 @@ std::vector<FittedPoints> fittedStretches(const Foot& foot, const FootPass& pass
     });
   };
   fitAll(0.0);
-  const FootProfile& section = pass.sections.whole;
-  const Roughness patches = patchesOf(patchWindows(foot, pass), section);
   rough = levelRoughness(patches, section, foot.arc(), sharedRoughness(fitted, section));
   if (!pass.priors.settled) fitAll(rough.variance);
   return fitted;

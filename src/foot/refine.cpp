@@ -49,13 +49,14 @@ std::vector<double> directionsOf(const StationOptions& options) {
 }
 
 /// What the passes look at, each station's own points among it.
-Foot lookAtFoot(const PolarRing& polar, const ShellFits& shell, const Tank& tank, const RefineOptions& options,
+/// @param polar  taken over
+Foot lookAtFoot(PolarRing polar, const ShellFits& shell, const Tank& tank, const RefineOptions& options,
                 const StationOptions& station_options, double rounding) {
   const double reach = shell.heights.to;
   const double side = tank.side == Side::Outside ? 1.0 : -1.0;
   const double weld = std::min(options.largest_weld, 0.05 * reach);
   const FootScales scales{std::min(options.widest_band, reach), shell.noise(), weld};
-  Foot foot{FootRing(polar, ShellModel(shell.lines, station_options.zero_azimuth), side, reach),
+  Foot foot{FootRing(std::move(polar), ShellModel(shell.lines, station_options.zero_azimuth), side, reach),
             options,
             scales,
             reach,
@@ -165,10 +166,10 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   RefinedFoot found;
   found.refined.circle = tank.circle;
   found.refined.rounding = ring.rounding;
-  const PolarRing polar(ring.points, tank.circle.center);
+  PolarRing polar(ring.points, tank.circle.center);
   const ShellFits shell = fitShellLines(directionsOf(fitted), polar, tank, ring.reach);
   if (!(shell.noise() > 0.0)) return found;  // no shell line anywhere
-  const Foot foot = lookAtFoot(polar, shell, tank, options, fitted, ring.rounding);
+  const Foot foot = lookAtFoot(std::move(polar), shell, tank, options, fitted, ring.rounding);
   FootElevations elevations;
   const FootPass pass = runPasses(foot, tank, elevations);
   found.refined.profile = pass.sections.whole;
