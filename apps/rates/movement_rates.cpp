@@ -75,7 +75,7 @@ MovementRates ratesOf(const MovementTrial& trial) {
   const auto count = static_cast<std::size_t>(trial.runs);
   MovementOptions options = trial.options;
   if (trial.remove != "none") options.removal = trial.remove == "mean" ? Removal::Mean : Removal::Tilt;
-  std::vector<char> alarm(count), mean(count), tilt(count), found(count), elsewhere(count);
+  std::vector<char> alarm(count), mean(count), tilt(count), rest(count), any(count), found(count), elsewhere(count);
   forEachIndex(count, 0, [&](std::size_t i) {
     const Epoch before = surveyOf(trial, 3 * i, 0.0);
     const Movement still = compareEpochs(before, surveyOf(trial, 3 * i + 1, 0.0), options);
@@ -83,6 +83,8 @@ MovementRates ratesOf(const MovementTrial& trial) {
     alarm[i] = still.significant > 0;
     mean[i] = still.mean_significant;
     tilt[i] = still.tilt_significant;
+    rest[i] = still.rest_significant;
+    any[i] = still.moved();
     for (const StationMovement& s : moved.stations) {
       if (!s.significant) continue;
       const double off = std::abs(s.azimuth / kDegree - kMiddle);
@@ -96,6 +98,7 @@ MovementRates ratesOf(const MovementTrial& trial) {
     return static_cast<int>(std::count(marks.begin(), marks.end(), 1));
   };
   rates.alarms = those(alarm), rates.means = those(mean), rates.tilts = those(tilt);
+  rates.rests = those(rest), rates.moved = those(any);
   rates.found = those(found), rates.elsewhere = those(elsewhere);
   return rates;
 }
@@ -109,6 +112,8 @@ void print(const MovementTrial& trial, const MovementRates& rates) {
   line("unmoved: any significant station", rates.alarms);
   line("unmoved: mean settlement significant", rates.means);
   line("unmoved: change of tilt significant", rates.tilts);
+  line("unmoved: out of plane significant", rates.rests);
+  line("unmoved: moved, by any of these", rates.moved);
   line("dip: found", rates.found);
   line("dip: significant elsewhere too", rates.elsewhere);
 }

@@ -25,6 +25,8 @@ struct MovementTrial {
 struct MovementRates {
   int runs = 0, alarms = 0;  ///< unmoved pairs, and those with any significant station
   int means = 0, tilts = 0;  ///< unmoved pairs with a significant mean settlement, or change of tilt
+  int rests = 0;             ///< unmoved pairs with a significant movement out of plane
+  int moved = 0;             ///< unmoved pairs with any of these
   int found = 0;             ///< pairs with a significant station within the dip
   int elsewhere = 0;         ///< of the found: with one further than the dip's width from its middle
 };

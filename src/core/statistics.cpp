@@ -88,10 +88,14 @@ double tukeyWeight(double residual_in_sigmas) {
 
 double student95(double freedom) {
   constexpr double kOne = 12.706204736432095, kTwo = 4.302652729911275;
-  constexpr double z = kNormal95;
+  if (freedom > 0.0 && freedom <= 1.0) return kOne;
+  if (freedom > 0.0 && freedom <= 2.0) return kTwo;
+  return studentQuantile(freedom, kNormal95);
+}
+
+double studentQuantile(double freedom, double deviate) {
+  const double z = deviate;
   if (!(freedom > 0.0)) return z;
-  if (freedom <= 1.0) return kOne;
-  if (freedom <= 2.0) return kTwo;
   const double z2 = z * z, n = freedom;
   const double first = z * (z2 + 1.0) / 4.0;
   const double second = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;

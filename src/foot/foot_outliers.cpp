@@ -63,18 +63,19 @@ std::vector<bool> findSupport(const Foot& foot, const FootPass& pass) {
 }
 
 /// Whether a surface falls outwards or rises as no foundation does at its shell, here or all round: a bank, or what
-/// beams leave that graze a crown before it. Rising all round, water would stand against the shell.
-bool isSteep(const FootFit& fit, const FootPriors& priors) {
+/// beams leave that graze a crown before it. Rising all round, water would stand against the shell, as it does on
+/// floors.
+bool isSteep(const Foot& foot, const FootFit& fit, const FootPriors& priors) {
   constexpr double kRises = 0.05;                    // all round [m/m]
   const bool is_known = priors.sigma_seen < kRises;  // of what is not, nothing says that it is a surface
   return std::abs(fit.slope) > FootPriors::kSteepestFoot + 3.0 * fit.sigma_slope || priors.falls() ||
-         priors.seen > kRises + (is_known ? 3.0 * priors.sigma_seen : 0.0);
+         (!foot.inside && priors.seen > kRises + (is_known ? 3.0 * priors.sigma_seen : 0.0));
 }
 
-/// isGrazed() of what a station's window shows.
+/// isGrazed() of what a station's window shows. Floors are seen from above them and may rise by as much as beams fall.
 bool isGrazedAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   const FootFit& fit = pass.fits[station];
-  if (!risesOutwards(fit)) return false;  // which spares gathering the points
+  if (foot.inside || !risesOutwards(fit)) return false;  // which spares gathering the points
   const auto points = foot.ring.around(foot.directions[station], fit.half_width, fit.z, foot.reach);
   return isGrazed(points, pass.sections.at(station), fit, foot.reach);
 }
@@ -92,7 +93,7 @@ struct StationFindings {
 RefusedLevel elsewhereAt(const Foot& foot, std::size_t station, const FootPass& pass) {
   const FootFit fit = fitAtOwnLevel(foot, station, pass);
   const bool is_no_foot = !fit.valid() || countShell(foot, station, fit).goOn() || isHeap(station, pass.priors, fit) ||
-                          isSteep(fit, pass.priors);
+                          isSteep(foot, fit, pass.priors);
   return is_no_foot ? RefusedLevel{} : RefusedLevel{fit.z, fit.along};
 }
 
@@ -108,7 +109,8 @@ StationFindings findingsAt(const Foot& foot, std::size_t station, const FootPass
     found.is_kerb = countShell(foot, station, fit).goOn();
     found.is_heap = isHeap(station, pass.priors, found.own) || isHeapInHalf(foot, station, pass) ||
                     isHeapBefore(foot, station, pass);
-    found.is_no_foot = found.is_kerb || found.is_heap || isSteep(fit, pass.priors) || isGrazedAt(foot, station, pass);
+    found.is_no_foot =
+        found.is_kerb || found.is_heap || isSteep(foot, fit, pass.priors) || isGrazedAt(foot, station, pass);
     if (found.is_no_foot ||
         !isSameSurface(foot.points[station], fit, pass.priors.slope[station], pass.sections.at(station)))
       found.reason = Unmeasured::OtherSurface;

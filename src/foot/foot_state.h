@@ -31,6 +31,7 @@ struct Foot {
   std::vector<double> directions;              ///< counter-clockwise at equal steps [rad]
   std::vector<std::vector<FootPoint>> points;  ///< of each station's own stretch
   std::vector<bool> shell_seen;                ///< whether the shell is seen at the station itself
+  bool inside = false;                         ///< a floor is seen inside the shell, which may rise away from it
 
   /// Arc between stations [m].
   double arc() const { return 2.0 * half_step * radius; }

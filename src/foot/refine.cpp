@@ -65,7 +65,8 @@ Foot lookAtFoot(PolarRing polar, const ShellFits& shell, const Tank& tank, const
             rounding,
             directionsOf(station_options),
             {},
-            {}};
+            {},
+            tank.side == Side::Inside};
   if (isResolved(foot)) foot.ring.leaveOutUprights(tank, scales.nearest(), reach);
   for (const ShellLine& line : shell.lines) foot.shell_seen.push_back(line.seen());
   foot.points.resize(foot.directions.size());

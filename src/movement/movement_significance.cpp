@@ -11,8 +11,6 @@
 namespace tank_datum {
 namespace {
 
-/// Aimed at, so that at most 5 % are left where errors reach somewhat beyond the windows that surveys give for them.
-constexpr double kFalseAlarms = 0.03;
 constexpr double kWidths[] = {0.0,          3 * kDegree,  6 * kDegree,
                               12 * kDegree, 24 * kDegree, 48 * kDegree};  ///< whole [rad]
 

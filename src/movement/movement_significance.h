@@ -7,6 +7,11 @@
 
 namespace tank_datum {
 
+/// Of each of the four tests of a comparison: mean, tilt, out of plane, stations. By any of them at most 5 % of unmoved
+/// tanks are said to have moved (Bonferroni).
+constexpr double kFalseAlarms = 0.05 / 4.0;
+constexpr double kNormalAlarms = 2.497705474412374;  ///< two-sided point of the normal distribution for that
+
 /// Which stations moved, and the threshold that says so.
 struct Significance {
   double threshold = 0.0;      ///< of |window mean| in its standard deviations
@@ -19,7 +24,7 @@ struct LargestRest {
   std::size_t station = 0;  ///< its index among those given
   double dz = 0.0;          ///< [m]
   double sigma = 0.0;       ///< standard error of that [m]
-  double threshold = 0.0;   ///< of |dz| in its standard errors: the 97 % point of the largest of an unmoved tank
+  double threshold = 0.0;   ///< of |dz| in its standard errors: beyond it is the largest of few unmoved tanks
   bool moved = false;       ///< beyond that, and not a single station that stands out from its neighbours
 };
 
@@ -29,9 +34,9 @@ struct LargestRest {
 LargestRest largestRest(const std::vector<MatchedStation>& stations, const std::vector<double>& drawn, double turn);
 
 /// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
-/// standard deviation on an unmoved tank. The threshold is the 97 % point of the largest of them all in 2000 simulated
-/// comparisons with the stations' own sigmas, the correlation of stations that share points, the common errors and the
-/// removal, so that false alarms are at most 5 % for the whole tank: a max-statistic (Westfall and Young,
+/// standard deviation on an unmoved tank. The threshold is beyond the largest of them all in all but kFalseAlarms of
+/// 2000 simulated comparisons with the stations' own sigmas, the correlation of stations that share points, the common
+/// errors and the removal: a max-statistic (Westfall and Young,
 /// Resampling-based multiple testing, 1993) over a scan of windows (Naus, JASA 60, 1965).
 /// Windows are judged from narrow to wide. One counts when it has moved without the stations found before too, or when
 /// such stations lie on either side of its middle, so that a movement does not spread over the wide windows it is in.

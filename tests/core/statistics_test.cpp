@@ -133,6 +133,13 @@ TEST(Student95, OfTables) {
   }
 }
 
+TEST(StudentQuantile, OfTables) {
+  constexpr double kNormal = 2.4977;  // the two-sided point of 98.75 %
+  EXPECT_NEAR(studentQuantile(5.0, kNormal), 3.810, 0.01);
+  EXPECT_NEAR(studentQuantile(30.0, kNormal), 2.657, 0.002);
+  EXPECT_EQ(studentQuantile(0.0, kNormal), kNormal);
+}
+
 TEST(ChiSquareQuantile, OfTables) {
   // the approximation's own error: 2.5 % at 1 degree of freedom, 0.4 % at 4
   EXPECT_NEAR(chiSquareQuantile(1.0, 1.6448536) / 3.841, 1.0, 0.026);

@@ -83,7 +83,7 @@ struct StationMovement {
   double rest = kUnknown;            ///< current less baseline without settlement and tilt of the whole [m]
   double sigma = kUnknown;           ///< standard error of dz, the registration's included [m]
   double sigma_baseline = kUnknown;  ///< the baseline's part of it [m]
-  bool significant = false;          ///< moved: false anywhere on an unmoved tank in at most 5 % of comparisons
+  bool significant = false;          ///< moved: anywhere on an unmoved tank in 1.25 % of comparisons
 
   double lod95() const;  ///< 95 % level of detection of this station alone [m]
 };
@@ -101,19 +101,19 @@ struct Movement {
   double errors_used = 1.0;           ///< what the given sigmas were multiplied by: that, where it is above 1 and error
   double shared_arc = 0.0;            ///< arc within which the differences show shared errors [rad]
   double mean = kUnknown, sigma_mean = kUnknown;  ///< settlement of the whole, before the removal [m]
-  bool mean_significant = false;                  ///< at 95 %, by itself
+  bool mean_significant = false;                  ///< at 98.75 %: one of four tests
   double tilt_change = kUnknown;                  ///< slope of the change of tilt, before the removal [m/m]
   double sigma_tilt_change = kUnknown;            ///< along its direction [m/m]
   double tilt_direction = kUnknown;               ///< towards the part that rose, in the baseline's frame [rad]
   double tilt_p_value = kUnknown;  ///< test on 2 degrees of freedom: chi-square, or F where the sigmas are estimated
-  bool tilt_significant = false;   ///< p < 0.05
+  bool tilt_significant = false;   ///< p < 0.0125
   double rise_azimuth = kUnknown;  ///< the same direction as the current survey counts it [rad]
   double max_rest = kUnknown;      ///< the rest of the largest magnitude, out of plane [m]
   double sigma_rest = kUnknown;    ///< its standard error [m]
   double rest_azimuth = kUnknown;  ///< where [rad]
-  double rest_threshold = 0.0;     ///< of its magnitude in its standard errors: 97 % of unmoved tanks show less
+  double rest_threshold = 0.0;     ///< of its magnitude in its standard errors: 98.75 % of unmoved tanks show less
   bool rest_significant = false;   ///< whether some are beyond it, no single ones among others
-  double threshold = kUnknown;     ///< of the largest standardised window mean on an unmoved tank, 97 %
+  double threshold = kUnknown;     ///< of the largest standardised window mean on an unmoved tank, 98.75 %
   std::vector<StationMovement> stations;  ///< of one survey, in its order: the current one's, or the sparser baseline's
   std::size_t matched = 0;                ///< stations measured in both
   std::size_t significant = 0;
@@ -123,7 +123,7 @@ struct Movement {
   std::string message;            ///< why there is none
 
   bool valid() const { return matched > 0 && message.empty(); }
-  /// Whether anything that was not removed has moved significantly.
+  /// Whether anything that was not removed has moved significantly: of unmoved tanks at most 5 % have.
   bool moved() const;
 };
 
