@@ -51,13 +51,13 @@ SetupAgreement adjustSetups(Ring& ring, const Scan& scan, const Tank& tank, cons
   return agreement;
 }
 
-/// The paper's curve, and the stations on it. The normals are held for it alone.
-FootResult measurePaperCurve(const Ring& ring, const Tank& tank, const DatumOptions& options,
-                             const Callbacks& callbacks) {
+/// The stages at the foot, from the ring of the tank to its stations.
+FootResult measureUprightFoot(const Ring& ring, const Tank& tank, const DatumOptions& options,
+                              const Callbacks& callbacks) {
   FootResult foot;
   tell(callbacks, "normals");
-  const Normals normals = callbacks.normals ? callbacks.normals(ring.search, options.normals, options.threads)
-                                            : estimateNormals(ring.search, options.normals, options.threads);
+  Normals normals = callbacks.normals ? callbacks.normals(ring.search, options.normals, options.threads)
+                                      : estimateNormals(ring.search, options.normals, options.threads);
   tell(callbacks, "region_growing");
   const auto candidates = growCandidates(normals, options.growing, options.threads);
   tell(callbacks, "centre_filter");
@@ -72,13 +72,7 @@ FootResult measurePaperCurve(const Ring& ring, const Tank& tank, const DatumOpti
     for (Station& s : foot.stations) s.z_paper = s.z;
   }
   foot.circle = edge.circle;
-  return foot;
-}
-
-/// The stages at the foot, from the ring of the tank to its stations.
-FootResult measureUprightFoot(const Ring& ring, const Tank& tank, const DatumOptions& options,
-                              const Callbacks& callbacks) {
-  FootResult foot = measurePaperCurve(ring, tank, options, callbacks);
+  normals = {};  // refining holds the ring in other orders
   tell(callbacks, "refine");
   if (options.method == Method::Paper) return foot;
   RefinedFoot refined = refineStations(ring, tank, options.refine, options.stations);
