@@ -42,14 +42,14 @@ std::vector<StationMovement> stationsOf(const Epoch& baseline, const Epoch& curr
 /// Settlement and tilt of the whole, each with its test.
 void describeWhole(const CommonMotion& motion, double freedom, double radius, Movement& movement) {
   movement.mean = motion.mean, movement.sigma_mean = motion.sigma_mean;
-  movement.mean_significant = std::abs(motion.mean) > studentQuantile(freedom, kNormalAlarms) * motion.sigma_mean;
+  movement.mean_significant = std::abs(motion.mean) > studentQuantile(freedom, kNormalPerTest) * motion.sigma_mean;
   const double rim = motion.rim.norm();
   movement.tilt_change = rim / radius;
   const Eigen::Vector2d along = rim > 0.0 ? motion.rim.normalized() : Eigen::Vector2d(1.0, 0.0);
   movement.sigma_tilt_change = std::sqrt(along.dot(motion.covariance * along)) / radius;
   movement.tilt_direction = withinTurn(portable::atan2(motion.rim.y(), motion.rim.x()));
   movement.tilt_p_value = tiltPValue(motion, freedom);
-  movement.tilt_significant = movement.tilt_p_value < kFalseAlarms;
+  movement.tilt_significant = movement.tilt_p_value < kAlarmsPerTest;
 }
 
 /// What is left of the movement without that of the tank as a rigid body, and its largest.

@@ -90,7 +90,7 @@ LargestRest largestRest(const std::vector<MatchedStation>& stations, const std::
     if (std::abs(stations[i].dz) > std::abs(stations[largest.station].dz)) largest.station = i;
   }
   largest.dz = stations[largest.station].dz, largest.sigma = sigmas[largest.station];
-  largest.threshold = quantile(drawn, 1.0 - kFalseAlarms);
+  largest.threshold = quantile(drawn, 1.0 - kAlarmsPerTest);
   largest.moved = largestOf(Steadied(stations).of(stations), sigmas) > largest.threshold;
   return largest;
 }
@@ -105,7 +105,7 @@ Significance findMoved(const std::vector<MatchedStation>& stations, const std::v
     scales.emplace_back(stations, result.moved, width, draws);
     scales.back().raise(maxima);
   }
-  result.threshold = quantile(maxima, 1.0 - kFalseAlarms);
+  result.threshold = quantile(maxima, 1.0 - kAlarmsPerTest);
   const std::vector<float> dz = dzOf(Steadied(stations).of(stations));
   for (std::size_t k = 0; k < scales.size(); ++k) {
     const std::vector<bool> before = result.moved, whole = scales[k].beyond(result.threshold, dz);

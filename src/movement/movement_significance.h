@@ -9,8 +9,8 @@ namespace tank_datum {
 
 /// Of each of the four tests of a comparison: mean, tilt, out of plane, stations. By any of them at most 5 % of unmoved
 /// tanks are said to have moved (Bonferroni).
-constexpr double kFalseAlarms = 0.05 / 4.0;
-constexpr double kNormalAlarms = 2.497705474412374;  ///< two-sided point of the normal distribution for that
+constexpr double kAlarmsPerTest = 0.05 / 4.0;
+constexpr double kNormalPerTest = 2.497705474412374;  ///< two-sided point of the normal distribution for that
 
 /// Which stations moved, and the threshold that says so.
 struct Significance {
@@ -34,7 +34,7 @@ struct LargestRest {
 LargestRest largestRest(const std::vector<MatchedStation>& stations, const std::vector<double>& drawn, double turn);
 
 /// A multi-scale scan: means of dz over windows of one station to 48 degrees about every station, each in units of its
-/// standard deviation on an unmoved tank. The threshold is beyond the largest of them all in all but kFalseAlarms of
+/// standard deviation on an unmoved tank. The threshold is beyond the largest of them all in all but kAlarmsPerTest of
 /// 2000 simulated comparisons with the stations' own sigmas, the correlation of stations that share points, the common
 /// errors and the removal: a max-statistic (Westfall and Young,
 /// Resampling-based multiple testing, 1993) over a scan of windows (Naus, JASA 60, 1965).
