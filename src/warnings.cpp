@@ -34,6 +34,16 @@ std::vector<std::string> warningsOf(const Datum& datum) {
                   "upon the foot; sigma_z holds half of that",
                   1e3 * datum.refined.maybe_pipe));
   }
+  if (datum.refined.liquid >= 1.0) {
+    warnings.push_back(
+        "all that meets the shell is level and without slope: if liquid or sludge stands in the tank, it lies on the "
+        "floor");
+  } else if (datum.refined.liquid > 0.0) {
+    warnings.push_back(
+        formatted("%.0f %% of what meets the shell is level and without slope as the floor beside it is not: liquid "
+                  "or sludge hides the floor there, and it is not measured",
+                  100.0 * datum.refined.liquid));
+  }
   return warnings;
 }
 

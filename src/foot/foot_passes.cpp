@@ -6,6 +6,7 @@
 #include "core/statistics.h"
 #include "fit/circular_series.h"
 #include "foot/hidden_strip.h"
+#include "foot/liquid_level.h"
 #include "foot/mixed_levels.h"
 #include "foot/rough_arcs.h"
 #include "foot/under_shell.h"
@@ -114,7 +115,9 @@ FootPass runPasses(const Foot& foot, const Tank& tank, FootElevations& elevation
   }
   if (isResolved(foot)) pass.sections.whole.unseen = hiddenBesideShell(foot, pass, elevations.filled);
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
-  return isResolved(foot) ? withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled)) : pass;
+  if (!isResolved(foot)) return pass;
+  pass = withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled));
+  return withoutLiquid(foot, std::move(pass));
 }
 
 }  // namespace tank_datum

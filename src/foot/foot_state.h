@@ -163,6 +163,7 @@ struct FootPass {
   std::vector<FootFit> fits;
   FootOutliers outliers;
   double under_shell = kUnknown;  ///< share of the stations under whose wall the foundation goes on, if not a few
+  double liquid = 0;              ///< share of the stations upon what lies as liquid does
 };
 
 /// The stations' elevations as the ring's own covariance lets neighbours help.

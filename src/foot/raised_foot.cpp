@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/portable_math.h"
 #include "core/statistics.h"
+#include "foot/plane_row.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -22,8 +22,6 @@ double lowestOfShell(const Foot& foot, std::size_t station) {
   std::nth_element(heights.begin(), heights.begin() + kStray, heights.end());
   return heights[kStray];
 }
-
-Eigen::Vector3d planeRow(double direction) { return {1.0, portable::cos(direction), portable::sin(direction)}; }
 
 /// A plane through levels, and how they scatter about it [m].
 struct Plane {

@@ -183,6 +183,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   levels.fits = withFallDoubted(std::move(levels.fits), pass.sections, foot.reach);
   levels.fits = withPipeDoubted(std::move(levels.fits), pass.sections, foot.reach);
   found.refined.maybe_pipe = std::max(heightOfPipe(pass.sections.whole, foot.reach), elevations.below_most);
+  found.refined.liquid = pass.liquid;
   found.refined.falls = pass.priors.falls() ? -pass.priors.seen : 0.0;
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;

@@ -85,6 +85,7 @@ struct Refined {
   double rounding = 0;             ///< step that the points' elevations were rounded to, where it is coarse [m]
   double narrow_lip = 0;           ///< how far a lip too narrow for the section lies above its surface; 0: none [m]
   double maybe_pipe = 0;           ///< how high what passes for a lip stands where it may be a pipe; else 0 [m]
+  double liquid = 0;               ///< share of the stations upon what lies as liquid does, inside; 1: so does a floor
   double falls = 0;                ///< what meets the shell, all round, as no foundation does; else 0 [m/m]
   double shell_from = kUnknown;    ///< height above the datum from which on the shell is seen, typical [m]
   double raised = kUnknown;        ///< of the stations above where the shell is seen elsewhere, over its scatter
