@@ -93,62 +93,89 @@ struct FeignedSlopes {
   }
 };
 
+/// Sums of what beams lift points by, as of the right side of the weighted normal equations.
+Eigen::Vector4d liftsOf(const SurfaceRows& rows, const BeamEffects& beams) {
+  Eigen::Vector4d sums = Eigen::Vector4d::Zero();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double d = rows.a()[i], t = rows.t()[i];
+    sums += rows.weights()[i] * beams.liftAt(d) * Eigen::Vector4d(1.0, d, t, t * t);
+  }
+  return sums;
+}
+
+/// The points on the surface that a fit goes through, between two distances from the shell [m].
+struct BandRows {
+  SurfaceRows rows;
+  double from, to;
+};
+
 /// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
 /// both err together, and a row of the scan close to an end of the band is cut on that side alone.
-/// @param rows  a is d, the residuals are z without the fit
-double selectionError(const SurfaceRows& rows, const Distances& distances, double from, double to) {
+/// @param band  a is d, the residuals are z without the fit
+double selectionError(const BandRows& band, const Distances& distances) {
+  const SurfaceRows& rows = band.rows;
   const std::vector<double>&d = rows.a(), &z = rows.residuals(), &weights = rows.weights();
   if (!(distances.squares > 0.0)) return 0.0;
   double mean_z = 0, products = 0;
   for (std::size_t i = 0; i < d.size(); ++i) mean_z += weights[i] * z[i];
   mean_z /= distances.weights;
   for (std::size_t i = 0; i < d.size(); ++i) products += weights[i] * (d[i] - distances.mean) * (z[i] - mean_z);
-  const double spread = distances.spread(), to_end = std::min(distances.mean - from, to - distances.mean) / spread;
+  const double spread = distances.spread(),
+               to_end = std::min(distances.mean - band.from, band.to - distances.mean) / spread;
   return std::abs(products / distances.squares) * spread * portable::exp(-0.5 * to_end * to_end);
 }
 
 /// The points on the surface that a fit looks at, up to where the surface or what is seen of it ends.
-/// @param to  where that is [m]
-SurfaceRows rowsOnSurface(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double& to) {
+/// @param from    where they begin [m]
+/// @param lifted  what is taken out of them
+BandRows rowsOnSurface(const std::vector<FootPoint>& points, const FootProfile& profile, double start, double from,
+                       const BeamEffects& lifted) {
   const auto on_surface = [&](const FootPoint& p) {
-    return p.d >= profile.band_from && p.d <= profile.edge && fitsLevel(p, start, profile);
+    return p.d >= from && p.d <= profile.edge && fitsLevel(p, start, profile);
   };
   double seen_to = 0;  // a shadow may end the surface before its edge does
   for (const FootPoint& p : points) {
     if (on_surface(p)) seen_to = std::max(seen_to, p.d);
   }
-  to = std::min(profile.band_to, seen_to - profile.blur);
-  SurfaceRows rows;
-  rows.reserve(points.size());
+  BandRows band{{}, from, std::min(profile.band_to, seen_to - profile.blur)};
+  band.rows.reserve(points.size());
   for (const FootPoint& p : points) {
-    if (p.d <= to && on_surface(p)) rows.add(p.d, p.t, p.z);
+    if (p.d <= band.to && on_surface(p)) band.rows.add(p.d, p.t, p.z - lifted.liftAt(p.d));
   }
-  return rows;
+  band.rows.close();
+  return band;
 }
 
-}  // namespace
+/// How well points tell a slope.
+struct Told {
+  double points, spread;
 
-FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start,
-                      const FootPrior& prior) {
+  explicit Told(const SurfaceRows& rows)
+      : points(static_cast<double>(rows.size())), spread(points > 0.0 ? Distances(rows).spread() : 0.0) {}
+  bool nearlyAs(const Told& all) const {
+    constexpr double kMost = 0.5;
+    return points > kMost * all.points && spread > kMost * all.spread;
+  }
+};
+
+FootFit fitBand(BandRows band, const FootProfile& profile, const FootPrior& prior) {
   constexpr double kSteepestSettlement = 0.01;  // of the datum along the shell [m/m]
   constexpr double kPooled = 10.0;  // how many points the noise of the whole ring counts for beside a station's own
+  SurfaceRows& rows = band.rows;
   FootFit fit;
-  double to = 0;
-  SurfaceRows rows = rowsOnSurface(points, profile, start, to);
   fit.points = rows.size();
   if (rows.size() < 4) return fit;
-  rows.close();
   double noise = profile.noise, alike = 1.0;  // so many points whose errors are alike count for one
   double own = profile.noise;
   Eigen::Matrix<double, 6, 1> solution;
   Eigen::Matrix<double, 6, 6> inverse;
+  Eigen::Matrix<double, 4, 6> terms;
   for (int iteration = 0; iteration < 8; ++iteration) {
     const SurfaceRows::Equations seen = rows.equations();
     const double used = seen.weight, hidden = std::max(0.0, prior.scatter * prior.scatter - own * own);
     const FeignedSlopes feigned(seen, hidden);
     alike = 1.0 + used * prior.shared / (noise * noise);
     const auto priorWeight = [&](double sigma) { return noise * noise / (sigma * sigma); };
-    Eigen::Matrix<double, 4, 6> terms;
     terms << Eigen::Matrix4d::Identity(), feigned.terms;
     Eigen::Matrix<double, 6, 6> normal = terms.transpose() * seen.matrix * terms;
     Eigen::Matrix<double, 6, 1> right = terms.transpose() * seen.right;
@@ -172,8 +199,11 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.bend = solution[3];
   const double error = noise * std::sqrt(alike);
   const Distances distances(rows);
-  fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(rows, distances, profile.band_from, to));
-  fit.sigma_slope = error * std::sqrt(inverse(1, 1));
+  fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(band, distances));
+  const Eigen::Matrix<double, 6, 1> lifts = inverse * (terms.transpose() * liftsOf(rows, prior.beams));
+  fit.lifted = {std::abs(lifts[0]), std::abs(lifts[1])};
+  fit.sigma = std::hypot(fit.sigma, fit.lifted.z);
+  fit.sigma_slope = std::hypot(error * std::sqrt(inverse(1, 1)), fit.lifted.slope);
   if (prior.rounding.step > 0.0) {
     const double across = distances.spread();
     fit.rounding = prior.rounding.errorOf(own, std::abs(prior.slope) * across);  // the fit's own slopes may be of steps
@@ -184,6 +214,23 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
   fit.own = own;
   fit.middle = distances.mean;
   return fit;
+}
+
+}  // namespace
+
+FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& profile, double start,
+                      const FootPrior& prior) {
+  constexpr double kLittle = 0.5;  // of the standard error
+  const auto rowsFrom = [&](double from, const BeamEffects& lifted) {
+    return rowsOnSurface(points, profile, start, from, lifted);
+  };
+  BandRows all = rowsFrom(profile.band_from, {});
+  const Told told(all.rows);
+  const FootFit fit = fitBand(std::move(all), profile, prior);
+  if (!fit.valid() || fit.lifted.z <= kLittle * fit.sigmaOfPoints()) return fit;
+  BandRows clear = rowsFrom(std::max(profile.band_from, prior.beams.to), {});
+  const bool is_clear = Told(clear.rows).nearlyAs(told);
+  return fitBand(is_clear ? std::move(clear) : rowsFrom(profile.band_from, prior.beams), profile, prior);
 }
 
 }  // namespace tank_datum

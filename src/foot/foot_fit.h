@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "core/rounding_step.h"
 #include "core/units.h"
+#include "foot/beam_effects.h"
 #include "foot/foot_profile.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
@@ -27,6 +29,17 @@ struct FootPrior {
   double shared = 0;       ///< variance that the points' errors have in common, the surface's own roughness [m^2]
   double scatter = 0;      ///< of points about the surface where many rows show it: one row of a scan hides it [m]
   Rounding rounding;       ///< of elevations [m]
+  BeamEffects beams;
+
+  void take(const BeamEffects& effects) {
+    beams = effects;
+    scatter = std::max(scatter, effects.scatter);
+  }
+};
+
+/// How far a fit may be off because beams that meet the shell too lift its points.
+struct LiftedFit {
+  double z = 0, slope = 0;  ///< [m], [m/m]
 };
 
 /// The foundation surface at one station: z at the shell, with its slope outwards.
@@ -38,11 +51,17 @@ struct FootFit {
   double noise = kUnknown;                          ///< standard deviation of the points about it [m]
   double own = kUnknown;                            ///< the same of these points alone [m]
   double row = kUnknown;                            ///< share by which they are one row of a scan, 0 to 1
+  LiftedFit lifted;                                 ///< in the standard errors too
   double rounding = 0;                              ///< standard error that rounding leaves in z, in sigma too [m]
   double half_width = kUnknown;                     ///< half the angle of the window the points come from [rad]
   std::size_t points = 0;                           ///< within the band of the profile
 
   bool valid() const { return sigma > 0.0; }
+  /// The standard error that more points lessen: without what beams do to all of them [m].
+  double sigmaOfPoints() const {
+    const double left = (sigma - lifted.z) * (sigma + lifted.z);
+    return left < 0.0 ? 0.0 : std::sqrt(left);  // NaN where there is none
+  }
 };
 
 /// The ring's points as the foot sees them: arc along the shell, distance from it, elevation; in order of azimuth.

@@ -164,18 +164,20 @@ RingProcess withShared(RingProcess process, const OwnFits& own, const std::vecto
   return process;
 }
 
-/// Of each station the standard error that no count of points lessens: by the slope that is settled, by blends, and by
-/// rounding.
-/// Slopes that differ from window to window by more than patches explain do so from station to station too.
+/// Of each station the standard error that no count of points lessens: by the slope that is settled, or what is known
+/// of it before, by blends, and by rounding. Slopes that differ from window to window by more than patches explain do
+/// so from station to station too.
 std::vector<double> sharedSigmas(const Foot& foot, const FootPass& pass, const LevelRoughness& rough) {
   const double misfit = misfitOf(pass.sections);
   const double uneven = rough.slopesBeyond(pass.priors.uneven, pass.sections.whole, kSlopeWindow * foot.radius);
   std::vector<double> shared;
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {
     const FootFit& fit = pass.fits[i];
-    const double slope =
-        pass.priors.settled && fit.valid() ? fit.middle * std::hypot(pass.priors.sigma_slope[i], uneven) : 0.0;
-    shared.push_back(std::hypot(std::hypot(slope, misfit), fit.rounding));
+    const double known = pass.priors.sigma_slope[i], told = square(fit.sigma_slope / known);
+    const double alike =
+        pass.priors.settled ? std::hypot(known, uneven) : std::hypot(pass.priors.feigned * told, pass.priors.lifted);
+    const double slope = fit.valid() ? fit.middle * alike : 0.0;
+    shared.push_back(std::hypot(std::hypot(slope, fit.lifted.z), std::hypot(misfit, fit.rounding)));
   }
   return shared;
 }

@@ -8,72 +8,19 @@
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
 #include "fit/circular_series.h"
-#include "fit/harmonics.h"
 #include "foot/foot_check.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
 #include "foot/ring_slope.h"
 #include "foot/slanting_beams.h"
 #include "foot/slope_windows.h"
+#include "foot/wide_slope.h"
 #include "stations/highest_wave.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/foot/refined.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kWideSlope = 0.1;  // of pads and floors, before they are looked at [m/m]
-
-/// What points scatter by about a wide surface, where many rows of the scan show it [m].
-double scatterOf(const std::vector<FootFit>& fits) {
-  std::vector<WeightedValue> own;
-  for (const FootFit& fit : fits) {
-    if (fit.valid()) own.push_back({fit.own, static_cast<double>(fit.points) * (1.0 - fit.row)});
-  }
-  return own.empty() ? 0.0 : weightedMedian(std::move(own));
-}
-
-/// The slope of a wide foundation surface round the tank, from windows ten degrees wide; soil would tilt its harmonic.
-/// Where one row of the scan creeps out across a window, its curve and the surface's slope cannot be told apart, and
-/// what rays that graze leave of the roughness tilts it by more than the points' scatter says.
-void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
-  constexpr double kHalfWindow = 5.0 * kPi / 180.0;
-  constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
-  constexpr std::size_t kFewest = 6;
-  SlopeWindows windows{36, kHalfWindow, kWideSlope, false};
-  windows.scatter = priors.scatter = scatterOf(fitSlopes(foot, elevations, sections, windows, priors.sigma_bend).fits);
-  const Slopes found = fitSlopes(foot, elevations, sections, windows, priors.sigma_bend);
-  priors.rounding.scatter = priors.scatter;
-  std::vector<WeightedValue> seen;
-  std::vector<double> all, azimuths, slopes, weights;
-  for (const FootFit& fit : found.fits) {
-    if (fit.valid()) seen.push_back({fit.slope, 1.0 / square(fit.sigma_slope)}), all.push_back(fit.slope);
-  }
-  if (seen.size() < kFewest) return;
-  priors.seen = weightedMedian(std::move(seen));
-  const double scatter = robustSigma(all, priors.seen);
-  priors.sigma_seen = kMedianOverMean * scatter / std::sqrt(static_cast<double>(all.size()));
-  double formal = 0, mean = 0;
-  for (std::size_t k = 0; k < found.fits.size(); ++k) {
-    const FootFit& fit = found.fits[k];
-    const double error = std::hypot(fit.sigma_slope, scatter);
-    if (!fit.valid() || std::abs(fit.slope - priors.seen) > kHeapFalls + 3.0 * error) continue;
-    azimuths.push_back(foot.directions[k * found.stride]);
-    slopes.push_back(fit.slope), weights.push_back(1.0 / square(error));
-    formal += 1.0 / square(fit.sigma_slope), mean += weights.back();
-  }
-  if (slopes.size() < kFewest) return;
-  const auto count = static_cast<double>(slopes.size());
-  for (double& w : weights) w *= count / mean;
-  const PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, {1, true, 0.02});
-  const double unit = std::max(fit.sigma * fit.sigma, count / formal);  // variance of a window's slope
-  const double among_windows = std::max(kLeastSigma * kLeastSigma, unit - count / formal);
-  for (std::size_t i = 0; i < priors.slope.size(); ++i) {
-    const Eigen::RowVectorXd row = harmonicRow(foot.directions[i], 1);
-    priors.slope[i] = fit(foot.directions[i]);
-    priors.sigma_slope[i] = std::sqrt(among_windows + unit * row.dot(row * fit.covariance));
-  }
-}
 
 /// The slope that range noise may feign in the windows together.
 double feignedSlopeOf(const Slopes& found, double shell_noise) {
@@ -226,6 +173,7 @@ FootPrior FootPriors::at(std::size_t station) const {
   prior.sigma_bend = sigma_bend;
   prior.scatter = scatter;
   prior.rounding = rounding;
+  if (!beams.empty()) prior.take(beams[station]);
   return prior;
 }
 

@@ -114,15 +114,18 @@ struct FootPriors {
   static constexpr double kSteepestFoot = 0.15;  ///< shoulders fall more steeply, but not at the shell [m/m]
 
   std::vector<double> slope, sigma_slope;  ///< [m/m]
-  double sigma_bend = 0;                   ///< of the datum's second-order term along the shell [1/m]
-  bool settled = false;                    ///< a station's own points have no more to say about its slope
-  double seen = 0;                         ///< as the ring's windows show it, feigned or not [m/m]
-  double sigma_seen = 0;                   ///< its standard error [m/m]
-  double uneven = 0;                       ///< what slopes of a lip's windows differ by beyond their errors [m/m]
-  BlendedLip blends;                       ///< where it is settled
-  double scatter = 0;                      ///< of points about a wide surface [m]
-  Rounding rounding;                       ///< of elevations [m]
-  std::vector<double> steepness;           ///< how rays slant to a narrow one, at every station; 0: not known
+  double feigned = 0;     ///< standard error that slopes of a wide surface have in common: by single rows [m/m]
+  double lifted = 0;      ///< and by beams that meet the shell too [m/m]
+  double sigma_bend = 0;  ///< of the datum's second-order term along the shell [1/m]
+  bool settled = false;   ///< a station's own points have no more to say about its slope
+  double seen = 0;        ///< as the ring's windows show it, feigned or not [m/m]
+  double sigma_seen = 0;  ///< its standard error [m/m]
+  double uneven = 0;      ///< what slopes of a lip's windows differ by beyond their errors [m/m]
+  BlendedLip blends;      ///< where it is settled
+  double scatter = 0;     ///< of points about a wide surface [m]
+  Rounding rounding;      ///< of elevations [m]
+  std::vector<BeamEffects> beams;  ///< at stations upon a wide surface; empty: none
+  std::vector<double> steepness;   ///< how rays slant to a narrow one, at every station; 0: not known
 
   FootPrior at(std::size_t station) const;
   /// Whether the surface falls from the shell, all round, as no foundation does.

@@ -28,9 +28,13 @@ std::optional<double> steepnessBy(double points_a_metre, double on_shell, double
 }
 
 RayCounts countRays(const std::vector<FootPoint>& points, const FootProfile& profile, double level, double reach) {
+  constexpr double kSlopes = 0.1;  // a wide surface, at most [m/m]
   const double within = heightTolerance(profile);
   RayCounts counts;
   for (const FootPoint& p : points) {
+    const double off = std::abs(p.z - level);
+    if (p.d >= profile.band_from && off <= within + kSlopes * p.d)
+      ++counts.wide, counts.wide_to = std::max(counts.wide_to, p.d);
     if (p.d >= profile.band_from && p.d <= profile.band_to && std::abs(p.z - level) <= within) ++counts.on_band;
     if (isOnShell(p, profile, level, reach)) ++counts.on_shell;
     if (p.d > profile.edge + kClearOf && p.d < profile.edge + kClearTo && p.z - level <= within) ++counts.beyond;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -35,10 +36,13 @@ struct RayCounts {
   double a_metre = 0;   ///< of those to a metre outwards [1/m]
   double on_shell = 0;  ///< points on the shell, up to a height that all windows have alike
 
-  double beyond = 0;  ///< points a metre outwards where no beam meets a lip's edge too [1/m]
+  double beyond = 0;   ///< points a metre outwards where no beam meets a lip's edge too [1/m]
+  double wide = 0;     ///< points of a wide surface, as far as it is seen to go on
+  double wide_to = 0;  ///< how far that is from the shell [m]
 
   void add(const RayCounts& o) {
-    on_band += o.on_band, a_metre += o.a_metre, on_shell += o.on_shell, beyond += o.beyond;
+    on_band += o.on_band, a_metre += o.a_metre, on_shell += o.on_shell, wide += o.wide,
+        wide_to = std::max(wide_to, o.wide_to), beyond += o.beyond;
   }
   /// What they show, as steepnessOf().
   double steepness(double reach) const;

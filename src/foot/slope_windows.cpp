@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "core/statistics.h"
 #include "foot/foot_fit.h"
 #include "foot/foot_profile.h"
 
@@ -29,6 +30,7 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
     const auto points = foot.ring.around(foot.directions[i], windows.half, level, foot.reach);
     FootPrior prior = any;
     prior.slope = profile.slope;
+    if (!windows.effects.empty()) prior.take(windows.effects[k]);
     slopes.fits[k] = fitFoundation(points, profile, level + profile.offset, prior);
     if (!windows.beams) return;
     rays[k] = countRays(points, profile, level + profile.offset, foot.reach);
@@ -38,7 +40,16 @@ Slopes fitSlopes(const Foot& foot, const FootElevations& elevations, const FootS
   slopes.pooled_steepness = pooledSteepness(rays, foot.reach);
   slopes.steepness = steepnessAlong(rays, slopes.pooled_steepness, foot.reach);
   slopes.ring_steepness = ringSteepness(rays, foot.reach);
+  slopes.effects = findBeamEffects(rays, sections.whole.band_from, foot.reach, foot.scales.shell_noise);
   return slopes;
+}
+
+double scatterOf(const std::vector<FootFit>& fits) {
+  std::vector<WeightedValue> own;
+  for (const FootFit& fit : fits) {
+    if (fit.valid()) own.push_back({fit.own, static_cast<double>(fit.points) * (1.0 - fit.row)});
+  }
+  return own.empty() ? 0.0 : weightedMedian(std::move(own));
 }
 
 }  // namespace tank_datum

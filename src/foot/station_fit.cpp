@@ -14,13 +14,14 @@ namespace {
 class Agreement {
  public:
   bool holds(const FootFit& fit) const {
-    return fit.z - kApart * fit.sigma <= high_ && fit.z + kApart * fit.sigma >= low_;
+    const double apart = kApart * fit.sigmaOfPoints();
+    return fit.z - apart <= high_ && fit.z + apart >= low_;
   }
 
   void add(const FootFit& fit) {
     if (!fit.valid()) return;
-    low_ = std::max(low_, fit.z - kApart * fit.sigma);
-    high_ = std::min(high_, fit.z + kApart * fit.sigma);
+    low_ = std::max(low_, fit.z - kApart * fit.sigmaOfPoints());
+    high_ = std::min(high_, fit.z + kApart * fit.sigmaOfPoints());
   }
 
  private:
@@ -55,7 +56,7 @@ FootFit fitStation(const Foot& foot, std::size_t station, double level, const Fo
     fit = wider;
     agreement.add(fit);
     const bool wide = half > widest && (fit.points >= kEnough || half > kWidestSparse);
-    if (fit.sigma < std::max(kGoodEnough, foot.options.wanted_sigma) || wide) break;
+    if (fit.sigmaOfPoints() < std::max(kGoodEnough, foot.options.wanted_sigma) || wide) break;
   }
   if (priors.settled) {
     fit.sigma = std::hypot(fit.sigma, fit.middle * prior.sigma_slope);

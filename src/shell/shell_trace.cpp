@@ -8,11 +8,11 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kColumn = 0.05;    // of the arc [m]
-constexpr std::size_t kFewest = 5;  // points of a column
-constexpr double kSteepest = 0.4;   // that a plate turns along its arc [m/m]: at a peaked weld, or in a dent
-constexpr double kErrors = 4.0;     // standard errors
-constexpr double kScattered = 2.0;  // times the usual spread, and the column's slope: several things at once
+constexpr double kColumn = 0.05;       // of the arc [m]
+constexpr std::size_t kFewest = 5;     // points of a column
+constexpr double kSharpestTurn = 0.4;  // that a plate turns along its arc [m/m]: at a peaked weld, or in a dent
+constexpr double kErrors = 4.0;        // standard errors
+constexpr double kScattered = 2.0;     // times the usual spread, and the column's slope: several things at once
 
 /// The shell in a column; not seen where its points are few, or scattered.
 ShellCell cellOf(std::vector<double>& radii, double most_scatter) {
@@ -36,7 +36,7 @@ std::optional<std::vector<ShellCell>> traceShell(const PolarRing& ring, const Sh
   const auto each =
       static_cast<std::size_t>(std::max(1.0, span * arc.radius / kColumn / static_cast<double>(arc.steps)));
   const std::size_t last = each * arc.steps;  // column, of those about the stations and between them
-  const double width = span / static_cast<double>(last), turned = kSteepest * width * arc.radius;
+  const double width = span / static_cast<double>(last), turned = kSharpestTurn * width * arc.radius;
   if (kScattered * arc.noise > turned) return std::nullopt;  // which hides jumps
   std::vector<std::vector<double>> radii(last + 1);
   ring.around(0.5 * (arc.from + arc.to), 0.5 * (span + width), [&](const PolarPoint& p, double turn) {

@@ -26,7 +26,7 @@ Ready ready(MadeFoot& made, double noise = 0.0005) {
   result.pass.priors.sigma_slope.assign(count, 0.003);
   result.pass.priors.sigma_bend = 0.003;
   FootFit fit;
-  fit.z = 0.0, fit.sigma = 0.0002, fit.middle = 0.15;
+  fit.z = 0.0, fit.sigma = 0.0002, fit.middle = 0.15, fit.sigma_slope = 0.002;
   result.pass.fits.assign(count, fit);
   return result;
 }

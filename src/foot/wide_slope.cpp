@@ -1,0 +1,74 @@
+#include "foot/wide_slope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/portable_math.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "fit/harmonics.h"
+#include "foot/slope_windows.h"
+
+namespace tank_datum {
+namespace {
+
+/// The largest standard error of windows that tell a slope, where enough do; else that of all of them. Of one row of a
+/// scan, range noise shows the slope of its rays.
+double mostSigmaThatTells(const std::vector<FootFit>& fits, std::size_t fewest) {
+  std::size_t tell = 0;
+  for (const FootFit& fit : fits) tell += fit.valid() && fit.sigma_slope <= kSlopeVaries;
+  return tell < fewest ? std::numeric_limits<double>::infinity() : kSlopeVaries;
+}
+
+}  // namespace
+
+void learnWide(const Foot& foot, const FootElevations& elevations, const FootSections& sections, FootPriors& priors) {
+  constexpr double kHalfWindow = 5.0 * kPi / 180.0;
+  constexpr double kLeastSigma = 0.003;  // no foundation is plane to better than 3 mm in a metre [m/m]
+  constexpr std::size_t kFewest = 6;
+  SlopeWindows windows{36, kHalfWindow, kWideSlope, true};
+  const Slopes first = fitSlopes(foot, elevations, sections, windows, priors.sigma_bend);
+  windows.scatter = priors.scatter = scatterOf(first.fits);
+  windows.effects = first.effects;
+  for (std::size_t i = 0; i < priors.slope.size(); ++i) priors.beams.push_back(first.effects[first.windowAt(i)]);
+  const Slopes found = fitSlopes(foot, elevations, sections, windows, priors.sigma_bend);
+  priors.rounding.scatter = priors.scatter;
+  const double most = mostSigmaThatTells(found.fits, kFewest);
+  std::vector<WeightedValue> seen;
+  std::vector<double> all, azimuths, slopes, weights;
+  for (const FootFit& fit : found.fits) {
+    if (!fit.valid() || fit.sigma_slope > most) continue;
+    seen.push_back({fit.slope, 1.0 / square(fit.sigma_slope)}), all.push_back(fit.slope);
+  }
+  if (seen.size() < kFewest) return;
+  priors.seen = weightedMedian(std::move(seen));
+  const double scatter = robustSigma(all, priors.seen);
+  priors.sigma_seen = kMedianOverMean * scatter / std::sqrt(static_cast<double>(all.size()));
+  double formal = 0, mean = 0, feigned = 0, lifted = 0;
+  for (std::size_t k = 0; k < found.fits.size(); ++k) {
+    const FootFit& fit = found.fits[k];
+    const double error = std::hypot(fit.sigma_slope, scatter);
+    if (!fit.valid() || fit.sigma_slope > most || std::abs(fit.slope - priors.seen) > kHeapFalls + 3.0 * error)
+      continue;
+    azimuths.push_back(foot.directions[k * found.stride]);
+    slopes.push_back(fit.slope), weights.push_back(1.0 / square(error));
+    formal += 1.0 / square(fit.sigma_slope), mean += weights.back();
+    feigned += weights.back() * fit.row * fit.sigma_slope, lifted += weights.back() * fit.lifted.slope;
+  }
+  if (slopes.size() < kFewest) return;
+  priors.feigned = feigned / mean, priors.lifted = lifted / mean;
+  const auto count = static_cast<double>(slopes.size());
+  for (double& w : weights) w *= count / mean;
+  const PeriodicFit fit = fitHarmonics(azimuths, slopes, weights, {1, true, 0.02});
+  const double unit = std::max(fit.sigma * fit.sigma, count / formal);  // variance of a window's slope
+  const double among_windows = std::max(kLeastSigma * kLeastSigma, unit - count / formal);
+  for (std::size_t i = 0; i < priors.slope.size(); ++i) {
+    const Eigen::RowVectorXd row = harmonicRow(foot.directions[i], 1);
+    priors.slope[i] = fit(foot.directions[i]);
+    priors.sigma_slope[i] = std::sqrt(among_windows + unit * row.dot(row * fit.covariance) + square(priors.feigned));
+  }
+}
+
+}  // namespace tank_datum

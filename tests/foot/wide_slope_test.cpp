@@ -1,0 +1,55 @@
+#include "foot/wide_slope.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/made_feet.h"
+
+namespace tank_datum::wide_slope_test {
+
+using namespace made_feet;
+
+/// A level pad that windows of ten degrees show by one row of points each, whose range noise moves them along rays that
+/// fall by 0.05 to the shell, which is seen as densely as by such rays; but for every so many, which show many rows.
+FootPriors learntOfRows(int every) {
+  MadeFoot made;
+  std::mt19937 generator(7);
+  std::normal_distribution<double> noise(0.0, kScales.shell_noise);
+  std::uniform_real_distribution<double> within(0.05, 0.27), beside(-0.45, 0.45);
+  for (int s = 0; s < 360; ++s) {
+    const bool rows = every > 0 && (s + 5) / 10 % 36 % every == 0;
+    for (int i = 0; i < 66; ++i) made.add((s + beside(generator)) * made.step(), 0.0, 0.05 + 0.2 * (i + 0.5) / 66.0);
+    for (int i = 0; i < 8; ++i) {
+      const double along = noise(generator), d = rows ? within(generator) : 0.15 + 0.02 * std::sin(0.17 * s);
+      made.add((s + beside(generator)) * made.step(), d + along, 0.05 * along);
+    }
+  }
+  FootSections sections;
+  FootProfile& whole = sections.whole;
+  whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = 0.28, whole.edge = 0.3;
+  whole.blur = 0.004, whole.noise = 0.0002, whole.surface = Surface::Foundation;
+  whole.height.assign(100, 0.0);
+  sections.stations = 360;
+  const FootElevations level{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
+  return learnPriors(made.foot(), level, sections);
+}
+
+TEST(LearnWide, WindowsOfOneRowSayNothingWhereSixOthersTell) {
+  const FootPriors priors = learntOfRows(6);
+  EXPECT_LT(std::abs(priors.slope[60]), 0.003);
+  EXPECT_LT(std::abs(priors.slope[90]), 0.003);
+  EXPECT_LT(priors.feigned, 0.002);
+}
+
+TEST(LearnWide, OfRowsAloneTheStandardErrorHoldsTheRaysSlopeAllRound) {
+  const FootPriors priors = learntOfRows(0);
+  EXPECT_GT(priors.feigned, 0.01);
+  for (const std::size_t i : {0U, 90U, 180U, 270U}) {
+    EXPECT_LT(std::abs(priors.slope[i]), 2.0 * priors.sigma_slope[i]) << priors.sigma_slope[i];
+    EXPECT_GE(priors.sigma_slope[i], priors.feigned);
+  }
+}
+
+}  // namespace tank_datum::wide_slope_test
