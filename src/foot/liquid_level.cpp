@@ -71,6 +71,14 @@ bool areLevel(const std::vector<SeenStation>& all, const Indices& some, double r
   return sum <= kMostVariance * static_cast<double>(some.size()) && isWithoutSlope(all, some);
 }
 
+/// Whether elevations are known so well that no floor would pass for level all round.
+bool wouldTell(const std::vector<SeenStation>& all, const Indices& some) {
+  constexpr double kKnown = 0.0003;  // [m]
+  std::vector<double> sigmas;
+  for (const std::size_t i : some) sigmas.push_back(all[i].sigma);
+  return median(std::move(sigmas)) <= kKnown;
+}
+
 /// Usual square of a slope over its variance, of stations.
 double usualSlope(const std::vector<SeenStation>& all, const Indices& some) {
   std::vector<double> sloping;
@@ -164,7 +172,7 @@ LiquidLevel findLiquidLevel(const Foot& foot, const std::vector<FootFit>& fits, 
     off.push_back(i);
     lower += below[i];
   }
-  if (off.empty()) return {std::move(hidden), 1.0};
+  if (off.empty()) return {std::move(hidden), wouldTell(all, on) ? 1.0 : 0.0};
   const bool is_lowest = lower <= kFewBelow * static_cast<double>(off.size());
   const bool slopes = usualSlope(all, off) >= square(kSlopes) * std::max(1.0, usualSlope(all, on));
   if (off.size() < arc || !is_lowest || !slopes) return {};
@@ -176,7 +184,7 @@ FootPass withoutLiquid(const Foot& foot, FootPass pass) {
   if (!foot.inside) return pass;
   const LiquidLevel liquid = findLiquidLevel(foot, pass.fits, standing(pass.outliers.own, pass.outliers.reasons));
   pass.liquid = liquid.share;
-  if (!(liquid.share < 1.0)) return pass;
+  if (!(liquid.share > 0.0 && liquid.share < 1.0)) return pass;
   for (std::size_t i = 0; i < liquid.stations.size(); ++i) {
     if (liquid.stations[i] && pass.fits[i].valid()) pass.outliers.reasons[i] = Unmeasured::OtherSurface;
   }

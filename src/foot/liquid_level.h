@@ -9,7 +9,7 @@ namespace tank_datum {
 /// Where a floor is seen to lie as liquid or sludge that stands in the tank does.
 struct LiquidLevel {
   std::vector<bool> stations;  ///< that lie on it; empty: none
-  double share = 0;            ///< of all that are fitted; 1: a level floor without slope looks the same
+  double share = 0;  ///< of all that are fitted; 1: a level floor without slope looks the same; 0: none is told
 };
 
 /// Stations of long arcs on one level surface that has no slope, while the floor beside it has one and lies nowhere

@@ -14,9 +14,8 @@ using namespace made_feet;
 /// A floor of a tank that has tilted and settled, with liquid in its lowest part.
 struct Floor {
   double slope = 0.01, sigma = 5e-5, sigma_slope = 1e-4;
-  double roughness = 0.0;  // of the liquid, station by station [m]
-  double rise = 0.0;       // of the liquid along the shell, off level [m/m]
-  double lower = 0.0;      // by so much the floor lies elsewhere, over ten stations [m]
+  double rise = 0.0;   // of the liquid along the shell, off level [m/m]
+  double lower = 0.0;  // by so much the floor lies elsewhere, over ten stations [m]
   int from = 100, to = 200;
   bool inside = true;
 };
@@ -39,8 +38,7 @@ Seen look(const Floor& floor) {
     const double off = (i - middle) * kDegree, shore = 0.5 * (floor.to - floor.from) * kDegree;
     FootFit& fit = pass.fits[static_cast<std::size_t>(i)];
     FootFit& own = pass.outliers.own[static_cast<std::size_t>(i)];
-    fit.z = is_liquid ? floor.rise * kRadius * off + (i % 2 ? floor.roughness : -floor.roughness)
-                      : 0.02 * (std::cos(shore) - std::cos(off));
+    fit.z = is_liquid ? floor.rise * kRadius * off : 0.02 * (std::cos(shore) - std::cos(off));
     if (i >= 300 && i < 310) fit.z -= floor.lower;
     fit.sigma = own.sigma = floor.sigma;
     own.slope = is_liquid ? 0.0 : floor.slope;
@@ -109,6 +107,11 @@ TEST(WithoutLiquid, AllRoundItIsToldAndKept) {
   const Seen seen = look(floor);
   EXPECT_EQ(seen.share, 1.0);
   EXPECT_EQ(seen.dropped, 0U);
+  floor.sigma = 0.00027;
+  EXPECT_EQ(look(floor).share, 1.0);
+  floor.sigma = 0.00033;
+  EXPECT_EQ(look(floor).share, 0.0) << "a floor would look so";
+  EXPECT_EQ(look(floor).dropped, 0U);
 }
 
 }  // namespace tank_datum::liquid_level_test
