@@ -16,7 +16,7 @@ double beamWidth(double steepness) {
 
 }  // namespace
 
-double BeamEffects::liftAt(double d) const { return d < to ? lift * square(1.0 - d / to) : 0.0; }
+double BeamEffects::liftAt(double d) const { return reach(d) ? lift * square(1.0 - d / to) : 0.0; }
 
 std::vector<BeamEffects> findBeamEffects(const std::vector<RayCounts>& windows, double from, double reach,
                                          double noise) {

@@ -12,6 +12,8 @@ struct BeamEffects {
   double lift = 0;     ///< of a point at the shell, as expected [m]
   double scatter = 0;  ///< of points about the surface, by range noise along them [m]
 
+  /// Whether some that meet the surface beyond a distance from the shell meet the shell too.
+  bool reach(double d) const { return d < to; }
   /// By how much they lift a point at a distance from the shell, as expected; the standard error is as large, for
   /// scanners that do not mix what a beam meets lift none [m].
   double liftAt(double d) const;

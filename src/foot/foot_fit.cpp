@@ -93,21 +93,23 @@ struct FeignedSlopes {
   }
 };
 
+/// The points on the surface that a fit goes through, between two distances from the shell [m].
+struct BandRows {
+  SurfaceRows rows;
+  double from, to;
+};
+
 /// Sums of what beams lift points by, as of the right side of the weighted normal equations.
-Eigen::Vector4d liftsOf(const SurfaceRows& rows, const BeamEffects& beams) {
+Eigen::Vector4d liftsOf(const BandRows& band, const BeamEffects& beams) {
   Eigen::Vector4d sums = Eigen::Vector4d::Zero();
+  if (!beams.reach(band.from)) return sums;
+  const SurfaceRows& rows = band.rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double d = rows.a()[i], t = rows.t()[i];
     sums += rows.weights()[i] * beams.liftAt(d) * Eigen::Vector4d(1.0, d, t, t * t);
   }
   return sums;
 }
-
-/// The points on the surface that a fit goes through, between two distances from the shell [m].
-struct BandRows {
-  SurfaceRows rows;
-  double from, to;
-};
 
 /// How far the elevation may be off because points were chosen by a d that is as noisy as their z: along a grazing beam
 /// both err together, and a row of the scan close to an end of the band is cut on that side alone.
@@ -200,7 +202,7 @@ FootFit fitBand(BandRows band, const FootProfile& profile, const FootPrior& prio
   const double error = noise * std::sqrt(alike);
   const Distances distances(rows);
   fit.sigma = std::hypot(error * std::sqrt(inverse(0, 0)), selectionError(band, distances));
-  const Eigen::Matrix<double, 6, 1> lifts = inverse * (terms.transpose() * liftsOf(rows, prior.beams));
+  const Eigen::Matrix<double, 6, 1> lifts = inverse * (terms.transpose() * liftsOf(band, prior.beams));
   fit.lifted = {std::abs(lifts[0]), std::abs(lifts[1])};
   fit.sigma = std::hypot(fit.sigma, fit.lifted.z);
   fit.sigma_slope = std::hypot(error * std::sqrt(inverse(1, 1)), fit.lifted.slope);
@@ -225,10 +227,11 @@ FootFit fitFoundation(const std::vector<FootPoint>& points, const FootProfile& p
     return rowsOnSurface(points, profile, start, from, lifted);
   };
   BandRows all = rowsFrom(profile.band_from, {});
+  if (!prior.beams.reach(profile.band_from)) return fitBand(std::move(all), profile, prior);
   const Told told(all.rows);
   const FootFit fit = fitBand(std::move(all), profile, prior);
   if (!fit.valid() || fit.lifted.z <= kLittle * fit.sigmaOfPoints()) return fit;
-  BandRows clear = rowsFrom(std::max(profile.band_from, prior.beams.to), {});
+  BandRows clear = rowsFrom(prior.beams.to, {});
   const bool is_clear = Told(clear.rows).nearlyAs(told);
   return fitBand(is_clear ? std::move(clear) : rowsFrom(profile.band_from, prior.beams), profile, prior);
 }

@@ -147,7 +147,7 @@ void learnNarrow(const Foot& foot, const FootElevations& elevations, const FootS
   blends.slope.assign(priors.slope.size(), 0.0), blends.sigma = blends.slope;
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const BetweenValues at(slopes, i, lips.stride);
-    priors.steepness.push_back(lips.steepness[(i + lips.stride / 2) / lips.stride % lips.steepness.size()]);
+    priors.steepness.push_back(lips.steepness[nearestWindow(i, lips.stride, lips.steepness.size())]);
     if (!at.known()) continue;
     priors.slope[i] = at.mean(slopes, &SeriesValue::value);
     priors.sigma_slope[i] = std::hypot(least, at.mean(slopes, &SeriesValue::sigma));

@@ -8,6 +8,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "foot/slanting_beams.h"
+#include "foot/slope_windows.h"
 
 namespace tank_datum {
 namespace {
@@ -111,7 +112,7 @@ std::vector<StationDatum> withShadowsDoubted(std::vector<StationDatum> stations,
   std::vector<double> doubts;
   for (const double s : windows.steepness) doubts.push_back(seenHeights(s > 0.0 ? s : usual, rough).lift);
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    const double doubt = doubts[(i + windows.stride / 2) / windows.stride % doubts.size()];  // of the nearest window
+    const double doubt = doubts[nearestWindow(i, windows.stride, doubts.size())];
     StationDatum& s = stations[i];
     if (s.flag != StationFlag::Missing) s.sigma_z = std::hypot(s.sigma_z, doubt);
   }

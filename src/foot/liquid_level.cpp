@@ -5,11 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/harmonics.h"
 #include "foot/foot_check.h"
 #include "foot/foot_heaps.h"
-#include "foot/plane_row.h"
 
 namespace tank_datum {
 namespace {
@@ -43,7 +44,7 @@ bool isWithoutSlope(const std::vector<SeenStation>& all, const Indices& some) {
 struct LevelPlane {
   Eigen::Vector3d coefficients = Eigen::Vector3d::Zero();
 
-  double above(const SeenStation& s) const { return s.z - coefficients.dot(planeRow(s.direction)); }
+  double above(const SeenStation& s) const { return s.z - harmonicRow(s.direction, 1).dot(coefficients); }
 };
 
 LevelPlane levelPlaneThrough(const std::vector<SeenStation>& all, const Indices& some, double radius) {
@@ -52,7 +53,7 @@ LevelPlane levelPlaneThrough(const std::vector<SeenStation>& all, const Indices&
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   const double base = all[some.front()].z;
   for (const std::size_t i : some) {
-    const Eigen::Vector3d row = planeRow(all[i].direction);
+    const Eigen::Vector3d row = harmonicRow(all[i].direction, 1);
     const double weight = 1.0 / square(all[i].sigma);
     normal += weight * row * row.transpose();
     right += weight * (all[i].z - base) * row;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/statistics.h"
-#include "foot/plane_row.h"
+#include "fit/harmonics.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -28,7 +28,7 @@ struct Plane {
   Eigen::Vector3d coefficients = Eigen::Vector3d::Zero();
   double scatter = 0.0;
 
-  double at(double direction) const { return coefficients.dot(planeRow(direction)); }
+  double at(double direction) const { return harmonicRow(direction, 1).dot(coefficients); }
 };
 
 /// The plane of least absolute deviations, which plants before a part of a shell do not turn, by reweighted squares.
@@ -41,7 +41,7 @@ Plane planeThrough(const std::vector<double>& directions, const std::vector<doub
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < levels.size(); ++i) {
-      const Eigen::Vector3d row = planeRow(directions[i]);
+      const Eigen::Vector3d row = harmonicRow(directions[i], 1);
       const double weight = 1.0 / std::max(noise, std::abs(levels[i] - plane.at(directions[i])));
       normal += weight * row * row.transpose();
       right += weight * levels[i] * row;

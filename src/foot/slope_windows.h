@@ -17,10 +17,12 @@ struct Slopes {
   double ring_steepness = 0;             ///< of all windows together
   std::vector<BeamEffects> effects;      ///< of the same, on a wide surface
   std::vector<BandPoints> bands;
-
-  /// The window that a station is nearest to.
-  std::size_t windowAt(std::size_t station) const { return (station + stride / 2) / stride % fits.size(); }
 };
+
+/// The window that a station is nearest to, of so many at every so many stations.
+inline std::size_t nearestWindow(std::size_t station, std::size_t stride, std::size_t windows) {
+  return (station + stride / 2) / stride % windows;
+}
 
 /// The windows that slopes are fitted in, and what is known of a slope before.
 struct SlopeWindows {

@@ -32,7 +32,9 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   const Slopes first = fitSlopes(foot, elevations, sections, windows, priors.sigma_bend);
   windows.scatter = priors.scatter = scatterOf(first.fits);
   windows.effects = first.effects;
-  for (std::size_t i = 0; i < priors.slope.size(); ++i) priors.beams.push_back(first.effects[first.windowAt(i)]);
+  windows.beams = false;  // which were looked at
+  for (std::size_t i = 0; i < priors.slope.size(); ++i)
+    priors.beams.push_back(first.effects[nearestWindow(i, first.stride, first.effects.size())]);
   const Slopes found = fitSlopes(foot, elevations, sections, windows, priors.sigma_bend);
   priors.rounding.scatter = priors.scatter;
   const double most = mostSigmaThatTells(found.fits, kFewest);
