@@ -17,13 +17,14 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kStrips = 30;
+constexpr double kLip = 0.05;  // its slope, at most [m/m]
 
 /// What is seen in a strip along the shell.
 struct StripSeen {
-  double points = 0;
-  LineSums surface, higher;  ///< of what lies on the stations' surface, and above
+  LineSums all;              ///< over the stations' elevation
+  LineSums surface, higher;  ///< of what lies on their surface, and above; over its slope
 
-  void add(const StripSeen& o) { points += o.points, surface.add(o.surface), higher.add(o.higher); }
+  void add(const StripSeen& o) { all.add(o.all), surface.add(o.surface), higher.add(o.higher); }
 };
 
 /// What is seen in strips from the shell outwards.
@@ -49,7 +50,7 @@ ArcSeen seenAt(const Foot& foot, const FootPass& pass, std::size_t station, doub
     const std::size_t number = scales.stripAt(p.d, kStrips);
     if (number == kStrips) continue;
     StripSeen& strip = seen.strips[number];
-    strip.points += 1.0;
+    strip.all.add(p.d, p.z - level);
     if (std::abs(height) < scales.within) strip.surface.add(p.d, height);
     if (height > scales.higher) strip.higher.add(p.d, height);
   }
@@ -60,7 +61,7 @@ ArcSeen seenAt(const Foot& foot, const FootPass& pass, std::size_t station, doub
 double usualPoints(const StripsSeen& strips) {
   std::vector<double> points;
   for (const StripSeen& strip : strips) {
-    if (strip.points > 0.0) points.push_back(strip.points);
+    if (strip.all.n > 0.0) points.push_back(strip.all.n);
   }
   return median(std::move(points));
 }
@@ -71,7 +72,7 @@ std::size_t firstOf(const StripsSeen& strips, double usual, const Count& count) 
   constexpr double kSeen = 0.5;  // of the usual number of points, and of them
   std::size_t first = 0;
   while (first < kStrips &&
-         !(strips[first].points > kSeen * usual && count(strips[first]) > kSeen * strips[first].points))
+         !(strips[first].all.n > kSeen * usual && count(strips[first]) > kSeen * strips[first].all.n))
     ++first;
   return first;
 }
@@ -110,17 +111,37 @@ bool isThinRise(const StripsSeen& strips, double usual) {
 /// any.
 /// @param prior  the slope that heights are taken over [m/m]
 bool isAlongBeams(const ArcSeen& arc, double usual, double prior, const StripScales& scales, double reach) {
-  constexpr double kLip = 0.05;       // [m/m]
   constexpr double kAlong = 0.35;     // of the beams' slope
   constexpr double kChance = 3.0;     // standard errors
   constexpr std::size_t kFewest = 3;  // strips
   const std::size_t end =
-      firstOf(arc.strips, usual, [](const StripSeen& strip) { return strip.points - strip.surface.n; });
+      firstOf(arc.strips, usual, [](const StripSeen& strip) { return strip.all.n - strip.surface.n; });
   const std::optional<double> beams = steepnessBy(usual / scales.width, arc.on_shell, reach);
   if (end < kFewest || end == kStrips || !beams) return false;
   LineSums surface;
   for (std::size_t k = 0; k < end; ++k) surface.add(arc.strips[k].surface);
   return prior + surface.slope() > std::max({kLip, kAlong * *beams, kChance * surface.sigmaSlope()});
+}
+
+/// Whether what lies beside the shell is in line, rises outwards more steeply than lips do, and is far less than rays
+/// show of a surface that rises so: beams leave it that meet both the shell and an edge farther out, a coil's or a
+/// pipe's, which hides the foot. Rays that fall by r meet a surface that rises by s with (r - s) times as many points
+/// a metre as the shell.
+bool isHiddenByEdge(const ArcSeen& arc, const StripScales& scales, double reach) {
+  constexpr double kThin = 0.5;       // of the surface's slope: what rays fall by more
+  constexpr double kInLine = 0.8;     // of the squares of heights; of a step up it is three quarters
+  constexpr std::size_t kFewest = 5;  // strips
+  const std::optional<double> of_point = steepnessBy(1.0 / scales.width, arc.on_shell, reach);
+  if (!of_point) return false;
+  LineSums seen;
+  double densest = 0.0;  // points to a strip, in strips from the shell on
+  for (std::size_t k = 0; k < kStrips; ++k) {
+    seen.add(arc.strips[k].all);
+    if (k + 1 < kFewest) continue;
+    densest = std::max(densest, seen.n / static_cast<double>(k + 1));
+    if (seen.slope() > kLip && seen.explained() > kInLine && densest * *of_point < kThin * seen.slope()) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -141,8 +162,9 @@ std::vector<bool> findGrazedArcs(const Foot& foot, const FootPass& pass, const s
     ArcSeen arc;
     for (std::size_t k = i + count - near; k <= i + count + near; ++k) arc.add(own[k % count]);
     const double usual = usualPoints(arc.strips);
-    grazed[i] =
-        isThinRise(arc.strips, usual) || isAlongBeams(arc, usual, pass.priors.slope[i], scales, foot.reach) ? 1 : 0;
+    const bool is_grazed = isThinRise(arc.strips, usual) || isHiddenByEdge(arc, scales, foot.reach) ||
+                           isAlongBeams(arc, usual, pass.priors.slope[i], scales, foot.reach);
+    grazed[i] = is_grazed ? 1 : 0;
   });
   return {grazed.begin(), grazed.end()};
 }

@@ -143,9 +143,7 @@ bool isGrazed(const Slope& seen) {
                     [&](double d) { return rising(d) + (++count % 2 == 0 ? seen.scatter : -seen.scatter); });
     made.addStation(i, points(seen.on_line, seen.end, kFar), seen.end, kFar, [](double) { return 0.0; });
     made.addStation(i, points(1.0 - seen.on_line, seen.end, kFar), seen.end, kFar, [](double) { return kLower; });
-    for (int k = 0; k < on_shell; ++k)
-      made.add((i + 0.9 * ((k + 0.5) / on_shell - 0.5)) * made.step(), 0.0,
-               kReach * (0.1 + 0.4 * (k + 0.5) / on_shell));
+    made.addShell(i, on_shell);
   }
   FootFit fit;
   fit.z = fit.slope = 0.0, fit.sigma = 0.0002;
@@ -187,5 +185,66 @@ TEST(FindGrazedArcs, TakesFewPointsBelowForNoEnd) {
 }
 
 TEST(FindGrazedArcs, CannotTellWhereTheShellShowsFewPoints) { EXPECT_FALSE(isGrazed(Slope{0.06 * 60.0, 7.2 * 10.0})); }
+
+/// What beams leave between a shell and an edge that hides its foot.
+struct Left {
+  double share = 0.3;    ///< of its slope, that rays show it by; a surface's if they fall by so much more
+  double slope = 0.15;   ///< rising outwards [m/m]
+  double level = 0.0;    ///< share of its points that lie on a level surface instead
+  double nearest = 0.0;  ///< length beside the shell where it is ten times as dense [m]
+};
+
+Left with(double Left::*figure, double value, Left left = {}) {
+  left.*figure = value;
+  return left;
+}
+
+/// Whether an arc of it is grazed.
+bool isGrazed(const Left& left) {
+  constexpr double kEnd = 0.263, kDenser = 9.0;
+  constexpr double kDense = 9000.0;  // points of a station and metre of the shell
+  constexpr int kArc = 10;
+  MadeFoot made;
+  const auto height = [&](double d) { return left.slope * d; };
+  const double a_metre = kDense * left.share * left.slope;
+  for (int station = -kArc; station <= kArc; ++station) {
+    const int i = (station + 360) % 360;
+    const auto put = [&](double share, double to, const auto& at) {
+      made.addStation(i, static_cast<int>(std::lround(share * a_metre * (to - kNear))), kNear, to, at);
+    };
+    put(1.0 - left.level, kEnd, height);
+    put(left.level, kEnd, [](double) { return 0.0; });
+    put(kDenser, kNear + left.nearest, height);
+    made.addShell(i, static_cast<int>(kDense * 0.4 * kReach));
+  }
+  FootPass pass;
+  FootFit fit;
+  fit.z = 0.0, fit.slope = left.slope, fit.sigma = 0.0002;
+  pass.fits.assign(360, fit);
+  pass.priors.slope.assign(360, left.slope);
+  pass.sections.whole.noise = 0.02, pass.sections.whole.blur = 0.004;
+  return findGrazedArcs(made.foot(), pass, pass.fits)[0];
+}
+
+TEST(FindGrazedArcs, FindsFewPointsInLineThatRiseToNoEdge) {
+  EXPECT_TRUE(isGrazed(Left{}));
+  EXPECT_TRUE(isGrazed(Left{0.45}));
+  EXPECT_FALSE(isGrazed(Left{0.55}));  // a surface may show so many
+}
+
+TEST(FindGrazedArcs, LeavesFewPointsThatRiseAsALipDoes) {
+  EXPECT_TRUE(isGrazed(Left{0.3, 0.06}));
+  EXPECT_FALSE(isGrazed(Left{0.3, 0.045}));
+}
+
+TEST(FindGrazedArcs, LeavesFewPointsThatAreNotInLine) {
+  EXPECT_TRUE(isGrazed(with(&Left::level, 0.03)));
+  EXPECT_FALSE(isGrazed(with(&Left::level, 0.1)));
+}
+
+TEST(FindGrazedArcs, LeavesASurfaceThatIsSeenBesideTheShellOnly) {
+  EXPECT_TRUE(isGrazed(with(&Left::nearest, 0.002)));
+  EXPECT_FALSE(isGrazed(with(&Left::nearest, 0.006)));
+}
 
 }  // namespace tank_datum::grazed_arcs_test

@@ -34,6 +34,13 @@ class MadeFoot {
       add((station + beside) * step(), d, height(d));
     }
   }
+  /// So many points of a station's stretch of the shell, of the part that tells how steeply rays come.
+  void addShell(int station, int count) {
+    for (int k = 0; k < count; ++k) {
+      const double share = (k + 0.5) / count;
+      add((station + 0.9 * (share - 0.5)) * step(), 0.0, kReach * (0.1 + 0.4 * share));
+    }
+  }
   template <typename Height>
   void addAll(int count, double from, double to, const Height& height) {
     for (int s = 0; s < stations_; ++s) addStation(s, count, from, to, height);
