@@ -7,12 +7,15 @@
 #include "core/portable_math.h"
 #include "core/ring_runs.h"
 #include "core/statistics.h"
+#include "core/units.h"
+#include "fit/harmonics.h"
 
 namespace tank_datum {
 namespace {
 
 using Places = std::vector<std::vector<FootCandidate>>;
 using Choice = std::vector<std::optional<std::size_t>>;
+using Costs = std::vector<std::vector<double>>;  // of each place's candidates, and of none
 
 constexpr double kNone = 2.5;      // cost of choosing nothing at a place, in which the others are counted
 constexpr double kEnterGap = 0.5;  // of going from something to nothing or back
@@ -21,6 +24,8 @@ constexpr double kEnterGap = 0.5;  // of going from something to nothing or back
 struct Usual {
   double from, noise;
 };
+
+constexpr double kLeast = 0.03;  // of the reach that two at one level differ by: sections tell lip, ringwall and crown
 
 /// What speaks against a stretch, 0 for none.
 double costOf(const FootCandidate& c, const Usual& usual, double reach) {
@@ -37,19 +42,44 @@ double costOf(const FootCandidate& c, const Usual& usual, double reach) {
   return cost;
 }
 
+std::size_t cheapestOf(const std::vector<double>& costs) {
+  return static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
+}
+
 /// How far two stretches at one level may differ in height, usually: a datum climbs, and they are known so well.
 double usualDifference(const FootCandidate& a, const FootCandidate& b, double arc, double reach) {
   constexpr double kClimb = 0.004;  // of a datum along its shell over a short arc [m/m]
   constexpr double kShort = 4.0;    // reaches
   constexpr double kFar = 0.001;    // and over a long one [m/m]
-  constexpr double kLeast = 0.03;   // of the reach: lip, ringwall and crown are told apart by their sections
   return kClimb * std::min(arc, kShort * reach) + kFar * arc + kLeast * reach + std::hypot(a.error, b.error);
+}
+
+/// The same, over the tilt of what most of them show: a shell may stand upright on a floor that falls to one side, and
+/// climbs along it by more than a level datum.
+/// @param costs  of every place's candidates
+Places overTilt(Places places, const Costs& costs, double reach) {
+  constexpr double kShortArc = 1e-4;  // so that a few places have a tilt
+  std::vector<double> azimuths, heights;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t best = cheapestOf(costs[i]);
+    if (best == places[i].size()) continue;
+    azimuths.push_back(kTwoPi * static_cast<double>(i) / static_cast<double>(places.size()));
+    heights.push_back(places[i][best].height);
+  }
+  if (heights.empty()) return places;
+  const PeriodicFit tilt = fitHarmonics(azimuths, heights, {}, {1, true, kShortArc});
+  if (!(tilt.sigma < kLeast * reach)) return places;  // most are on no tilted surface
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double azimuth = kTwoPi * static_cast<double>(i) / static_cast<double>(places.size());
+    for (FootCandidate& c : places[i]) c.height -= tilt(azimuth);
+  }
+  return places;
 }
 
 /// The places as states of a path: state s of place i is candidate s, the last state is none of them.
 struct RingPath {
   const Places& places;
-  std::vector<std::vector<double>> costs;
+  const Costs& costs;
   double arc, reach;
 
   double stepCost(std::size_t i, std::size_t s, std::size_t j, std::size_t t) const {
@@ -65,13 +95,13 @@ struct RingPath {
 Choice cheapestPath(const RingPath& ring) {
   const std::size_t count = ring.places.size();
   std::size_t start = 0;
-  const auto least = [&](std::size_t i) { return *std::min_element(ring.costs[i].begin(), ring.costs[i].end()); };
+  const auto least = [&](std::size_t i) { return ring.costs[i][cheapestOf(ring.costs[i])]; };
   for (std::size_t i = 1; i < count; ++i) {
     if (least(i) < least(start)) start = i;
   }
   std::vector<std::vector<std::size_t>> from(count);
   const std::vector<double>& first = ring.costs[start];
-  const auto begin = static_cast<std::size_t>(std::min_element(first.begin(), first.end()) - first.begin());
+  const std::size_t begin = cheapestOf(first);
   std::vector<double> before(first.size(), std::numeric_limits<double>::infinity());
   before[begin] = 0.0;
   for (std::size_t k = 1; k <= count; ++k) {
@@ -138,12 +168,14 @@ std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, do
   }
   if (noises.empty()) return Choice(places.size());
   const Usual usual{quantile(beginnings, 0.25), std::max(quantile(noises, 0.1), 1e-7)};
-  RingPath ring{places, {}, arc, reach};
+  Costs costs;
   for (const auto& place : places) {
-    ring.costs.emplace_back();
-    for (const FootCandidate& c : place) ring.costs.back().push_back(costOf(c, usual, reach));
-    ring.costs.back().push_back(kNone);
+    costs.emplace_back();
+    for (const FootCandidate& c : place) costs.back().push_back(costOf(c, usual, reach));
+    costs.back().push_back(kNone);
   }
+  const Places level = overTilt(places, costs, reach);
+  const RingPath ring{level, costs, arc, reach};
   Choice choice = cheapestPath(ring);
   for (auto runs = runsOf(ring, choice); !runs.empty(); runs = runsOf(ring, choice)) {
     const auto dearest =

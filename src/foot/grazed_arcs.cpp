@@ -123,10 +123,10 @@ bool isAlongBeams(const ArcSeen& arc, double usual, double prior, const StripSca
   return prior + surface.slope() > std::max({kLip, kAlong * *beams, kChance * surface.sigmaSlope()});
 }
 
-/// Whether what lies beside the shell is in line, rises outwards more steeply than lips do, and is far less than rays
-/// show of a surface that rises so: beams leave it that meet both the shell and an edge farther out, a coil's or a
-/// pipe's, which hides the foot. Rays that fall by r meet a surface that rises by s with (r - s) times as many points
-/// a metre as the shell.
+/// Whether what lies beside a shell seen from inside is in line, rises away from it more steeply than lips do, and is
+/// far less than rays show of a surface that rises so: beams leave it that meet both the shell and an edge farther off,
+/// a coil's or a pipe's, which hides the foot. Rays that fall by r meet a surface that rises by s with (r - s) times as
+/// many points a metre as the shell.
 bool isHiddenByEdge(const ArcSeen& arc, const StripScales& scales, double reach) {
   constexpr double kThin = 0.5;       // of the surface's slope: what rays fall by more
   constexpr double kInLine = 0.8;     // of the squares of heights; of a step up it is three quarters
@@ -162,7 +162,7 @@ std::vector<bool> findGrazedArcs(const Foot& foot, const FootPass& pass, const s
     ArcSeen arc;
     for (std::size_t k = i + count - near; k <= i + count + near; ++k) arc.add(own[k % count]);
     const double usual = usualPoints(arc.strips);
-    const bool is_grazed = isThinRise(arc.strips, usual) || isHiddenByEdge(arc, scales, foot.reach) ||
+    const bool is_grazed = isThinRise(arc.strips, usual) || (foot.inside && isHiddenByEdge(arc, scales, foot.reach)) ||
                            isAlongBeams(arc, usual, pass.priors.slope[i], scales, foot.reach);
     grazed[i] = is_grazed ? 1 : 0;
   });

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/units.h"
 #include "foot/foot_profile.h"
 
 namespace tank_datum::foot_choice_test {
@@ -35,6 +37,32 @@ TEST(ChooseRoundRing, AFortyDegreePlateIsNotOutvotedByABank) {
     EXPECT_EQ(chosen(choice), seen);
     EXPECT_TRUE(choice[100] && choice[100 + seen - 1] && !choice[99]);
   }
+}
+
+/// A floor that falls to one side, hidden over two arcs of a sixth of the ring each.
+Places fallingFloor(double fall) {
+  Places places(kPlaces);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    if (i % 180 >= 60 && i % 180 < 120) continue;
+    places[i] = {stretch(fall * std::cos(kTwoPi * static_cast<double>(i) / kPlaces), 0.0, 0.0005)};
+  }
+  return places;
+}
+
+TEST(ChooseRoundRing, AFloorThatFallsToOneSideIsOneSurface) {
+  EXPECT_EQ(chosen(chooseRoundRing(fallingFloor(0.25), kArc, kReach)), 240U);
+}
+
+TEST(ChooseRoundRing, ATiltIsThatOfMostPlaces) {
+  const auto found = [](std::size_t like) {  // of eight places; the others lie elsewhere each, as no surface does
+    Places places = fallingFloor(0.25);
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+      if (!places[i].empty() && i % 8 >= like) places[i] = {stretch(i % 2 == 0 ? 1.0 : -1.0, 0.0, 0.0005)};
+    }
+    return chosen(chooseRoundRing(places, kArc, kReach));
+  };
+  EXPECT_EQ(found(6), 180U);
+  EXPECT_LT(found(3), 90U);
 }
 
 TEST(ChooseRoundRing, AFlatRoughCoverGivesWayToTheSmoothSurface) {

@@ -186,12 +186,13 @@ TEST(FindGrazedArcs, TakesFewPointsBelowForNoEnd) {
 
 TEST(FindGrazedArcs, CannotTellWhereTheShellShowsFewPoints) { EXPECT_FALSE(isGrazed(Slope{0.06 * 60.0, 7.2 * 10.0})); }
 
-/// What beams leave between a shell and an edge that hides its foot.
+/// What beams leave between a shell and an edge that hides its foot, seen from inside.
 struct Left {
   double share = 0.3;    ///< of its slope, that rays show it by; a surface's if they fall by so much more
   double slope = 0.15;   ///< rising outwards [m/m]
   double level = 0.0;    ///< share of its points that lie on a level surface instead
   double nearest = 0.0;  ///< length beside the shell where it is ten times as dense [m]
+  bool inside = true;
 };
 
 Left with(double Left::*figure, double value, Left left = {}) {
@@ -223,13 +224,19 @@ bool isGrazed(const Left& left) {
   pass.fits.assign(360, fit);
   pass.priors.slope.assign(360, left.slope);
   pass.sections.whole.noise = 0.02, pass.sections.whole.blur = 0.004;
-  return findGrazedArcs(made.foot(), pass, pass.fits)[0];
+  Foot& foot = made.foot();
+  foot.inside = left.inside;
+  return findGrazedArcs(foot, pass, pass.fits)[0];
 }
 
 TEST(FindGrazedArcs, FindsFewPointsInLineThatRiseToNoEdge) {
   EXPECT_TRUE(isGrazed(Left{}));
   EXPECT_TRUE(isGrazed(Left{0.45}));
   EXPECT_FALSE(isGrazed(Left{0.55}));  // a surface may show so many
+}
+
+TEST(FindGrazedArcs, LeavesFewPointsThatRiseToNoEdgeOutside) {
+  EXPECT_FALSE(isGrazed(Left{0.3, 0.15, 0.0, 0.0, false}));
 }
 
 TEST(FindGrazedArcs, LeavesFewPointsThatRiseAsALipDoes) {
