@@ -66,6 +66,20 @@ FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<doub
   return pass;
 }
 
+/// A pass, with what stands between liquid that was left out of the one before it: that had shown the floor another
+/// slope and section.
+FootPass besideLiquid(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
+  FootPass pass = runPass(foot, elevations, before);
+  pass.outliers = findOutliers(foot, pass);
+  for (std::size_t i = 0; i < pass.fits.size(); ++i) {
+    const Unmeasured reason = before.outliers.reasons[i];
+    if (reason != Unmeasured::None) pass.outliers.reasons[i] = reason;
+  }
+  pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
+  pass.under_shell = before.under_shell, pass.liquid = before.liquid;
+  return pass;
+}
+
 /// A first pass upon what passes for a lip, which two levels make that are stacked together: upon one of them, if its
 /// surface goes on beyond that lip; else as it was.
 /// @param elevations  that it begins with
@@ -117,7 +131,10 @@ FootPass runPasses(const Foot& foot, const Tank& tank, FootElevations& elevation
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
   if (!isResolved(foot)) return pass;
   pass = withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled));
-  return withoutLiquid(foot, std::move(pass));
+  pass = withoutLiquid(foot, std::move(pass));
+  if (!(pass.liquid > 0.0 && pass.liquid < 1.0)) return pass;
+  elevations = elevationsAfter(foot, pass, std::move(elevations));
+  return besideLiquid(foot, elevations, pass);
 }
 
 }  // namespace tank_datum

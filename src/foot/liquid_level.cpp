@@ -87,6 +87,19 @@ double usualSlope(const std::vector<SeenStation>& all, const Indices& some) {
   return median(std::move(sloping));
 }
 
+/// Whether the floor climbs beside the level by so much that a tilted one would leave it within the level's arc.
+/// @param plane  through the level
+bool climbs(const std::vector<SeenStation>& all, const Indices& on, const Indices& off, const LevelPlane& plane,
+            double radius) {
+  constexpr double kTimes = 5.0;  // standard errors that it would do so by
+  const double half = 0.5 * kTwoPi * static_cast<double>(on.size()) / static_cast<double>(all.size());
+  std::vector<double> rises, sigmas;
+  for (const std::size_t i : off) rises.push_back(plane.above(all[i]));
+  for (const std::size_t i : on) sigmas.push_back(all[i].sigma);
+  const double error = std::hypot(median(std::move(sigmas)), kOffLevel * radius);
+  return 0.5 * median(std::move(rises)) * (1.0 - std::cos(half)) > kTimes * error;
+}
+
 std::vector<SeenStation> seenOf(const Foot& foot, const std::vector<FootFit>& fits, const std::vector<FootFit>& own) {
   const double common = commonSigma(fits, 1);
   std::vector<SeenStation> all;
@@ -176,7 +189,10 @@ LiquidLevel findLiquidLevel(const Foot& foot, const std::vector<FootFit>& fits, 
   if (off.empty()) return {std::move(hidden), wouldTell(all, on) ? 1.0 : 0.0};
   const bool is_lowest = lower <= kFewBelow * static_cast<double>(off.size());
   const bool slopes = usualSlope(all, off) >= square(kSlopes) * std::max(1.0, usualSlope(all, on));
-  if (off.size() < arc || !is_lowest || !slopes) return {};
+  if (off.size() < arc || !is_lowest || !(slopes || climbs(all, on, off, plane, foot.radius))) return {};
+  for (std::size_t i = 0; i < all.size(); ++i) {  // and single ones, too few to tell it by
+    if (std::abs(plane.above(all[i])) <= kOffTheLevel * all[i].sigma) hidden[i] = true;
+  }
   const double share = static_cast<double>(on.size()) / static_cast<double>(on.size() + off.size());
   return {std::move(hidden), share};
 }

@@ -14,8 +14,9 @@ using namespace made_feet;
 /// A floor of a tank that has tilted and settled, with liquid in its lowest part.
 struct Floor {
   double slope = 0.01, sigma = 5e-5, sigma_slope = 1e-4;
-  double rise = 0.0;   // of the liquid along the shell, off level [m/m]
-  double lower = 0.0;  // by so much the floor lies elsewhere, over ten stations [m]
+  double rise = 0.0;    // of the liquid along the shell, off level [m/m]
+  double climb = 0.01;  // of the floor along the shell, at the middle of its height [m]
+  double lower = 0.0;   // by so much the floor lies elsewhere, over ten stations [m]
   int from = 100, to = 200;
   bool inside = true;
 };
@@ -38,7 +39,7 @@ Seen look(const Floor& floor) {
     const double off = (i - middle) * kDegree, shore = 0.5 * (floor.to - floor.from) * kDegree;
     FootFit& fit = pass.fits[static_cast<std::size_t>(i)];
     FootFit& own = pass.outliers.own[static_cast<std::size_t>(i)];
-    fit.z = is_liquid ? floor.rise * kRadius * off : 0.02 * (std::cos(shore) - std::cos(off));
+    fit.z = is_liquid ? floor.rise * kRadius * off : floor.climb * (std::cos(shore) - std::cos(off));
     if (i >= 300 && i < 310) fit.z -= floor.lower;
     fit.sigma = own.sigma = floor.sigma;
     own.slope = is_liquid ? 0.0 : floor.slope;
@@ -85,6 +86,14 @@ TEST(WithoutLiquid, TheFloorSlopesByTenStandardErrors) {
   EXPECT_EQ(look(floor).dropped, 0U);
   floor.slope *= 11.0 / 9.0;
   EXPECT_GT(look(floor).dropped, 0U);
+}
+
+TEST(WithoutLiquid, OrTheFloorClimbsBesideTheLevelByMoreThanOneThatIsTilted) {
+  Floor floor;
+  floor.slope = 0.0;
+  EXPECT_EQ(look(floor).dropped, 0U);
+  floor.climb = 0.02;
+  EXPECT_EQ(look(floor).liquid, 100U);
 }
 
 TEST(WithoutLiquid, WhatLiesLowerElsewhereShowsThatItIsNone) {
