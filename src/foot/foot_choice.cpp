@@ -7,8 +7,8 @@
 #include "core/portable_math.h"
 #include "core/ring_runs.h"
 #include "core/statistics.h"
-#include "core/units.h"
 #include "fit/harmonics.h"
+#include "fit/ring_cells.h"
 
 namespace tank_datum {
 namespace {
@@ -63,15 +63,14 @@ Places overTilt(Places places, const Costs& costs, double reach) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t best = cheapestOf(costs[i]);
     if (best == places[i].size()) continue;
-    azimuths.push_back(kTwoPi * static_cast<double>(i) / static_cast<double>(places.size()));
+    azimuths.push_back(middleOfCell(i, places.size()));
     heights.push_back(places[i][best].height);
   }
   if (heights.empty()) return places;
   const PeriodicFit tilt = fitHarmonics(azimuths, heights, {}, {1, true, kShortArc});
   if (!(tilt.sigma < kLeast * reach)) return places;  // most are on no tilted surface
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const double azimuth = kTwoPi * static_cast<double>(i) / static_cast<double>(places.size());
-    for (FootCandidate& c : places[i]) c.height -= tilt(azimuth);
+    for (FootCandidate& c : places[i]) c.height -= tilt(middleOfCell(i, places.size()));
   }
   return places;
 }
