@@ -7,6 +7,7 @@
 #include "core/portable_math.h"
 #include "core/ring_runs.h"
 #include "core/statistics.h"
+#include "core/units.h"
 #include "fit/harmonics.h"
 #include "fit/ring_cells.h"
 
@@ -57,7 +58,8 @@ double usualDifference(const FootCandidate& a, const FootCandidate& b, double ar
 /// The same, over the tilt of what most of them show: a shell may stand upright on a floor that falls to one side, and
 /// climbs along it by more than a level datum.
 /// @param costs  of every place's candidates
-Places overTilt(Places places, const Costs& costs, double reach) {
+Places overTilt(Places places, const Costs& costs, double arc, double reach) {
+  constexpr double kMostFall = 0.02;  // of a floor; terrain may fall more [m/m]
   constexpr double kShortArc = 1e-4;  // so that a few places have a tilt
   std::vector<double> azimuths, heights;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -68,7 +70,9 @@ Places overTilt(Places places, const Costs& costs, double reach) {
   }
   if (heights.empty()) return places;
   const PeriodicFit tilt = fitHarmonics(azimuths, heights, {}, {1, true, kShortArc});
-  if (!(tilt.sigma < kLeast * reach)) return places;  // most are on no tilted surface
+  const double radius = arc * static_cast<double>(places.size()) / kTwoPi;
+  const double fall = std::hypot(tilt.coefficients[1], tilt.coefficients[2]) / radius;
+  if (!(tilt.sigma < kLeast * reach && fall <= kMostFall)) return places;  // most are on no tilted floor
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (FootCandidate& c : places[i]) c.height -= tilt(middleOfCell(i, places.size()));
   }
@@ -173,7 +177,7 @@ std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, do
     for (const FootCandidate& c : place) costs.back().push_back(costOf(c, usual, reach));
     costs.back().push_back(kNone);
   }
-  const Places level = overTilt(places, costs, reach);
+  const Places level = overTilt(places, costs, arc, reach);
   const RingPath ring{level, costs, arc, reach};
   Choice choice = cheapestPath(ring);
   for (auto runs = runsOf(ring, choice); !runs.empty(); runs = runsOf(ring, choice)) {

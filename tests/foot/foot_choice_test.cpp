@@ -50,12 +50,14 @@ Places fallingFloor(double fall) {
 }
 
 TEST(ChooseRoundRing, AFloorThatFallsToOneSideIsOneSurface) {
-  EXPECT_EQ(chosen(chooseRoundRing(fallingFloor(0.25), kArc, kReach)), 240U);
+  const double radius = kArc * kPlaces / kTwoPi;
+  EXPECT_EQ(chosen(chooseRoundRing(fallingFloor(0.018 * radius), kArc, kReach)), 240U);
+  EXPECT_LT(chosen(chooseRoundRing(fallingFloor(0.022 * radius), kArc, kReach)), 240U) << "as terrain does";
 }
 
 TEST(ChooseRoundRing, ATiltIsThatOfMostPlaces) {
   const auto found = [](std::size_t like) {  // of eight places; the others lie elsewhere each, as no surface does
-    Places places = fallingFloor(0.25);
+    Places places = fallingFloor(0.2);
     for (std::size_t i = 0; i < kPlaces; ++i) {
       if (!places[i].empty() && i % 8 >= like) places[i] = {stretch(i % 2 == 0 ? 1.0 : -1.0, 0.0, 0.0005)};
     }
