@@ -71,12 +71,13 @@ std::string stationsLine(const Datum& datum) {
               level.missing, density.c_str());
 }
 
-/// Where soil or a kerb lies at the shell, or a sector of the foundation stands off the rest; where it is not the shell
-/// that stands there; where the datum is known to lie lower than the stations beside a gap say; and where what was
-/// refused may be the datum.
+/// Where soil or a kerb, or inside of it liquid or a coil, lies at the shell, or a sector of the foundation stands off
+/// the rest; where it is not the shell that stands there; where the datum is known to lie lower than the stations
+/// beside a gap say; and where what was refused may be the datum.
 std::string unmeasuredLines(const Datum& datum) {
   constexpr std::size_t kNamed = 3;  // stations of an arc; of shorter ones there are many beside a foot
-  const std::string surface = nameOf(datum.refined.profile.surface);
+  const bool inside = datum.tank.side == Side::Inside;
+  const std::string surface = inside ? "floor" : nameOf(datum.refined.profile.surface);
   std::string text;
   const auto add = [&](const char* title, const std::vector<char>& is, std::size_t shortest, const std::string& what) {
     const std::string arcs = arcsText(is, datum.stations, shortest);
@@ -84,7 +85,8 @@ std::string unmeasuredLines(const Datum& datum) {
   };
   if (datum.refined.valid()) {
     add("other surface", withReason(datum.stations, Unmeasured::OtherSurface), kNamed,
-        "something else than the " + surface + " meets the shell, soil or a kerb: not measured");
+        "something else than the " + surface + " meets the shell, " + (inside ? "liquid or a coil" : "soil or a kerb") +
+            ": not measured");
   }
   add("another wall", withReason(datum.stations, Unmeasured::OffCircle), kNamed,
       "what stands there is not the shell, cladding or a pipe: not measured, no part of its shape");

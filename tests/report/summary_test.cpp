@@ -53,6 +53,17 @@ TEST(Summary, NamesTheArcsInWhichAnotherWallStands) {
       << summary(datum);
 }
 
+TEST(Summary, NamesTheArcsInWhichSomethingElseMeetsTheShell) {
+  Datum datum = octagon();
+  datum.refined.profile.band_to = 0.1, datum.refined.profile.surface = Surface::Ringwall;
+  for (const std::size_t i : {2U, 3U, 4U}) datum.stations[i].reason = Unmeasured::OtherSurface;
+  EXPECT_NE(summary(datum).find("something else than the ringwall meets the shell, soil or a kerb"), std::string::npos)
+      << summary(datum);
+  datum.tank.side = Side::Inside;
+  EXPECT_NE(summary(datum).find("something else than the floor meets the shell, liquid or a coil"), std::string::npos)
+      << summary(datum);
+}
+
 /// Where the shell is seen below its neighbours' level the datum is not lifted by a heave.
 TEST(Summary, NoHeaveIsNamedWhereTheShellIsSeenBelow) {
   Datum datum = octagon();
