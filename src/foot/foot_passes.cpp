@@ -66,10 +66,11 @@ FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<doub
   return pass;
 }
 
-/// A pass, with what stands between liquid that was left out of the one before it: that had shown the floor another
-/// slope and section.
+/// A pass over what stands beside liquid that was left out of the one before it: upon it the floor had another slope
+/// and section.
+/// @param elevations  with those of the liquid
 FootPass besideLiquid(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
-  FootPass pass = runPass(foot, elevations, before);
+  FootPass pass = runPass(foot, elevationsAfter(foot, before, elevations), before);
   pass.outliers = findOutliers(foot, pass);
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {
     const Unmeasured reason = before.outliers.reasons[i];
@@ -133,7 +134,6 @@ FootPass runPasses(const Foot& foot, const Tank& tank, FootElevations& elevation
   pass = withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled));
   pass = withoutLiquid(foot, std::move(pass));
   if (!(pass.liquid > 0.0 && pass.liquid < 1.0)) return pass;
-  elevations = elevationsAfter(foot, pass, std::move(elevations));
   return besideLiquid(foot, elevations, pass);
 }
 

@@ -16,8 +16,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kStrips = 30;
-constexpr double kLip = 0.05;  // its slope, at most [m/m]
+constexpr std::size_t kStrips = 30;     // in which an edge hides a foot that is seen from outside
+constexpr std::size_t kAllStrips = 48;  // to the end of the section
+constexpr double kLip = 0.05;           // its slope, at most [m/m]
 
 /// What is seen in a strip along the shell.
 struct StripSeen {
@@ -28,7 +29,7 @@ struct StripSeen {
 };
 
 /// What is seen in strips from the shell outwards.
-using StripsSeen = std::array<StripSeen, kStrips>;
+using StripsSeen = std::array<StripSeen, kAllStrips>;
 
 /// What is seen at a station or in an arc.
 struct ArcSeen {
@@ -36,7 +37,7 @@ struct ArcSeen {
   double on_shell = 0;  ///< points that tell how steeply rays come
 
   void add(const ArcSeen& o) {
-    for (std::size_t k = 0; k < kStrips; ++k) strips[k].add(o.strips[k]);
+    for (std::size_t k = 0; k < kAllStrips; ++k) strips[k].add(o.strips[k]);
     on_shell += o.on_shell;
   }
 };
@@ -47,8 +48,8 @@ ArcSeen seenAt(const Foot& foot, const FootPass& pass, std::size_t station, doub
   for (const FootPoint& p : foot.points[station]) {
     if (isOnShell(p, profile, level, foot.reach)) seen.on_shell += 1.0;
     const double height = p.z - level - pass.priors.slope[station] * p.d;
-    const std::size_t number = scales.stripAt(p.d, kStrips);
-    if (number == kStrips) continue;
+    const std::size_t number = scales.stripAt(p.d, kAllStrips);
+    if (number == kAllStrips) continue;
     StripSeen& strip = seen.strips[number];
     strip.all.add(p.d, p.z - level);
     if (std::abs(height) < scales.within) strip.surface.add(p.d, height);
@@ -60,8 +61,8 @@ ArcSeen seenAt(const Foot& foot, const FootPass& pass, std::size_t station, doub
 /// Points of a strip, usually.
 double usualPoints(const StripsSeen& strips) {
   std::vector<double> points;
-  for (const StripSeen& strip : strips) {
-    if (strip.all.n > 0.0) points.push_back(strip.all.n);
+  for (std::size_t k = 0; k < kStrips; ++k) {
+    if (strips[k].all.n > 0.0) points.push_back(strips[k].all.n);
   }
   return median(std::move(points));
 }
@@ -123,10 +124,23 @@ bool isAlongBeams(const ArcSeen& arc, double usual, double prior, const StripSca
   return prior + surface.slope() > std::max({kLip, kAlong * *beams, kChance * surface.sigmaSlope()});
 }
 
+/// Whether something is seen farther out than some strips, several times as densely as what lies in them.
+/// @param points  of a strip, of those
+bool isEdgeBeyond(const StripsSeen& strips, std::size_t count, double points) {
+  constexpr std::size_t kTogether = 5;  // strips; rows of a scan lie closer
+  constexpr double kTimes = 3.0;
+  for (std::size_t k = count; k + kTogether <= kAllStrips; ++k) {
+    double sum = 0.0;
+    for (std::size_t j = k; j < k + kTogether; ++j) sum += strips[j].all.n;
+    if (sum > kTimes * points * static_cast<double>(kTogether)) return true;
+  }
+  return false;
+}
+
 /// Whether what lies beside a shell seen from inside is in line, rises away from it more steeply than lips do, and is
 /// far less than rays show of a surface that rises so: beams leave it that meet both the shell and an edge farther off,
-/// a coil's or a pipe's, which hides the foot. Rays that fall by r meet a surface that rises by s with (r - s) times as
-/// many points a metre as the shell.
+/// a coil's or a pipe's, which hides the foot. (A steep floor that is wet is as thin farther out.) Rays that fall by r
+/// meet a surface that rises by s with (r - s) times as many points a metre as the shell.
 bool isHiddenByEdge(const ArcSeen& arc, const StripScales& scales, double reach) {
   constexpr double kThin = 0.5;       // of the surface's slope: what rays fall by more
   constexpr double kInLine = 0.8;     // of the squares of heights; of a step up it is three quarters
@@ -139,7 +153,9 @@ bool isHiddenByEdge(const ArcSeen& arc, const StripScales& scales, double reach)
     seen.add(arc.strips[k].all);
     if (k + 1 < kFewest) continue;
     densest = std::max(densest, seen.n / static_cast<double>(k + 1));
-    if (seen.slope() > kLip && seen.explained() > kInLine && densest * *of_point < kThin * seen.slope()) return true;
+    if (seen.slope() > kLip && seen.explained() > kInLine && densest * *of_point < kThin * seen.slope() &&
+        isEdgeBeyond(arc.strips, k + 1, densest))
+      return true;
   }
   return false;
 }

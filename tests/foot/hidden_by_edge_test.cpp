@@ -17,6 +17,7 @@ struct Left {
   double slope = 0.15;   ///< rising outwards [m/m]
   double level = 0.0;    ///< share of its points that lie on a level surface instead
   double nearest = 0.0;  ///< length beside the shell where it is ten times as dense [m]
+  double edge = 10.0;    ///< how many times as dense what stands farther out is
   bool inside = true;
 };
 
@@ -27,7 +28,7 @@ Left with(double Left::*figure, double value, Left left = {}) {
 
 /// Whether an arc of it is grazed.
 bool isGrazed(const Left& left) {
-  constexpr double kEnd = 0.263, kDenser = 9.0;
+  constexpr double kEnd = 0.263, kDenser = 9.0, kEdge = 0.40, kWide = 0.04;
   constexpr double kDense = 9000.0;  // points of a station and metre of the shell
   constexpr int kArc = 10;
   MadeFoot made;
@@ -41,6 +42,7 @@ bool isGrazed(const Left& left) {
     put(1.0 - left.level, kEnd, height);
     put(left.level, kEnd, [](double) { return 0.0; });
     put(kDenser, kNear + left.nearest, height);
+    made.addStation(i, static_cast<int>(std::lround(left.edge * a_metre * kWide)), kEdge, kEdge + kWide, height);
     made.addShell(i, static_cast<int>(kDense * 0.4 * kReach));
   }
   FootPass pass;
@@ -54,14 +56,21 @@ bool isGrazed(const Left& left) {
   return findGrazedArcs(foot, pass, pass.fits)[0];
 }
 
-TEST(FindGrazedArcs, FindsFewPointsInLineThatRiseToNoEdge) {
+TEST(FindGrazedArcs, FindsFewPointsInLineThatRiseToAnEdge) {
   EXPECT_TRUE(isGrazed(Left{}));
   EXPECT_TRUE(isGrazed(Left{0.45}));
   EXPECT_FALSE(isGrazed(Left{0.55}));  // a surface may show so many
 }
 
-TEST(FindGrazedArcs, LeavesFewPointsThatRiseToNoEdgeOutside) {
-  EXPECT_FALSE(isGrazed(Left{0.3, 0.15, 0.0, 0.0, false}));
+TEST(FindGrazedArcs, LeavesFewPointsThatGoOnAsTheyDoOnAWetFloor) {
+  EXPECT_TRUE(isGrazed(with(&Left::edge, 5.0)));
+  EXPECT_FALSE(isGrazed(with(&Left::edge, 3.5)));
+}
+
+TEST(FindGrazedArcs, LeavesFewPointsInLineOutside) {
+  Left left;
+  left.inside = false;
+  EXPECT_FALSE(isGrazed(left));
 }
 
 TEST(FindGrazedArcs, LeavesFewPointsThatRiseAsALipDoes) {
