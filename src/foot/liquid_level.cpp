@@ -18,6 +18,7 @@ namespace {
 constexpr double kOffLevel = 5e-5;             // standard deviation of what a scan is off level by: 10" [m/m]
 constexpr double kLiquidArc = 40.0 * kDegree;  // over which no floor follows a level by itself
 constexpr double kOffTheLevel = 4.0;           // standard errors
+constexpr double kMostVariance = 2.0;          // of what lies on a level, over that of the standard errors
 
 using Indices = std::vector<std::size_t>;
 
@@ -65,11 +66,18 @@ LevelPlane levelPlaneThrough(const std::vector<SeenStation>& all, const Indices&
 
 /// Whether stations lie on one level, without slope on the whole, as far as their standard errors tell.
 bool areLevel(const std::vector<SeenStation>& all, const Indices& some, double radius) {
-  constexpr double kMostVariance = 2.0;  // over that of the standard errors
   const LevelPlane plane = levelPlaneThrough(all, some, radius);
   double sum = 0.0;
   for (const std::size_t i : some) sum += square(plane.above(all[i]) / all[i].sigma);
   return sum <= kMostVariance * static_cast<double>(some.size()) && isWithoutSlope(all, some);
+}
+
+/// Whether most stations lie on a plane as far as their standard errors tell: arcs that are level each by itself may be
+/// parts of a floor that is not.
+bool areMostOn(const LevelPlane& plane, const std::vector<SeenStation>& all, const Indices& some) {
+  std::vector<double> above;
+  for (const std::size_t i : some) above.push_back(plane.above(all[i]) / all[i].sigma);
+  return square(robustSigma(above, 0.0)) <= kMostVariance;
 }
 
 /// Whether elevations are known so well that no floor would pass for level all round.
@@ -177,6 +185,7 @@ LiquidLevel findLiquidLevel(const Foot& foot, const std::vector<FootFit>& fits, 
   }
   if (on.empty()) return {};
   const LevelPlane plane = levelPlaneThrough(all, on, foot.radius);
+  if (!areMostOn(plane, all, on)) return {};
   std::vector<bool> below;
   for (const SeenStation& s : all) below.push_back(plane.above(s) < -kOffTheLevel * s.sigma);
   std::vector<bool> hidden = withShores(foot, fits, level, below);

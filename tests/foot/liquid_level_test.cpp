@@ -14,6 +14,7 @@ using namespace made_feet;
 /// A floor of a tank that has tilted and settled, with liquid in its lowest part.
 struct Floor {
   double slope = 0.01, sigma = 5e-5, sigma_slope = 1e-4;
+  double wave = 0.0;    // of two waves upon the liquid [m]
   double rise = 0.0;    // of the liquid along the shell, off level [m/m]
   double climb = 0.01;  // of the floor along the shell, at the middle of its height [m]
   double lower = 0.0;   // by so much the floor lies elsewhere, over ten stations [m]
@@ -39,7 +40,8 @@ Seen look(const Floor& floor) {
     const double off = (i - middle) * kDegree, shore = 0.5 * (floor.to - floor.from) * kDegree;
     FootFit& fit = pass.fits[static_cast<std::size_t>(i)];
     FootFit& own = pass.outliers.own[static_cast<std::size_t>(i)];
-    fit.z = is_liquid ? floor.rise * kRadius * off : floor.climb * (std::cos(shore) - std::cos(off));
+    fit.z = is_liquid ? floor.rise * kRadius * std::sin(off) + floor.wave * std::cos(3.0 * off)
+                      : floor.climb * (std::cos(shore) - std::cos(off));
     if (i >= 300 && i < 310) fit.z -= floor.lower;
     fit.sigma = own.sigma = floor.sigma;
     own.slope = is_liquid ? 0.0 : floor.slope;
@@ -90,7 +92,7 @@ TEST(WithoutLiquid, TheFloorSlopesByTenStandardErrors) {
 
 TEST(WithoutLiquid, OrTheFloorClimbsBesideTheLevelByMoreThanOneThatIsTilted) {
   Floor floor;
-  floor.slope = 0.0;
+  floor.slope = 0.0, floor.sigma = 0.0002;
   EXPECT_EQ(look(floor).dropped, 0U);
   floor.climb = 0.02;
   EXPECT_EQ(look(floor).liquid, 100U);
@@ -99,6 +101,14 @@ TEST(WithoutLiquid, OrTheFloorClimbsBesideTheLevelByMoreThanOneThatIsTilted) {
 TEST(WithoutLiquid, WhatLiesLowerElsewhereShowsThatItIsNone) {
   Floor floor;
   floor.lower = 0.05;
+  EXPECT_EQ(look(floor).dropped, 0U);
+}
+
+TEST(WithoutLiquid, IsLevelOnTheWholeAndNotArcByArc) {
+  Floor floor;
+  floor.wave = 0.0005;
+  EXPECT_GT(look(floor).liquid, 0U);
+  floor.wave = 0.0008;
   EXPECT_EQ(look(floor).dropped, 0U);
 }
 
