@@ -16,7 +16,7 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kStrips = 30;     // in which an edge hides a foot that is seen from outside
+constexpr std::size_t kStrips = 30;     // beside the shell, which an edge may hide
 constexpr std::size_t kAllStrips = 48;  // to the end of the section
 constexpr double kLip = 0.05;           // its slope, at most [m/m]
 
