@@ -105,7 +105,7 @@ bool climbs(const std::vector<SeenStation>& all, const Indices& on, const Indice
   for (const std::size_t i : off) rises.push_back(plane.above(all[i]));
   for (const std::size_t i : on) sigmas.push_back(all[i].sigma);
   const double error = std::hypot(median(std::move(sigmas)), kOffLevel * radius);
-  return 0.5 * median(std::move(rises)) * (1.0 - std::cos(half)) > kTimes * error;
+  return 0.5 * median(std::move(rises)) * (1.0 - portable::cos(half)) > kTimes * error;
 }
 
 std::vector<SeenStation> seenOf(const Foot& foot, const std::vector<FootFit>& fits, const std::vector<FootFit>& own) {
