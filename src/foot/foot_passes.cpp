@@ -67,16 +67,18 @@ FootPass withoutCladding(const Foot& foot, FootPass pass, const std::vector<doub
 }
 
 /// A pass over what stands beside liquid that was left out of the one before it: upon it the floor had another slope
-/// and section.
+/// and section. What was said of the stations that do not stand, and of the whole ring, stays.
 /// @param elevations  with those of the liquid
 FootPass besideLiquid(const Foot& foot, const FootElevations& elevations, const FootPass& before) {
   FootPass pass = runPass(foot, elevationsAfter(foot, before, elevations), before);
   pass.outliers = findOutliers(foot, pass);
   for (std::size_t i = 0; i < pass.fits.size(); ++i) {
-    const Unmeasured reason = before.outliers.reasons[i];
-    if (reason != Unmeasured::None) pass.outliers.reasons[i] = reason;
+    if (before.outliers.reasons[i] == Unmeasured::None) continue;
+    pass.outliers.reasons[i] = before.outliers.reasons[i];
+    pass.outliers.refused[i] = before.outliers.refused[i];
   }
   pass.fits = standing(std::move(pass.fits), pass.outliers.reasons);
+  pass.sections.whole.unseen = before.sections.whole.unseen;
   pass.under_shell = before.under_shell, pass.liquid = before.liquid;
   return pass;
 }
@@ -133,8 +135,7 @@ FootPass runPasses(const Foot& foot, const Tank& tank, FootElevations& elevation
   if (!isResolved(foot)) return pass;
   pass = withoutRoughArcs(foot, withoutCladding(foot, std::move(pass), elevations.filled));
   pass = withoutLiquid(foot, std::move(pass));
-  if (!(pass.liquid > 0.0 && pass.liquid < 1.0)) return pass;
-  return besideLiquid(foot, elevations, pass);
+  return pass.hasLiquid() ? besideLiquid(foot, elevations, pass) : pass;
 }
 
 }  // namespace tank_datum

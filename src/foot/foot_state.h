@@ -167,6 +167,9 @@ struct FootPass {
   FootOutliers outliers;
   double under_shell = kUnknown;  ///< share of the stations under whose wall the foundation goes on, if not a few
   double liquid = 0;              ///< share of the stations upon what lies as liquid does
+
+  /// Whether some lie on it, which are left out; where all do, none is.
+  bool hasLiquid() const { return liquid > 0.0 && liquid < 1.0; }
 };
 
 /// The stations' elevations as the ring's own covariance lets neighbours help.
