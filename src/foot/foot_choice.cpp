@@ -55,8 +55,8 @@ double usualDifference(const FootCandidate& a, const FootCandidate& b, double ar
   return kClimb * std::min(arc, kShort * reach) + kFar * arc + kLeast * reach + std::hypot(a.error, b.error);
 }
 
-/// The same, over the tilt of what most of them show: a shell may stand upright on a floor that falls to one side, and
-/// climbs along it by more than a level datum.
+/// The places, with heights over the tilt of what most of them show: a shell may stand upright on a floor that falls to
+/// one side, and climbs along it by more than a level datum.
 /// @param costs  of every place's candidates
 Places overTilt(Places places, const Costs& costs, double arc, double reach) {
   constexpr double kMostFall = 0.02;  // of a floor; terrain may fall more [m/m]

@@ -80,12 +80,17 @@ bool areMostOn(const LevelPlane& plane, const std::vector<SeenStation>& all, con
   return square(robustSigma(above, 0.0)) <= kMostVariance;
 }
 
+/// Usual standard error of stations' elevations [m].
+double usualSigma(const std::vector<SeenStation>& all, const Indices& some) {
+  std::vector<double> sigmas;
+  for (const std::size_t i : some) sigmas.push_back(all[i].sigma);
+  return median(std::move(sigmas));
+}
+
 /// Whether elevations are known so well that no floor would pass for level all round.
 bool wouldTell(const std::vector<SeenStation>& all, const Indices& some) {
   constexpr double kKnown = 0.0003;  // [m]
-  std::vector<double> sigmas;
-  for (const std::size_t i : some) sigmas.push_back(all[i].sigma);
-  return median(std::move(sigmas)) <= kKnown;
+  return usualSigma(all, some) <= kKnown;
 }
 
 /// Usual square of a slope over its variance, of stations.
@@ -101,10 +106,9 @@ bool climbs(const std::vector<SeenStation>& all, const Indices& on, const Indice
             double radius) {
   constexpr double kTimes = 5.0;  // standard errors that it would do so by
   const double half = 0.5 * kTwoPi * static_cast<double>(on.size()) / static_cast<double>(all.size());
-  std::vector<double> rises, sigmas;
+  std::vector<double> rises;
   for (const std::size_t i : off) rises.push_back(plane.above(all[i]));
-  for (const std::size_t i : on) sigmas.push_back(all[i].sigma);
-  const double error = std::hypot(median(std::move(sigmas)), kOffLevel * radius);
+  const double error = std::hypot(usualSigma(all, on), kOffLevel * radius);
   return 0.5 * median(std::move(rises)) * (1.0 - portable::cos(half)) > kTimes * error;
 }
 
@@ -210,7 +214,7 @@ FootPass withoutLiquid(const Foot& foot, FootPass pass) {
   if (!foot.inside) return pass;
   const LiquidLevel liquid = findLiquidLevel(foot, pass.fits, standing(pass.outliers.own, pass.outliers.reasons));
   pass.liquid = liquid.share;
-  if (!(liquid.share > 0.0 && liquid.share < 1.0)) return pass;
+  if (!pass.hasLiquid()) return pass;
   for (std::size_t i = 0; i < liquid.stations.size(); ++i) {
     if (liquid.stations[i] && pass.fits[i].valid()) pass.outliers.reasons[i] = Unmeasured::OtherSurface;
   }

@@ -12,8 +12,8 @@ struct LiquidLevel {
   double share = 0;  ///< of all that are fitted; 1: a level floor without slope looks the same; 0: none is told
 };
 
-/// Stations of long arcs on one level surface that has no slope, while the floor beside it has one and lies nowhere
-/// lower.
+/// Stations of long arcs on one level surface that has no slope, while the floor beside it has one, or climbs along the
+/// shell more than a tilted floor that is level there, and lies nowhere lower.
 /// @param fits  of the datum; not valid where a station does not stand
 /// @param own   the surfaces as the stations' own points lie; not valid where a station does not stand
 LiquidLevel findLiquidLevel(const Foot& foot, const std::vector<FootFit>& fits, const std::vector<FootFit>& own);

@@ -38,11 +38,7 @@ void addGap(MadeFoot& made, int station, const Gap& gap) {
 bool isGrazed(const Gap& gap, int neighbours = 180, const Gap& others = {10.0, 0.0}) {
   MadeFoot made;
   for (int i = 0; i < 360; ++i) addGap(made, i, std::min(i, 360 - i) <= neighbours ? gap : others);
-  FootFit fit;
-  fit.z = fit.slope = 0.0, fit.sigma = 0.0002;
-  FootPass pass;
-  pass.fits.assign(360, fit);
-  pass.priors.slope.assign(360, 0.0);
+  FootPass pass = levelPass(0.5 * made.step(), kFar);
   pass.sections.whole.noise = 0.0025;
   return findGrazedArcs(made.foot(), pass, pass.fits)[0];
 }
@@ -145,12 +141,8 @@ bool isGrazed(const Slope& seen) {
     made.addStation(i, points(1.0 - seen.on_line, seen.end, kFar), seen.end, kFar, [](double) { return kLower; });
     made.addShell(i, on_shell);
   }
-  FootFit fit;
-  fit.z = fit.slope = 0.0, fit.sigma = 0.0002;
-  FootPass pass;
-  pass.fits.assign(360, fit);
-  pass.priors.slope.assign(360, 0.0);
-  pass.sections.whole.noise = 0.0025, pass.sections.whole.blur = 0.004;
+  FootPass pass = levelPass(0.5 * made.step(), kFar);
+  pass.sections.whole.noise = 0.0025;
   return findGrazedArcs(made.foot(), pass, pass.fits)[0];
 }
 

@@ -45,12 +45,9 @@ bool isGrazed(const Left& left) {
     made.addStation(i, static_cast<int>(std::lround(left.edge * a_metre * kWide)), kEdge, kEdge + kWide, height);
     made.addShell(i, static_cast<int>(kDense * 0.4 * kReach));
   }
-  FootPass pass;
-  FootFit fit;
-  fit.z = 0.0, fit.slope = left.slope, fit.sigma = 0.0002;
-  pass.fits.assign(360, fit);
+  FootPass pass = levelPass(0.5 * made.step(), kEnd);
   pass.priors.slope.assign(360, left.slope);
-  pass.sections.whole.noise = 0.02, pass.sections.whole.blur = 0.004;
+  pass.sections.whole.noise = 0.02;
   Foot& foot = made.foot();
   foot.inside = left.inside;
   return findGrazedArcs(foot, pass, pass.fits)[0];

@@ -14,8 +14,8 @@ using namespace made_feet;
 /// A floor of a tank that has tilted and settled, with liquid in its lowest part.
 struct Floor {
   double slope = 0.01, sigma = 5e-5, sigma_slope = 1e-4;
-  double wave = 0.0;    // of two waves upon the liquid [m]
-  double rise = 0.0;    // of the liquid along the shell, off level [m/m]
+  double wave = 0.0;    // upon the liquid, three round the tank [m]
+  double rise = 0.0;    // of the liquid across the tank, off level [m/m]
   double climb = 0.01;  // of the floor along the shell, at the middle of its height [m]
   double lower = 0.0;   // by so much the floor lies elsewhere, over ten stations [m]
   int from = 100, to = 200;
