@@ -7,6 +7,7 @@
 #include "core/least_without.h"
 #include "core/ring_runs.h"
 #include "core/statistics.h"
+#include "core/units.h"
 
 namespace tank_datum {
 namespace {
@@ -144,6 +145,24 @@ std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons,
     for (std::size_t k = run.first; k <= run.last; ++k) outnumbered[k % count] = stand[k % count] != 0;
   }
   return outnumbered;
+}
+
+std::vector<bool> findLoneStations(const std::vector<Unmeasured>& reasons, std::size_t far) {
+  constexpr double kFew = 2.0 * kDegree;  // over which an edge, as beams cross it, passes for a floor [rad]
+  const std::size_t count = reasons.size();
+  const auto few = static_cast<std::size_t>(std::lround(kFew / kTwoPi * static_cast<double>(count)));
+  std::vector<char> stand;
+  for (const Unmeasured reason : reasons) stand.push_back(reason == Unmeasured::None ? 1 : 0);
+  const std::vector<RingRun> islands = runsRound(stand, far);
+  std::size_t longest = 0;
+  for (const RingRun& run : islands) longest = std::max(longest, run.last - run.first + 1);
+  std::vector<bool> lone(count, false);
+  for (const RingRun& run : islands) {
+    const std::size_t length = run.last - run.first + 1;
+    if (length > few || length == longest) continue;
+    for (std::size_t k = run.first; k <= run.last; ++k) lone[k % count] = true;
+  }
+  return lone;
 }
 
 double commonSigma(const std::vector<FootFit>& fits, std::size_t apart) {

@@ -40,6 +40,11 @@ Steps findSteps(const std::vector<FootFit>& fits, double step, const std::functi
 /// @param far  stations over which no gap is bridged
 std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons, std::size_t far);
 
+/// Stations of islands of a few, between gaps that are not bridged: nothing says that what is seen there is the foot,
+/// and not the edge of what hides the rest. (Not of the longest island.)
+/// @param far  stations over which no gap is bridged
+std::vector<bool> findLoneStations(const std::vector<Unmeasured>& reasons, std::size_t far);
+
 /// The error that every station has on top of its standard error: the surface's own roughness and what no station knows
 /// about. From the third differences of elevations one, two and three windows apart, which a datum without its shape
 /// leaves at zero (the variance between laboratories of Mandel and Paule 1970, by a quantile instead of the mean

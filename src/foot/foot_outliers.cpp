@@ -204,6 +204,12 @@ FootOutliers findOutliers(const Foot& foot, const FootPass& pass) {
     reasons[i] = Unmeasured::OtherSurface;
     refused[i] = {pass.fits[i].z, kUnknown};
   }
+  if (foot.inside) {
+    const std::vector<bool> lone = findLoneStations(reasons, foot.stationsIn(kFarIsland));
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+      if (lone[i]) reasons[i] = Unmeasured::Hidden;
+    }
+  }
   own = standing(std::move(own), reasons);
   return {std::move(reasons), std::move(steps.dips), std::move(refused), std::move(cover.maybe), std::move(own)};
 }

@@ -66,4 +66,31 @@ TEST(FindOutnumberedIslands, WhereMostStandTheyStay) {
   EXPECT_FALSE(isOutnumbered(reasons, 2));
 }
 
+/// Stations 0 to 99 stand, and so many on their own from `from` on.
+bool areLone(std::size_t from, std::size_t stand) {
+  std::vector<Unmeasured> reasons = ringWith(0, 0, 0);
+  std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(from), stand, Unmeasured::None);
+  const std::vector<bool> lone = findLoneStations(reasons, kFar);
+  EXPECT_FALSE(lone[99]);
+  EXPECT_EQ(std::count(lone.begin(), lone.end(), true), lone[from] ? static_cast<std::ptrdiff_t>(stand) : 0);
+  return lone[from];
+}
+
+TEST(FindLoneStations, AFewBetweenGapsThatAreNotBridgedAreAlone) {
+  EXPECT_TRUE(areLone(200, 1));
+  EXPECT_TRUE(areLone(200, 2));
+  EXPECT_FALSE(areLone(200, 3));
+  EXPECT_TRUE(areLone(100 + kFar + 1, 1));
+  EXPECT_FALSE(areLone(100 + kFar, 1));
+}
+
+TEST(FindLoneStations, TheLongestIslandIsNot) {
+  std::vector<Unmeasured> reasons(360, Unmeasured::Hidden);
+  reasons[359] = reasons[0] = Unmeasured::None;  // one island over the end of the ring
+  reasons[100] = Unmeasured::None;
+  const std::vector<bool> lone = findLoneStations(reasons, kFar);
+  EXPECT_TRUE(lone[100]);
+  EXPECT_FALSE(lone[0]);
+}
+
 }  // namespace tank_datum::outnumbered_islands_test
