@@ -185,7 +185,7 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   if (!datum.hasStations()) return datum;
   tell(callbacks, "shell");
   datum.shell = withSetupErrors(surveyShell(bands, datum.stations, datum.circle, options.shell, options.stations),
-                                datum.agreement.errorsOfOne());
+                                datum.agreement.errorsOfPoints(), datum.agreement.seeing());
   tell(callbacks, "checks");
   return withChecks(std::move(datum), options);
 }

@@ -6,6 +6,17 @@
 #include "tank_datum/datum.h"
 
 namespace tank_datum {
+namespace {
+
+std::string namesOfBad(const std::vector<Setup>& setups) {
+  std::string names;
+  for (const Setup& setup : setups) {
+    if (setup.verdict == SetupVerdict::Bad) names += (names.empty() ? "" : ", ") + setup.name;
+  }
+  return names;
+}
+
+}  // namespace
 
 std::vector<std::string> warningsOf(const Datum& datum) {
   constexpr double kAbove = 0.2;  // stairs and rails stand over a shell [m]
@@ -17,6 +28,12 @@ std::vector<std::string> warningsOf(const Datum& datum) {
   if (datum.asked_height < seen - kAbove) {
     warnings.push_back(formatted("a shell height of %.2f m was given, and the shell is seen up to %.2f m: is it in m?",
                                  datum.asked_height, seen));
+  }
+  if (const std::string bad = namesOfBad(datum.agreement.setups); !bad.empty() && datum.shell.valid()) {
+    warnings.push_back(
+        formatted("roundness and plumbness are of the points as they are registered, off by up to "
+                  "%.2g mm in plan (%s): leave those out to have them of the others",
+                  1e3 * datum.agreement.errorsOfPoints().plan, bad.c_str()));
   }
   if (datum.refined.rounding > 0.0) {
     warnings.push_back(formatted("elevations are rounded to %.3g mm; sigma_z holds what that leaves of them unknown",

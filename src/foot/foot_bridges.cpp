@@ -11,6 +11,13 @@
 namespace tank_datum {
 namespace {
 
+/// The straight line across a gap between the stations beside it [m].
+double lineAcross(const RingRun& gap, const std::vector<StationDatum>& stations, std::size_t k) {
+  const std::size_t count = stations.size();
+  const double share = static_cast<double>(k + 1 - gap.first) / static_cast<double>(gap.last + 2 - gap.first);
+  return (1.0 - share) * stations[(gap.first + count - 1) % count].z + share * stations[(gap.last + 1) % count].z;
+}
+
 /// Bridges a gap along the process. Where a station beside it lies off that, as in a dip, straight from side to side,
 /// with a sigma that holds both.
 void bridgeAlong(const RingProcess& process, const RingRun& gap, std::vector<StationDatum>& stations) {
@@ -20,8 +27,7 @@ void bridgeAlong(const RingProcess& process, const RingRun& gap, std::vector<Sta
   for (std::size_t k = gap.first; k <= gap.last; ++k) {
     StationDatum& s = stations[k % count];
     const double expected = process.value[k % count], sigma = std::max(s.sigma_z, process.sigma[k % count]);
-    const double share = static_cast<double>(k + 1 - gap.first) / static_cast<double>(gap.last + 2 - gap.first);
-    const double line = (1.0 - share) * a.z + share * b.z;
+    const double line = lineAcross(gap, stations, k);
     s.z = along ? expected : line;
     s.sigma_z = along ? sigma : std::hypot(sigma, kEither * (line - expected));
   }
@@ -44,16 +50,32 @@ std::vector<StationDatum> bridged(std::vector<StationDatum> stations, const Ring
   return stations;
 }
 
-/// The shell about the level that a gap's bridge, or what the others say of it, has at its stations.
-std::vector<ShellCounts> shellAboutBridges(const Foot& foot, const std::vector<StationDatum>& stations,
-                                           const RingProcess& expected) {
-  std::vector<ShellCounts> counts(stations.size());
-  forEachIndex(stations.size(), 0, [&](std::size_t i) {
-    const StationDatum& s = stations[i];
-    const bool is_bridged = s.flag == StationFlag::Interpolated;
-    if (s.flag == StationFlag::Measured || !foot.shell_seen[i] || !(is_bridged || expected.valid())) return;
-    counts[i] = countShell(
-        foot, i, is_bridged ? levelAt(foot, s.z, s.sigma_z) : levelAt(foot, expected.value[i], expected.sigma[i]));
+/// The level that a gap's bridge has at its stations, or the lower of a line across it and what the others say of it:
+/// a process goes astray in a long one, as it rises from both sides.
+/// @return  not valid at stations that are measured, and where nothing is expected
+std::vector<FootFit> levelsInGaps(const Foot& foot, const std::vector<RingRun>& gaps,
+                                  const std::vector<StationDatum>& stations, const RingProcess& expected) {
+  std::vector<FootFit> levels(stations.size());
+  for (const RingRun& gap : gaps) {
+    for (std::size_t k = gap.first; k <= gap.last; ++k) {
+      const std::size_t i = k % stations.size();
+      const StationDatum& s = stations[i];
+      if (s.flag == StationFlag::Interpolated) {
+        levels[i] = levelAt(foot, s.z, s.sigma_z);
+      } else if (expected.valid()) {
+        const double line = lineAcross(gap, stations, k), value = expected.value[i];
+        levels[i] = levelAt(foot, std::min(line, value), std::hypot(expected.sigma[i], kEither * (value - line)));
+      }
+    }
+  }
+  return levels;
+}
+
+/// The shell about such levels.
+std::vector<ShellCounts> shellAbout(const Foot& foot, const std::vector<FootFit>& levels) {
+  std::vector<ShellCounts> counts(levels.size());
+  forEachIndex(levels.size(), 0, [&](std::size_t i) {
+    if (levels[i].valid() && foot.shell_seen[i]) counts[i] = countShell(foot, i, levels[i]);
   });
   return counts;
 }
@@ -98,11 +120,12 @@ RingRun withBeside(RingRun gap, const Foot& foot, const std::vector<StationDatum
 /// @param expected  elevation and its standard error at every station, as the others say
 std::vector<StationDatum> withoutGapsAboveShell(std::vector<StationDatum> stations, const Foot& foot,
                                                 const RingProcess& expected) {
-  const std::vector<ShellCounts> counts = shellAboutBridges(foot, stations, expected);
   std::vector<char> gap;
   for (const StationDatum& s : stations) gap.push_back(s.flag == StationFlag::Measured ? 0 : 1);
+  const std::vector<RingRun> gaps = runsRound(gap);
+  const std::vector<ShellCounts> counts = shellAbout(foot, levelsInGaps(foot, gaps, stations, expected));
   std::size_t below = 0;
-  for (const RingRun& run : runsRound(gap)) {
+  for (const RingRun& run : gaps) {
     if (!goesOnIn(run, counts)) continue;
     const RingRun all = withBeside(run, foot, stations);
     for (std::size_t k = all.first; k <= all.last; ++k) {

@@ -7,6 +7,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
+#include "fit/surface_rows.h"
 #include "foot/foot_choice.h"
 #include "foot/foot_profile.h"
 #include "foot/foot_state.h"
@@ -31,15 +32,36 @@ bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, do
   return static_cast<std::size_t>(full) >= kFilled;
 }
 
+/// Takes out what a surface climbs along the shell, as beside a dip, where points about it scatter much less for that:
+/// a section over several degrees would smear it.
+void flatten(std::vector<FootPoint>& points, const FootScales& scales) {
+  constexpr double kMuch = 0.5;
+  SurfaceRows rows;
+  rows.reserve(points.size());
+  for (const FootPoint& p : points) {
+    if (p.d >= scales.nearest()) rows.add(p.d, p.t, p.z);
+  }
+  if (rows.size() == 0) return;
+  rows.close();
+  SurfaceRows level = rows;
+  SurfacePrior no_climb;
+  no_climb.precision << 0.0, 0.0, 1e12, 1e12;
+  const auto fit = fitRobustly(rows), as_level = fitRobustly(level, no_climb);
+  if (!fit || !as_level || !(fit->noise < kMuch * as_level->noise)) return;
+  for (FootPoint& p : points) p.z -= (fit->solution[2] + fit->solution[3] * p.t) * p.t;
+}
+
 /// The stretches in the window about a station that is wide enough to tell them apart, a few degrees at most.
 std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, const Tank& tank) {
   constexpr double kWidest = 5.0 * kPi / 180.0;  // half the arc that a sparse station may look at
   const FootScales& scales = foot.scales;
   const double near = scales.nearest(), direction = foot.directions[station], height = tank.foot(direction);
+  const double narrow = half;
   for (;; half = std::min(1.6 * half, kWidest)) {
     auto points = foot.ring.around(direction, half, height, foot.reach);
     if (half < kWidest && !isFilled(points, scales, near)) continue;
     for (FootPoint& p : points) p.z -= tank.foot(direction + p.t / foot.radius) - height;
+    if (half > narrow) flatten(points, scales);
     return findCandidates(points, scales, height - foot.reach);
   }
 }

@@ -25,7 +25,7 @@ struct Depths {
   void add(std::size_t bin) {
     if (!usual.tells(section, bin)) return;
     const double usually = usual.spread[bin], weight = 1.0 / (usually * usually);
-    const double deep = usual.height[bin] - section[bin];
+    const double deep = usual.height[bin] - section[bin] - usual.falls * (static_cast<double>(bin) + 0.5);
     weights += weight, below += weight * deep, spread += weight * usually;
     bins.push_back({deep, weight});
   }
@@ -114,13 +114,15 @@ std::size_t firstBeyond(const Foot& foot, const FootProfile& surface, std::size_
 /// @param tells  which stations say what is usual
 RingSections sectionsOf(const Foot& foot, const FootProfile& surface, const std::vector<double>& levels,
                         const std::vector<bool>& tells, std::size_t bins) {
-  constexpr double kNoise = 0.002;  // of the reach: what medians of bins scatter by at least
+  constexpr double kNoise = 0.002;   // of the reach: what medians of bins scatter by at least
+  constexpr double kFloors = 0.015;  // that a floor falls here and not there; what is heaped falls by more [m/m]
   RingSections ring{std::vector<Section>(levels.size()), {}};
   forEachIndex(levels.size(), 0, [&](std::size_t i) {
     if (std::isfinite(levels[i])) ring.own[i] = sectionAround(foot, levels, i, bins);
   });
   const std::size_t first = firstBeyond(foot, surface, bins);
   ring.usual = usualOf(ring.own, tells, first, bins, kNoise * foot.reach);
+  if (foot.inside) ring.usual.falls = kFloors * foot.reach / static_cast<double>(bins);
   const bool on_lip = surface.surface == Surface::AnnularPlate;
   ring.usual.end = on_lip ? first : endOfFoundation(ring.usual, first);
   return ring;

@@ -16,6 +16,7 @@ struct UsualSection {
   Section height, spread;
   std::size_t seen = 0, shared = 0;  ///< bins that a few sections show at least, and half of them
   std::size_t end = 0;  ///< of a wide surface: behind its last bin before an edge, or where it bends; upon a lip, none
+  double falls = 0;     ///< by how much one may fall more from bin to bin, which says nothing [m]
 
   /// Whether sections show the same bins, mostly.
   bool isWhole() const { return 2 * shared > seen; }

@@ -188,7 +188,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   found.refined.shell_from = shellSeenFrom(foot, levels.fits);
   found.refined.under_shell = pass.under_shell;
   found.refined.above_shell = shareAboveShell(foot, levels.fits);
-  found.refined.raised = raisedAboveRest(foot, levels.fits);
+  if (!pass.hasLiquid()) found.refined.raised = raisedAboveRest(foot, levels.fits);  // the floor under it is lower
   const ProfileBand band{found.refined.profile.band_to, foot.inside ? -1.0 : 1.0};
   std::vector<bool> stand;
   for (const FootFit& fit : levels.fits) stand.push_back(fit.valid());

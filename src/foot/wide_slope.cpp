@@ -8,8 +8,10 @@
 #include "core/portable_math.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/adaptive_smooth.h"
 #include "fit/harmonics.h"
 #include "foot/slope_windows.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -20,6 +22,28 @@ double mostSigmaThatTells(const std::vector<FootFit>& fits, std::size_t fewest) 
   std::size_t tell = 0;
   for (const FootFit& fit : fits) tell += fit.valid() && fit.sigma_slope <= kSlopeVaries;
   return tell < fewest ? std::numeric_limits<double>::infinity() : kSlopeVaries;
+}
+
+/// Where windows show another slope than a ring of one tilt has there, as a part of a floor that settled does, that
+/// slope, known as well as they and those beside them agree on it.
+/// @param off  of windows that tell, from the ring's [m/m]; NaN of others
+/// @param known  variance of the ring's slope at a window [m2/m2]
+void followArcs(const Slopes& found, const std::vector<double>& off, double known, FootPriors& priors) {
+  constexpr double kFar = 3.0;
+  std::vector<SeriesValue> local;
+  for (std::size_t k = 0; k < off.size(); ++k) {
+    const double sigma = found.fits[k].sigma_slope;
+    const bool is_off = off[k] > -kHeapFalls && off[k] < FootPriors::kSteepestFoot &&
+                        std::abs(off[k]) > kFar * std::sqrt(known + square(sigma));
+    local.push_back(is_off ? SeriesValue{off[k], sigma, 1.0} : SeriesValue{0.0, 0.0, 1.0});
+  }
+  for (std::size_t i = 0; i < priors.slope.size(); ++i) {
+    const BetweenValues at(local, i, found.stride);
+    const double mean = at.mean(local, &SeriesValue::value);
+    const double nearest = local[nearestWindow(i, found.stride, local.size())].value;
+    priors.slope[i] += mean;
+    priors.sigma_slope[i] = std::hypot(priors.sigma_slope[i], at.mean(local, &SeriesValue::sigma), nearest - mean);
+  }
 }
 
 }  // namespace
@@ -48,10 +72,12 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
   priors.seen = weightedMedian(std::move(seen));
   const double scatter = robustSigma(all, priors.seen);
   priors.sigma_seen = kMedianOverMean * scatter / std::sqrt(static_cast<double>(all.size()));
+  std::vector<double> off(found.fits.size(), kUnknown);
   double formal = 0, mean = 0, feigned = 0, lifted = 0;
   for (std::size_t k = 0; k < found.fits.size(); ++k) {
     const FootFit& fit = found.fits[k];
     const double error = std::hypot(fit.sigma_slope, scatter);
+    if (fit.valid() && fit.sigma_slope <= most) off[k] = fit.slope;
     if (!fit.valid() || fit.sigma_slope > most || std::abs(fit.slope - priors.seen) > kHeapFalls + 3.0 * error)
       continue;
     azimuths.push_back(foot.directions[k * found.stride]);
@@ -71,6 +97,9 @@ void learnWide(const Foot& foot, const FootElevations& elevations, const FootSec
     priors.slope[i] = fit(foot.directions[i]);
     priors.sigma_slope[i] = std::sqrt(among_windows + unit * row.dot(row * fit.covariance) + square(priors.feigned));
   }
+  if (!foot.inside) return;  // what falls otherwise outside may be soil
+  for (std::size_t k = 0; k < off.size(); ++k) off[k] -= fit(foot.directions[k * found.stride]);
+  followArcs(found, off, among_windows, priors);
 }
 
 }  // namespace tank_datum

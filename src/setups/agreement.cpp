@@ -149,10 +149,25 @@ SetupSpread SetupAgreement::errorsOfOne() const {
   return adjusted() ? spread : SetupSpread{merged_sigma, 0.0, merged_sigma};
 }
 
+SetupSpread SetupAgreement::errorsOfPoints() const {
+  SetupSpread error = errorsOfOne();
+  for (const Setup& setup : setups) {
+    if (setup.verdict != SetupVerdict::Bad) continue;
+    const SetupMotion& off = setup.correction;
+    error.height = std::max(error.height, std::abs(off.dz));
+    error.tilt = std::max(error.tilt, std::hypot(off.tilt_x, off.tilt_y));
+    error.plan = std::max(error.plan, std::hypot(off.dx, off.dy));
+  }
+  return error;
+}
+
+std::size_t SetupAgreement::seeing() const {
+  return static_cast<std::size_t>(
+      std::count_if(setups.begin(), setups.end(), [](const Setup& setup) { return setup.stations > 0; }));
+}
+
 double SetupAgreement::radiusError() const {
-  const auto seeing =
-      std::count_if(setups.begin(), setups.end(), [](const Setup& setup) { return setup.stations > 0; });
-  return errorsOfOne().plan / std::sqrt(static_cast<double>(std::max<std::ptrdiff_t>(1, seeing)));
+  return errorsOfOne().plan / std::sqrt(static_cast<double>(std::max<std::size_t>(1, seeing())));
 }
 
 Eigen::Vector3d SetupMotion::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& origin) const {

@@ -102,7 +102,7 @@ std::size_t count(const std::vector<Station>& stations, const Predicate& is) {
   return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), is));
 }
 
-/// The widest arc without elevations round which a rule on the shape can pass [m].
+/// The widest arc without measured elevations round which a rule on the shape can pass [m].
 double widestGap(const std::vector<Station>& stations, double radius) {
   const double step = kTwoPi * radius / static_cast<double>(stations.size());
   return step > kSurveySpacing ? kWidestSpacing : kSurveySpacing;

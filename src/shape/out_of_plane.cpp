@@ -202,7 +202,7 @@ OutOfPlane fitOutOfPlane(const std::vector<Station>& stations, double radius, co
 double longestGap(const std::vector<Station>& stations, double radius) {
   double first = kUnknown, last = kUnknown, longest = 0.0;
   for (const Station& s : stations) {
-    if (s.flag == StationFlag::Missing) continue;
+    if (s.flag != StationFlag::Measured) continue;
     if (std::isfinite(last)) longest = std::max(longest, s.azimuth - last);
     if (!std::isfinite(first)) first = s.azimuth;
     last = s.azimuth;

@@ -18,7 +18,8 @@ std::vector<Harmonic> harmonicsOf(const std::vector<Station>& stations, double r
 /// its white paper; STANDARDS 2.
 OutOfPlane fitOutOfPlane(const std::vector<Station>& stations, double radius);
 
-/// The longest arc between neighbouring stations that have a z [m]; the whole circumference when fewer than two have.
+/// The longest arc between neighbouring stations that are measured [m]: what bridges a gap does not show what is in it.
+/// The whole circumference when fewer than two are.
 double longestGap(const std::vector<Station>& stations, double radius);
 
 }  // namespace tank_datum

@@ -6,6 +6,7 @@
 #include "core/normal95.h"
 #include "core/plain_text.h"
 #include "shell/shell_lean.h"
+#include "shell/shell_peaks.h"
 #include "shell/shell_plumbness.h"
 #include "shell/shell_roundness.h"
 #include "tank_datum/core/unknown.h"
@@ -84,6 +85,7 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
       partly.push_back(k);
     }
   }
+  raisePeaks(survey.roundness, grid, deviations, stations);
   survey.plumbness = plumbnessOf(grid, stations);
   survey.lean = leanOf(survey.plumbness, station_options);
   for (const std::size_t k : partly) {
@@ -101,11 +103,13 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
   return survey;
 }
 
-ShellSurvey withSetupErrors(ShellSurvey survey, const SetupSpread& error) {
+ShellSurvey withSetupErrors(ShellSurvey survey, const SetupSpread& error, std::size_t setups) {
   for (auto* rows : {&survey.roundness, &survey.arcs}) {
     for (Roundness& r : *rows) r.sigma = std::hypot(r.sigma, error.plan);
   }
   for (Plumbness& p : survey.plumbness) p.sigma = std::hypot(p.sigma, error.plan, error.tilt * p.height);
+  const double axis = std::sqrt(2.0 / static_cast<double>(std::max<std::size_t>(2, setups)));  // of one, the whole ring
+  survey.lean.sigma = std::hypot(survey.lean.sigma, axis * error.tilt);
   return survey;
 }
 

@@ -17,6 +17,7 @@ ShellSurvey surveyShell(const ShellBands& bands, const std::vector<Station>& sta
 
 /// The same of a scan whose setups stand, and are tilted, by that much beside their places: the shell is surveyed as
 /// the scan has it, and lobes and lean are what they make of it.
-ShellSurvey withSetupErrors(ShellSurvey survey, const SetupSpread& error);
+/// @param setups  that see it, side by side: tilts of narrow parts of a ring turn its axis by twice their mean
+ShellSurvey withSetupErrors(ShellSurvey survey, const SetupSpread& error, std::size_t setups);
 
 }  // namespace tank_datum

@@ -168,6 +168,9 @@ TEST(LongestGap, IsAnArc) {
   blank(z, 350, 29);  // over the zero azimuth
   EXPECT_NEAR(longestGap(survey(z, 30.0), 30.0), 30.0 * 30.0 * kDegree, 1e-9);
   EXPECT_NEAR(longestGap(emptyStations({}), 30.0), kTurn * 30.0, 1e-9);
+  auto bridged = survey(std::vector<double>(360, 0.0), 30.0);
+  for (std::size_t i = 10; i < 20; ++i) bridged[i].flag = StationFlag::Interpolated;
+  EXPECT_NEAR(longestGap(bridged, 30.0), 30.0 * 11.0 * kDegree, 1e-9) << "no bridge shows what is there";
 }
 
 }  // namespace tank_datum::out_of_plane_test

@@ -152,10 +152,13 @@ TEST(SurveyShell, WhatSetupsAreOffByIsInSigma) {
   survey.plumbness[0].sigma = 0.003, survey.plumbness[0].height = 10.0;
   SetupSpread error;
   error.plan = 0.004, error.tilt = 0.0012;
-  survey = withSetupErrors(survey, error);
+  survey.lean.sigma = 0.0009;
+  survey = withSetupErrors(survey, error, 2);
   EXPECT_NEAR(survey.roundness[0].sigma, 0.005, 1e-9);
   EXPECT_NEAR(survey.arcs[0].sigma, 0.005, 1e-9);
   EXPECT_NEAR(survey.plumbness[0].sigma, 0.013, 1e-9);
+  EXPECT_NEAR(survey.lean.sigma, 0.0015, 1e-9);
+  EXPECT_NEAR(withSetupErrors(survey, error, 8).lean.sigma, std::hypot(0.0015, 0.0006), 1e-9);
 }
 
 TEST(SurveyShell, APeakedWeldNarrowerThanAStationIsPartOfTheShell) {

@@ -113,6 +113,8 @@ struct SetupAgreement {
 
   bool adjusted() const { return covariance.size() > 0; }
   SetupSpread errorsOfOne() const;  ///< of each of several setups before they are adjusted; zeros of one
+  SetupSpread errorsOfPoints() const;  ///< the same where points are not moved: at least what bad ones are off by
+  std::size_t seeing() const;          ///< setups that see stations
   double radiusError() const;       ///< that their places leave in a tank's radius, which no overlap shows [m]
 };
 

@@ -127,7 +127,7 @@ struct Analysis {
   std::vector<SettlementArc> arcs;
   PlacedValue level_9m, level_3m, level_total;  ///< of the foundation (API 650 7.5.5) [m]
   Ovality top_ovality;                          ///< where the shell's height is given
-  double longest_gap = kUnknown;                ///< arc between neighbouring stations with an elevation [m]
+  double longest_gap = kUnknown;                ///< arc between neighbouring measured stations [m]
   std::vector<Measure> measures;                ///< the figures, as they go to the limits
   std::vector<Check> checks;
   Headline headline;                       ///< what the checks come to

@@ -1,0 +1,44 @@
+#include "shell/shell_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace tank_datum {
+namespace {
+
+/// By how much a parabola through three values at equal steps rises above the middle one, which is the largest but for
+/// chance; 0 where it does not bend by more than some least, or one is not known.
+double riseBetween(double before, double at, double after, double least) {
+  const double bend = at - 0.5 * (before + after), climb = std::min(0.5 * std::abs(after - before), bend);
+  return bend > least ? climb * climb / (4.0 * bend) : 0.0;
+}
+
+bool isBetweenEqualSteps(const std::vector<double>& heights, std::size_t k) {
+  constexpr double kRounding = 1e-6;  // m
+  return k > 0 && k + 1 < heights.size() && std::abs(heights[k + 1] - 2.0 * heights[k] + heights[k - 1]) < kRounding;
+}
+
+}  // namespace
+
+void raisePeaks(std::vector<Roundness>& roundness, const ShellGrid& grid,
+                const std::vector<std::vector<double>>& deviations, const std::vector<Station>& stations) {
+  constexpr double kSurely = 3.0;  // standard errors that three values bend by
+  const std::size_t count = stations.size();
+  for (Roundness& r : roundness) {
+    const auto k =
+        static_cast<std::size_t>(std::find(grid.heights.begin(), grid.heights.end(), r.height) - grid.heights.begin());
+    const auto has_azimuth = [&](const Station& s) { return s.azimuth == r.azimuth; };
+    const auto i =
+        static_cast<std::size_t>(std::find_if(stations.begin(), stations.end(), has_azimuth) - stations.begin());
+    const double sign = r.max_deviation >= -r.min_deviation ? 1.0 : -1.0;
+    const auto out = [&](std::size_t row, std::size_t station) { return sign * deviations[row][station % count]; };
+    const double least = kSurely * grid.cells[k][i].sigma;
+    double rise = riseBetween(out(k, i + count - 1), out(k, i), out(k, i + 1), least);
+    if (isBetweenEqualSteps(grid.heights, k)) rise += riseBetween(out(k - 1, i), out(k, i), out(k + 1, i), least);
+    (sign > 0.0 ? r.max_deviation : r.min_deviation) += sign * rise;
+    r.sigma = std::hypot(r.sigma, rise);
+  }
+}
+
+}  // namespace tank_datum
