@@ -113,7 +113,7 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   rows.close();
   SurfacePrior prior;
   if (outline.isResolved(window.heights.to)) {
-    prior = {{0.0, 0.0, 1.0 / square(kTurn), square(start / kBend)}, outline.noise};
+    prior = {{0.0, 0.0, 1.0 / square(kTurn), square(start / kBend)}, outline.noise, outline.noise};
   }
   const std::optional<SurfaceFit> fit = fitRobustly(rows, prior);
   if (!fit) return line;
@@ -123,9 +123,9 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   line.turn_slope = fit->solution[2];
   line.bend = fit->solution[3];
   const Eigen::Matrix2d upright = fit->normal.topLeftCorner<2, 2>();  // of radius and lean alone
-  const double variance = fit->inverse(0, 0);
-  line.sigma_radius = line.noise * std::sqrt(variance);
-  line.sigma_along = line.noise * std::sqrt(std::max(0.0, variance - upright.inverse()(0, 0)));
+  const double beside = upright.inverse()(0, 0);
+  line.sigma_along = std::max(line.noise, prior.least) * std::sqrt(std::max(0.0, fit->inverse(0, 0) - beside));
+  line.sigma_radius = std::hypot(line.noise * std::sqrt(beside), line.sigma_along);
   line.straight_to = window.heights.to;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.weights()[i] <= 0.0) continue;
