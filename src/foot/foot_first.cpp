@@ -61,7 +61,7 @@ std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, d
     auto points = foot.ring.around(direction, half, height, foot.reach);
     if (half < kWidest && !isFilled(points, scales, near)) continue;
     for (FootPoint& p : points) p.z -= tank.foot(direction + p.t / foot.radius) - height;
-    if (half > narrow) flatten(points, scales);
+    if (foot.inside && half > narrow) flatten(points, scales);  // outside, soil climbs along the shell
     return findCandidates(points, scales, height - foot.reach);
   }
 }

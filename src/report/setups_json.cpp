@@ -91,7 +91,7 @@ Json agreementSection(const Datum& datum) {
   json["sigma_tilt_arcsec"] = toArcSeconds(agreement.spread.tilt);
   json["sigma_plan"] = agreement.spread.plan;
   json["height_from"] = sourceOf(agreement.height_estimated, agreement.given.height);
-  json["tilt_from"] = sourceOf(agreement.height_estimated, agreement.given.tilt);
+  json["tilt_from"] = sourceOf(agreement.tilt_estimated, agreement.given.tilt);
   json["plan_from"] = sourceOf(agreement.plan_estimated, agreement.given.plan);
   return json;
 }

@@ -137,6 +137,7 @@ void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
   agreement.groups_apart = adjusted.groups.apart;
   agreement.spread = adjusted.spread;
   agreement.height_estimated = adjusted.height_estimated;
+  agreement.tilt_estimated = adjusted.tilt_estimated;
   agreement.plan_estimated = adjusted.plan_estimated;
   agreement.rms_before = adjusted.all_before;
   agreement.rms_after = adjusted.all_after;

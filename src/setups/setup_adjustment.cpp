@@ -21,18 +21,22 @@ constexpr KindSigmas kUsual{0.002, 10.0 / 3600.0 * kPi / 180.0, 0.002};
 /// The sigmas to adjust with, and which of them come from the overlaps.
 KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, const SetupOptions& options,
                         const std::vector<bool>& freed, SetupAdjustment& result) {
-  constexpr double kEnough = 3.1;  // parameters determined: more than two setups tell of heights and tilts
+  constexpr double kEnough = 3.1;     // parameters determined: more than two setups tell of heights and tilts
+  constexpr double kEnoughOf = 0.25;  // of the tilts: of fewer, heights explain all that short overlaps show
   std::array<bool, kParameterKinds> held = {options.error > 0.0, options.tilt > 0.0, options.error > 0.0};
   const Eigen::VectorXd priors = priorSigmas(usual, freed);
   const SetupSolution first = solveSetups(system, priors);
   const ErrorsByKind seen = errorsByKind(first, priors, freed);
   const auto free_count = static_cast<double>(std::count(freed.begin(), freed.end(), true));
   const bool heights = first.determined[0] + first.determined[1] - 3.0 * free_count >= kEnough;
+  const double tilts_free = 2.0 * (static_cast<double>(freed.size()) - free_count);
+  const bool tilts = heights && first.determined[1] - 2.0 * free_count >= kEnoughOf * tilts_free;
   const bool places = first.determined[2] - 2.0 * free_count >= kEnough;
   result.height_estimated = heights && !held[0];
+  result.tilt_estimated = tilts && !held[1];
   result.plan_estimated = places && !held[2];
   const std::array<bool, kParameterKinds> given = held;
-  held = {held[0] || !heights, held[1] || !heights, held[2] || !places};
+  held = {held[0] || !heights, held[1] || !tilts, held[2] || !places};
   KindSigmas sigmas = estimateSigmas(system, usual, held, freed);
   const SetupSolution solution = solveSetups(system, priorSigmas(sigmas, freed));
   const KindSigmas others = {held[1] ? 0.0 : sigmas[1] / usual[1], held[0] ? 0.0 : sigmas[0] / usual[0], 0.0};
@@ -40,8 +44,10 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
     // nothing makes a registration better in height than it is seen to be in plan
     const double places_err = k == 0 && result.plan_estimated ? sigmas[2] : 0.0;
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
+    // tilts that overlaps do not show are no better than their heights are seen to be
+    const double alike = k == 1 && !held[0] ? std::max(1.0, sigmas[0] / usual[0]) : 1.0;
     sigmas[k] = given[k]  ? usual[k]
-                : held[k] ? std::max(assumedSigma(usual[k], seen.squares[k], seen.determined[k]), places_err)
+                : held[k] ? std::max(alike * assumedSigma(usual[k], seen.squares[k], seen.determined[k]), places_err)
                           : temperedSigma(sigmas[k], known, std::max(usual[k], places_err), others[k]);
   }
   return sigmas;

@@ -24,7 +24,7 @@ struct SetupAdjustment {
   Eigen::VectorXd errors;
   Eigen::MatrixXd covariance;
   SetupSpread spread;
-  bool height_estimated = false, plan_estimated = false;
+  bool height_estimated = false, tilt_estimated = false, plan_estimated = false;
   std::vector<bool> bad;
   std::vector<bool> freed;                    ///< bad ones that were adjusted without priors
   std::vector<double> rms_before, rms_after;  ///< of each setup's foundation against the others', NaN without any [m]

@@ -95,7 +95,8 @@ struct SetupAgreement {
   std::vector<Setup> setups;
   SetupSpread spread;             ///< that the setups were adjusted with
   SetupSpread given;              ///< by the options; zeros where not
-  bool height_estimated = false;  ///< whether spread.height and tilt come from the overlaps; else given or assumed
+  bool height_estimated = false;  ///< whether spread.height comes from the overlaps; else given or assumed
+  bool tilt_estimated = false;    ///< whether spread.tilt does
   bool plan_estimated = false;    ///< whether spread.plan does
   bool no_setups = false;         ///< files or labels can be none and were taken together: wholes, or tiles of one
   bool too_many = false;          ///< more files or labels than are told apart, and were taken together
