@@ -33,6 +33,23 @@ TEST(WarningsOf, AShellSeenTwentyCentimetresAboveTheHeightGivenIsTold) {
   EXPECT_TRUE(warned(10.25));
 }
 
+TEST(WarningsOf, SetupsThatAreOffAreNamedWhereTheirPointsTellOfTheShell) {
+  Datum datum;
+  datum.agreement.setups.resize(3);
+  datum.agreement.covariance = Eigen::MatrixXd::Identity(15, 15);
+  for (Setup& setup : datum.agreement.setups) setup.name = "scan" + std::to_string(&setup - &datum.agreement.setups[0]);
+  datum.agreement.setups[1].correction.dx = 0.020;
+  datum.shell.points.resize(1);
+  EXPECT_TRUE(warningsOf(datum).empty());
+  datum.agreement.setups[1].verdict = SetupVerdict::Bad;
+  ASSERT_EQ(warningsOf(datum).size(), 1U);
+  EXPECT_EQ(warningsOf(datum)[0],
+            "roundness and plumbness are of the points as they are registered, off by up to 20 mm in plan (scan1): "
+            "leave those out to have them of the others");
+  datum.shell.points.clear();
+  EXPECT_TRUE(warningsOf(datum).empty());
+}
+
 TEST(EndDatum, CoordinatesInStepsOfAMillimetreAreTold) {
   const auto message = [](double step) {
     Datum datum;

@@ -163,7 +163,8 @@ std::vector<Run> runsOf(const RingPath& ring, const Choice& choice) {
 
 }  // namespace
 
-std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, double arc, double reach) {
+std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, double arc, double reach,
+                                                        std::vector<bool>* between) {
   std::vector<double> noises, beginnings;
   for (const auto& place : places) {
     for (const FootCandidate& c : place) noises.push_back(c.noise);
@@ -180,6 +181,9 @@ std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, do
   const Places level = overTilt(places, costs, arc, reach);
   const RingPath ring{level, costs, arc, reach};
   Choice choice = cheapestPath(ring);
+  if (between != nullptr && !runsOf(ring, choice).empty()) {
+    for (const auto& chosen : choice) between->push_back(!chosen);
+  }
   for (auto runs = runsOf(ring, choice); !runs.empty(); runs = runsOf(ring, choice)) {
     const auto dearest =
         std::max_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.cost < b.cost; });

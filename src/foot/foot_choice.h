@@ -14,8 +14,9 @@ namespace tank_datum {
 /// places still stand at different levels, the dearer ones are dropped.
 /// @param arc    between neighbouring places [m]
 /// @param reach  of the sections [m]
+/// @param between  null, or empty: takes at which places none is chosen, where others stand at different levels
 /// @return  per place the number of the candidate, none where none is chosen
 std::vector<std::optional<std::size_t>> chooseRoundRing(const std::vector<std::vector<FootCandidate>>& places,
-                                                        double arc, double reach);
+                                                        double arc, double reach, std::vector<bool>* between = nullptr);
 
 }  // namespace tank_datum

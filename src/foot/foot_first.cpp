@@ -36,6 +36,7 @@ bool isFilled(const std::vector<FootPoint>& points, const FootScales& scales, do
 /// a section over several degrees would smear it.
 void flatten(std::vector<FootPoint>& points, const FootScales& scales) {
   constexpr double kMuch = 0.5;
+  constexpr double kOwn = 0.9;  // of how distances scatter, what goes along with no place along the shell
   SurfaceRows rows;
   rows.reserve(points.size());
   for (const FootPoint& p : points) {
@@ -48,20 +49,25 @@ void flatten(std::vector<FootPoint>& points, const FootScales& scales) {
   no_climb.precision << 0.0, 0.0, 1e12, 1e12;
   const auto fit = fitRobustly(rows), as_level = fitRobustly(level, no_climb);
   if (!fit || !as_level || !(fit->noise < kMuch * as_level->noise)) return;
+  const Eigen::Matrix4d& sums = fit->normal;
+  const double distances =
+      sums(1, 1) - sums(0, 1) * sums(0, 1) / sums(0, 0);  // of which rows that slant show a part alone
+  if (!(kOwn * distances * fit->inverse(1, 1) < 1.0)) return;
   for (FootPoint& p : points) p.z -= (fit->solution[2] + fit->solution[3] * p.t) * p.t;
 }
 
 /// The stretches in the window about a station that is wide enough to tell them apart, a few degrees at most.
-std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, const Tank& tank) {
+/// @param climbs  whether a surface that climbs along the shell is looked at over its climb
+std::vector<FootCandidate> candidatesAt(const Foot& foot, std::size_t station, double half, const Tank& tank,
+                                        bool climbs) {
   constexpr double kWidest = 5.0 * kPi / 180.0;  // half the arc that a sparse station may look at
   const FootScales& scales = foot.scales;
   const double near = scales.nearest(), direction = foot.directions[station], height = tank.foot(direction);
-  const double narrow = half;
   for (;; half = std::min(1.6 * half, kWidest)) {
     auto points = foot.ring.around(direction, half, height, foot.reach);
     if (half < kWidest && !isFilled(points, scales, near)) continue;
     for (FootPoint& p : points) p.z -= tank.foot(direction + p.t / foot.radius) - height;
-    if (foot.inside && half > narrow) flatten(points, scales);  // outside, soil climbs along the shell
+    if (climbs) flatten(points, scales);
     return findCandidates(points, scales, height - foot.reach);
   }
 }
@@ -156,13 +162,20 @@ std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank, const std
   constexpr std::size_t kMostPlaces = 360;
   const std::size_t count = foot.directions.size(), stride = (count + kMostPlaces - 1) / kMostPlaces;
   const std::size_t places = (count + stride - 1) / stride;
+  const double half = foot.half_step * static_cast<double>(stride), arc = foot.arc() * static_cast<double>(stride);
   std::vector<std::vector<FootCandidate>> candidates(places);
   forEachIndex(places, 0, [&](std::size_t k) {
     if (!left_out.empty() && left_out[k * stride]) return;
-    candidates[k] = candidatesAt(foot, k * stride, foot.half_step * static_cast<double>(stride), tank);
+    candidates[k] = candidatesAt(foot, k * stride, half, tank, false);
   });
-  const double arc = foot.arc() * static_cast<double>(stride);
-  const auto choice = chooseRoundRing(candidates, arc, foot.reach);
+  std::vector<bool> between;
+  auto choice = chooseRoundRing(candidates, arc, foot.reach, &between);
+  if (foot.inside && !between.empty()) {  // a floor may go on from one level to the other, as soil does outside
+    forEachIndex(places, 0, [&](std::size_t k) {
+      if (between[k]) candidates[k] = candidatesAt(foot, k * stride, half, tank, true);
+    });
+    choice = chooseRoundRing(candidates, arc, foot.reach);
+  }
   std::vector<double> guesses(count, kUnknown);
   std::vector<const FootCandidate*> chosen(count, nullptr);
   for (std::size_t i = 0; i < count; ++i) {

@@ -13,14 +13,16 @@
 namespace tank_datum {
 namespace {
 
-using Row = Eigen::Matrix<double, 5, 1>;  // radius, centre x and y, lean x and y
-using Normal = Eigen::Matrix<double, 5, 5>;
+constexpr int kUnknowns = 6;  // radius, centre x and y, lean x and y, and what the radius grows by with height
+using Row = Eigen::Matrix<double, kUnknowns, 1>;
+using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
 // Lines this many standard deviations off are no shell; the lobes of one out of round are within three, and count
 // fully.
 constexpr double kStray = 6.0;
 
-// The shell of a tank leans by less than one in a hundred; on a short arc lean and centre can hardly be told apart.
+// The shell of a tank leans by less than one in a hundred, and widens by less where it bulges; on a short arc that and
+// the circle can hardly be told apart.
 constexpr double kLean = 0.01;
 
 constexpr double kAlike = 10.0 * kDegree;  // over which a shell's lobes, and the cells' errors, are alike
@@ -90,7 +92,7 @@ Observations observationsOf(const std::vector<ShellLine>& lines, const std::vect
     for (const double h : {heights.from, heights.to}) {
       const double at = h > lines[i].straight_to ? 0.0 : h;
       all.azimuths.push_back(azimuths[i]);
-      all.rows.push_back((Row() << 1.0, c, s, at * c, at * s).finished());
+      all.rows.push_back((Row() << 1.0, c, s, at * c, at * s, at).finished());
       all.radii.push_back(lines[i].at(0.0, at) - radius);
       all.lines.push_back(i);
       all.weights.push_back(begin_with_sure && !sure[i] ? 0.0 : 1.0);
@@ -118,8 +120,9 @@ double seenOutOfRound(const std::vector<double>& azimuths, const std::vector<dou
 /// Adds what is known of the unknowns beforehand.
 /// @param sigma  of one observation
 void addPrior(const CirclePrior& prior, double sigma, Normal& normal) {
-  const std::array<double, 5> known{prior.sigma_radius, prior.sigma_center, prior.sigma_center, kLean, kLean};
-  for (int j = 0; j < 5; ++j) {
+  const std::array<double, kUnknowns> known{
+      prior.sigma_radius, prior.sigma_center, prior.sigma_center, kLean, kLean, kLean};
+  for (int j = 0; j < kUnknowns; ++j) {
     const double ratio = sigma / known[static_cast<std::size_t>(j)];
     normal(j, j) += 2.0 * ratio * ratio;  // a line's two heights are one observation
   }
@@ -131,7 +134,8 @@ CirclePrior priorOf(const Tank& tank) {
   if (tank.coverage < kPi || !(tank.rms > 0.0)) return {};
   const double sigma = tank.rms / std::sqrt(tank.coverage / kAlike);
   const double lobes = kOutOfRound * tank.circle.radius * sharedWithLobes(gainsOver(tank.coverage));
-  return {std::hypot(sigma, lobes), std::hypot(sigma, 0.5 * kLean * tank.height)};
+  const double bulge = kOutOfRound * tank.circle.radius;  // of the wall farther up, all round
+  return {std::hypot(sigma, lobes, bulge), std::hypot(sigma, 0.5 * kLean * tank.height)};
 }
 
 ShellCircle fitShellCircle(const std::vector<ShellLine>& lines, const std::vector<double>& azimuths,

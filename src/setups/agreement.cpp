@@ -115,6 +115,17 @@ bool partByOrder(Ring& ring, const Tank& tank, SetupAgreement& agreement, int th
   return true;
 }
 
+/// Whether it is known of all setups that they stood at places of their own.
+bool standApart(const std::vector<Setup>& setups) {
+  for (std::size_t i = 0; i < setups.size(); ++i) {
+    if (!setups[i].origin_known) return false;
+    for (std::size_t k = 0; k < i; ++k) {
+      if ((setups[i].origin - setups[k].origin).norm() <= kTripodsApart) return false;
+    }
+  }
+  return true;
+}
+
 /// Makes one setup of all.
 void takeTogether(Ring& ring, std::vector<Setup>& setups) {
   ring.setups.resize(1);
@@ -146,69 +157,6 @@ void fill(SetupAgreement& agreement, const SetupAdjustment& adjusted) {
 
 }  // namespace
 
-SetupSpread SetupAgreement::errorsOfOne() const {
-  return adjusted() ? spread : SetupSpread{merged_sigma, 0.0, merged_sigma};
-}
-
-SetupSpread SetupAgreement::errorsOfPoints() const {
-  SetupSpread error = errorsOfOne();
-  for (const Setup& setup : setups) {
-    if (setup.verdict != SetupVerdict::Bad) continue;
-    const SetupMotion& off = setup.correction;
-    error.height = std::max(error.height, std::abs(off.dz));
-    error.tilt = std::max(error.tilt, std::hypot(off.tilt_x, off.tilt_y));
-    error.plan = std::max(error.plan, std::hypot(off.dx, off.dy));
-  }
-  return error;
-}
-
-std::size_t SetupAgreement::seeing() const {
-  return static_cast<std::size_t>(
-      std::count_if(setups.begin(), setups.end(), [](const Setup& setup) { return setup.stations > 0; }));
-}
-
-double SetupAgreement::radiusError() const {
-  return errorsOfOne().plan / std::sqrt(static_cast<double>(std::max<std::size_t>(1, seeing())));
-}
-
-Eigen::Vector3d SetupMotion::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& origin) const {
-  const Eigen::Vector3d arm = point - origin;
-  return point +
-         Eigen::Vector3d(dx - tilt_x * arm.z(), dy - tilt_y * arm.z(), dz + tilt_x * arm.x() + tilt_y * arm.y());
-}
-
-const char* nameOf(BadSetups bad) {
-  switch (bad) {
-    case BadSetups::Free:
-      return "free";
-    case BadSetups::Drop:
-      return "drop";
-    case BadSetups::Keep:
-      return "keep";
-  }
-  return "";
-}
-
-const char* nameOf(SetupVerdict verdict) {
-  switch (verdict) {
-    case SetupVerdict::Single:
-      return "single";
-    case SetupVerdict::Unseen:
-      return "unseen";
-    case SetupVerdict::Alone:
-      return "alone";
-    case SetupVerdict::Agrees:
-      return "agrees";
-    case SetupVerdict::Adjusted:
-      return "adjusted";
-    case SetupVerdict::Bad:
-      return "bad";
-    case SetupVerdict::Duplicate:
-      return "duplicate";
-  }
-  return "";
-}
-
 SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Scan& scan, const Tank& tank,
                            const SetupOptions& options, int threads) {
   SetupAgreement agreement;
@@ -239,7 +187,8 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     if (!agreement.by_order) return agreement;
     polar.emplace(ring, tank, threads);
   }
-  if (!agreement.by_order && areNoSetups(shown, tank)) {
+  const bool apart = standApart(agreement.setups);
+  if (!agreement.by_order && areNoSetups(shown, tank, apart)) {
     agreement.no_setups = true;
     takeTogether(ring, agreement.setups);  // each may hold pieces of several: their order says nothing
     return agreement;

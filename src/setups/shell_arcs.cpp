@@ -100,10 +100,10 @@ bool areTiles(const std::vector<ShellArcs>& parts) {
   return shared > 0 && shared <= kBorders * shown && median(std::move(where_shared)) > kFull;
 }
 
-bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank) {
+bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank, bool apart) {
   return std::any_of(setups.begin(), setups.end(),
                      [&](const ShellArcs& arcs) { return isSeenBySeveral(arcs, tank); }) ||
-         areTiles(setups);
+         (!apart && areTiles(setups));
 }
 
 }  // namespace tank_datum

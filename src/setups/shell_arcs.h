@@ -8,6 +8,8 @@
 
 namespace tank_datum {
 
+constexpr double kTripodsApart = 0.5;  ///< places of two setups, at least [m]
+
 /// Points on the shell above its foot, by arc of SetupRing.
 using ShellArcs = std::vector<std::size_t>;
 
@@ -27,8 +29,9 @@ bool isSeenBySeveral(const ShellArcs& arcs, const Tank& tank);
 bool areTiles(const std::vector<ShellArcs>& parts);
 
 /// Whether files or labels cannot be setups: one of them shows more of the shell than a setup sees, or they are
-/// tiles.
+/// tiles. (Tiles have no places of their own that a scanner stood at.)
 /// @param setups  of each
-bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank);
+/// @param apart   whether files say of all that they stood apart
+bool areNoSetups(const std::vector<ShellArcs>& setups, const Tank& tank, bool apart);
 
 }  // namespace tank_datum

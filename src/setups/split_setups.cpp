@@ -64,10 +64,9 @@ double overChance(const std::vector<ShellArcs>& setups) {
 /// Whether setups may be shares of one: by what they show of the shell, and by where files say that they stood.
 bool mayBeShares(const std::vector<ShellArcs>& setups, const std::vector<std::optional<Eigen::Vector3d>>& origins) {
   constexpr double kChance = 2.0;
-  constexpr double kApart = 0.5;  // of tripods, at least [m]
   for (const auto& a : origins) {
     for (const auto& b : origins) {
-      if (a && b && (*a - *b).norm() > kApart) return false;
+      if (a && b && (*a - *b).norm() > kTripodsApart) return false;
     }
   }
   return overChance(setups) < kChance;

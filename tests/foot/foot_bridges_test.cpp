@@ -105,6 +105,26 @@ TEST(WithGapsBridged, WhereNoShellIsSeenItDoesNotGoOnBelow) {
   EXPECT_EQ(stations[50].flag, StationFlag::Measured);
 }
 
+TEST(WithGapsBridged, AProcessThatGoesAstrayInALongGapIsNotWhereTheShellIsExpectedToEnd) {
+  const auto bridgedAt = [](double line, double astray) {
+    MadeFoot made;
+    for (int s = 100; s < 220; ++s) {
+      for (int i = 0; i < 12; ++i) made.add(s * made.step(), 0.0, 0.004 + 0.004 * i);
+    }
+    const Foot& foot = made.foot();
+    std::vector<StationDatum> stations = bridgedOver({}, 0.0, 1);
+    for (StationDatum& s : stations) s.z = line;
+    for (std::size_t i = 100; i < 220; ++i) stations[i] = {}, stations[i].reason = Unmeasured::OtherSurface;
+    RingProcess process;
+    process.amplitude = 0.001, process.length = 0.1;
+    process.value.assign(360, line + astray), process.sigma.assign(360, 0.001);
+    return withGapsBridged(stations, process, foot, {{{0.0, 0.0}, kRadius}, 1e-4, {}});
+  };
+  EXPECT_EQ(bridgedAt(0.0, 0.04)[50].flag, StationFlag::Measured);
+  EXPECT_EQ(bridgedAt(0.0, 0.04)[160].reason, Unmeasured::OtherSurface);
+  EXPECT_EQ(bridgedAt(0.04, 0.0)[160].reason, Unmeasured::ShellBelow) << "below the line too";
+}
+
 /// Whether a station beside a gap below which the shell goes on stands, with so many points of it below and above.
 bool standsBeside(int below, int above) {
   MadeFoot made;

@@ -91,6 +91,23 @@ TEST(ChooseRoundRing, WhereNoPlaceShowsTheLipTheRingwallIsTaken) {
   EXPECT_EQ(chosen(chooseRoundRing(places, kArc, kReach)), kPlaces);
 }
 
+TEST(ChooseRoundRing, TellsWhatLiesBetweenPlacesAtDifferentLevels) {
+  const auto between = [](double low) {
+    Places places(kPlaces, {plate()});
+    for (std::size_t i = 100; i < 200; ++i) places[i] = {stretch(-low, 0.0, 0.0005)};
+    for (const std::size_t from : {90U, 200U})
+      std::fill_n(places.begin() + static_cast<long>(from), 10, Places::value_type{});
+    std::vector<bool> found;
+    EXPECT_EQ(chosen(chooseRoundRing(places, kArc, kReach, &found)), low > 0.05 ? 240U : 340U);
+    return found;
+  };
+  EXPECT_TRUE(between(0.0).empty());
+  const std::vector<bool> found = between(0.1);
+  ASSERT_EQ(found.size(), kPlaces);
+  EXPECT_EQ(std::count(found.begin(), found.end(), true), 20);
+  EXPECT_TRUE(found[90] && found[209]);
+}
+
 TEST(ChooseRoundRing, NothingToChooseFromIsNothingChosen) {
   EXPECT_EQ(chosen(chooseRoundRing(Places(kPlaces), kArc, kReach)), 0U);
 }

@@ -72,6 +72,31 @@ TEST(FirstElevations, PointsAFiftiethOfTheReachOffTheStretchAreAnotherThing) {
   EXPECT_LT(onAStep(5, 0.012), 0.011);
 }
 
+/// What is found in a part of the ring, sixty stations wide, that lies so much lower, with slopes of twenty stations
+/// beside it, where four rows of points show it.
+std::vector<double> intoASettledPart(double deep, bool inside) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const int away = std::max(0, std::abs(s - 180) - 30);
+    const double z = away >= 20 ? 0.0 : -deep * 0.5 * (1.0 + std::cos(away * kTwoPi / 40.0));
+    for (int k = 0; k < 12; ++k) {
+      const double rough = 0.0005 * std::sin(1.0 + 7.0 * k + 3.0 * s);
+      made.add((s + 0.3 * (k % 3 - 1)) * made.step(), 0.03 + 0.07 * (k / 3), z + rough);
+    }
+  }
+  Foot& foot = made.foot();
+  foot.inside = inside;
+  return firstElevations(foot, tankOfFoot()).known;
+}
+
+TEST(FirstElevations, AFloorIsFollowedIntoAPartThatSettled) {
+  const std::vector<double> inside = intoASettledPart(0.06, true);
+  EXPECT_NEAR(inside[180], -0.06, 0.0005);
+  EXPECT_NEAR(inside[140], -0.03, 0.003) << "half way down";
+  EXPECT_NEAR(inside[10], 0.0, 0.0005);
+  EXPECT_TRUE(std::isnan(intoASettledPart(0.06, false)[180])) << "soil goes up so outside";
+}
+
 TEST(FirstElevations, TheTiltOfTheTankDoesNotBlurTheWindowsOfSparseStations) {
   MadeFoot made;
   const auto tilted = [](int s) { return 0.04 * std::cos(s * kTwoPi / 360.0); };

@@ -30,6 +30,26 @@ TEST(SectionsBeyond, AFoundationEndsABinBeforeItsEdge) {
 
 TEST(SectionsBeyond, WhatALipLiesOnMayMoveByItself) { EXPECT_EQ(endBefore(0.0, Surface::AnnularPlate), 3U); }
 
+/// The depth of a station on a level floor where it falls from the shell by so much at the middle of 90 stations.
+double depthOfFall(double falls, bool inside) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const double slope = s >= 90 && s < 180 ? falls : 0.0;
+    made.addStation(s, 400, 0.1, 0.5, [&](double d) { return -slope * d; });
+  }
+  Foot& foot = made.foot();
+  foot.inside = inside;
+  const auto all = sectionsBeyond(foot, {}, std::vector<double>(360, 0.0), std::vector<bool>(360, true));
+  return SectionSeen(all, 135).depth(0.004).value;
+}
+
+TEST(SectionsBeyond, AFloorMayFallHereAndNotThere) {
+  EXPECT_GT(depthOfFall(0.020, false), 0.004);
+  EXPECT_EQ(depthOfFall(0.020, true), 0.0);
+  EXPECT_GT(depthOfFall(0.035, true), 0.0) << "twice as much is a heap's";
+  EXPECT_GT(depthOfFall(0.060, true), 0.010);
+}
+
 /// A ring whose sections are level, known to 1 mm, in bins of which one station shows some, so much lower.
 RingSections ringOf(std::size_t bins, const std::vector<std::size_t>& shown, double lower) {
   RingSections ring{std::vector<Section>(1, Section(bins, kUnknown)),

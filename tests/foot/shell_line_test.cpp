@@ -57,6 +57,24 @@ TEST(FitShellLine, OfAnExactCylinderIsItsRadius) {
   EXPECT_NEAR(static_cast<double>(line.points), 40'000 * 0.9 / 180, 60);
 }
 
+TEST(FitShellLine, TwoColumnsThatSlantDoNotTurnTheShellBetweenThem) {
+  Shell shell;
+  shell.noise = 0.0007;
+  Points points;
+  for (const Eigen::Vector3d& p : shell.points()) {
+    if (std::abs(std::atan2(p.y(), p.x()) - 1.0) > 1.5 * kStep) points.push_back(p);
+  }
+  for (int i = 0; i < 40; ++i) {  // range noise of beams that graze the shell: along it, and hardly across
+    const double along = 0.0015 * std::sin(2.4 * i), a = 1.0 + 0.8 * kStep + along / kRadius;
+    const double r = kRadius + 0.13 * along;
+    points.emplace_back(r * std::cos(a), r * std::sin(a), 0.05 + 0.011 * i);
+  }
+  const ShellLine line = lineAt(points, 1.0);
+  ASSERT_TRUE(line.seen());
+  EXPECT_LT(std::abs(line.radius - kRadius), 2.0 * line.sigma_radius);
+  EXPECT_LT(std::abs(line.radius - kRadius), 0.010);
+}
+
 TEST(FitShellLine, OfPointsWithoutNoiseIsSeenToo) {
   Shell shell;
   shell.noise = 0.0;

@@ -52,4 +52,42 @@ TEST(LearnWide, OfRowsAloneTheStandardErrorHoldsTheRaysSlopeAllRound) {
   }
 }
 
+/// Priors of a floor that rises from the shell by 0.008, and by another slope at stations 100 to 170.
+FootPriors learntOfFloor(double there, bool inside = true) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const double slope = s >= 100 && s <= 170 ? there : 0.008;
+    made.addStation(s, 60, 0.015, 0.28, [&](double d) { return slope * d; });
+  }
+  FootSections sections;
+  FootProfile& whole = sections.whole;
+  whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = 0.28, whole.edge = 0.3;
+  whole.blur = 0.004, whole.noise = 0.0002, whole.surface = Surface::Foundation;
+  whole.height.assign(100, 0.0);
+  sections.stations = 360;
+  const FootElevations level{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
+  Foot& foot = made.foot();
+  foot.inside = inside;
+  return learnPriors(foot, level, sections);
+}
+
+TEST(LearnWide, APartOfAFloorThatSettledHasASlopeOfItsOwn) {
+  const FootPriors priors = learntOfFloor(0.032);
+  EXPECT_NEAR(priors.slope[130], 0.032, 0.001);
+  EXPECT_LT(priors.sigma_slope[130], 0.005);
+  EXPECT_NEAR(priors.slope[300], 0.008, 0.001);
+  EXPECT_GT(priors.sigma_slope[105], 0.010) << "between two windows";
+  EXPECT_NEAR(learntOfFloor(0.032, false).slope[130], 0.008, 0.004) << "which may be soil outside";
+}
+
+TEST(LearnWide, WhatFallsFromAShellMoreThanElsewhereIsNoSettledFloor) {
+  EXPECT_NEAR(learntOfFloor(-0.010).slope[130], 0.008, 0.004);
+  EXPECT_NEAR(learntOfFloor(0.20).slope[130], 0.008, 0.004) << "nor what rises as no foundation does";
+}
+
+TEST(LearnWide, ASlopeWithinThreeStandardErrorsIsTheRings) {
+  EXPECT_NEAR(learntOfFloor(0.008 + 0.0085).slope[130], 0.008, 0.002);
+  EXPECT_NEAR(learntOfFloor(0.008 + 0.0097).slope[130], 0.0177, 0.002);
+}
+
 }  // namespace tank_datum::wide_slope_test

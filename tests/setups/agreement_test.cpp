@@ -189,6 +189,20 @@ TEST_F(SetupAgreementTest, ARingOfOneSetupIsLeftAsItIs) {
   EXPECT_EQ(agreement.setups[0].verdict, SetupVerdict::Single);
 }
 
+TEST(SetupAgreement, PointsThatAreNotMovedErrAsBadSetupsDo) {
+  SetupAgreement agreement;
+  agreement.setups.resize(3);
+  agreement.covariance = Eigen::MatrixXd::Identity(5, 5);
+  agreement.spread = {0.002, 0.0001, 0.003};
+  agreement.setups[1].correction = SetupMotion{-0.009, 0.0003, 0.0004, 0.03, 0.04};
+  EXPECT_DOUBLE_EQ(agreement.errorsOfPoints().plan, 0.003) << "which stand as the others do";
+  agreement.setups[1].verdict = SetupVerdict::Bad;
+  EXPECT_DOUBLE_EQ(agreement.errorsOfPoints().height, 0.009);
+  EXPECT_DOUBLE_EQ(agreement.errorsOfPoints().tilt, 0.0005);
+  EXPECT_DOUBLE_EQ(agreement.errorsOfPoints().plan, 0.05);
+  EXPECT_DOUBLE_EQ(agreement.errorsOfOne().plan, 0.003);
+}
+
 TEST(SetupAgreement, PlacesMakeARadiusOfWhatNoOverlapShows) {
   SetupAgreement agreement;
   agreement.setups.resize(5);

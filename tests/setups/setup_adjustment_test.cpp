@@ -120,6 +120,34 @@ TEST(SetupAdjustment, TwoSetupsTakeTheUsualSigmas) {
   EXPECT_NEAR(adjusted.spread.height, kAssumedHeight, 1e-11);
 }
 
+/// What is made of setups that overlap by one arc each, whose heights err by so much.
+SetupAdjustment ofShortOverlaps(double sigma_error) {
+  Recipe recipe;
+  recipe.setups = 12;
+  recipe.sigma_error = sigma_error, recipe.sigma_tilt = 1e-9;
+  recipe.half_view = 17.0 * kDegree;
+  std::mt19937_64 random(4);
+  const Survey survey = made(recipe, random);
+  std::vector<ArcView> first;
+  for (const ArcView& arc : survey.arcs) {
+    const bool is_new = std::none_of(first.begin(), first.end(), [&](const ArcView& other) {
+      return other.seen.setups == arc.seen.setups && other.shell == arc.shell;
+    });
+    if (is_new) first.push_back(arc);
+  }
+  return adjustSetups(first, recipe.setups, {});
+}
+
+TEST(SetupAdjustment, TiltsThatShortOverlapsDoNotShowAreAssumed) {
+  const SetupAdjustment adjusted = ofShortOverlaps(0.001);
+  EXPECT_TRUE(adjusted.height_estimated);
+  EXPECT_FALSE(adjusted.tilt_estimated);
+  EXPECT_GE(adjusted.spread.tilt, kAssumedTilt - 1e-12);
+  EXPECT_GT(ofShortOverlaps(0.008).spread.tilt, 2.0 * kAssumedTilt) << "as heights are seen to err";
+  std::mt19937_64 random(3);
+  EXPECT_TRUE(adjustSetups(made({}, random).arcs, 6, {}).tilt_estimated);
+}
+
 TEST(SetupAdjustment, HeightsThatNothingTellsErrByAsMuchAsPlacesAreSeenTo) {
   Recipe recipe;
   recipe.setups = 12;

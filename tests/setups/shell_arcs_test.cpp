@@ -17,10 +17,10 @@ ShellArcs seen(std::size_t from, std::size_t count) {
   return arcs;
 }
 
-bool areNone(const std::vector<ShellArcs>& parts, Side side = Side::Outside) {
+bool areNone(const std::vector<ShellArcs>& parts, Side side = Side::Outside, bool apart = false) {
   Tank tank;
   tank.side = side;
-  return areNoSetups(parts, tank);
+  return areNoSetups(parts, tank, apart);
 }
 
 /// So many parts, one beside the other all round, each reaching so many arcs into the next.
@@ -43,6 +43,8 @@ TEST(AreNoSetups, PartsThatMeetAtTheirBordersOnly) {
   EXPECT_TRUE(areNone(tiles(6, 2)));
   EXPECT_FALSE(areNone(tiles(6, 3)));
   EXPECT_FALSE(areNone(tiles(6, 0))) << "each may be a setup that sees what no other does";
+  EXPECT_FALSE(areNone(tiles(6, 1), Side::Outside, true)) << "they stood apart";
+  EXPECT_TRUE(areNone({seen(0, 144), seen(0, 144)}, Side::Outside, true)) << "which no setup sees from anywhere";
 }
 
 /// Points by arc of a setup so many arcs wide: fewer and fewer towards the ends, where beams graze the shell.
