@@ -37,7 +37,7 @@ TEST(WarningsOf, SetupsThatAreOffAreNamedWhereTheirPointsTellOfTheShell) {
   Datum datum;
   datum.agreement.setups.resize(3);
   datum.agreement.covariance = Eigen::MatrixXd::Identity(15, 15);
-  for (Setup& setup : datum.agreement.setups) setup.name = "scan" + std::to_string(&setup - &datum.agreement.setups[0]);
+  for (auto& setup : datum.agreement.setups) setup.name = "scan" + std::to_string(&setup - &datum.agreement.setups[0]);
   datum.agreement.setups[1].correction.dx = 0.020;
   datum.shell.points.resize(1);
   EXPECT_TRUE(warningsOf(datum).empty());

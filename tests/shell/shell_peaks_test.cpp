@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "stations/stations.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum::shell_peaks_test {

@@ -113,10 +113,10 @@ struct SetupAgreement {
                               ///< [m]; 0 of one scan
 
   bool adjusted() const { return covariance.size() > 0; }
-  SetupSpread errorsOfOne() const;  ///< of each of several setups before they are adjusted; zeros of one
+  SetupSpread errorsOfOne() const;     ///< of each of several setups before they are adjusted; zeros of one
   SetupSpread errorsOfPoints() const;  ///< the same where points are not moved: at least what bad ones are off by
   std::size_t seeing() const;          ///< setups that see stations
-  double radiusError() const;       ///< that their places leave in a tank's radius, which no overlap shows [m]
+  double radiusError() const;          ///< that their places leave in a tank's radius, which no overlap shows [m]
 };
 
 }  // namespace tank_datum
