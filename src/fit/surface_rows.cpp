@@ -49,8 +49,7 @@ std::optional<SurfaceFit> fitRobustly(SurfaceRows& rows, const SurfacePrior& pri
   fit.noise = prior.noise;
   for (int iteration = 0; iteration < 8; ++iteration) {
     SurfaceRows::Equations equations = rows.equations();
-    const double noise = std::max(fit.noise, prior.least);
-    equations.matrix.diagonal() += noise * noise * prior.precision;
+    equations.matrix.diagonal() += fit.noise * fit.noise * prior.precision;
     const Eigen::FullPivLU<Eigen::Matrix4d> lu(equations.matrix);
     if (!lu.isInvertible()) return std::nullopt;
     fit.normal = equations.matrix;

@@ -55,7 +55,6 @@ struct SurfaceFit {
 struct SurfacePrior {
   Eigen::Vector4d precision = Eigen::Vector4d::Zero();
   double noise = 0;  ///< that the rows are expected to have [m]
-  double least = 0;  ///< noise that they have at least, however well they fit: against it they are weighed [m]
 };
 
 /// Tukey's; the rows keep the weights. Nothing where the equations are singular.

@@ -18,6 +18,7 @@
 namespace tank_datum {
 namespace {
 
+constexpr std::size_t kDense = 500;         // points of a window that columns on both sides hold
 constexpr std::size_t kPointsPerCell = 40;  // enough for a mode, few enough for cells finer than the lobes of a shell
 
 /// Replaces cells that stand apart from the running median of their neighbours by NaN: pipes, outliers.
@@ -42,6 +43,25 @@ double noiseOf(const std::vector<double>& spreads) {
   constexpr double kSoil = 4.0;   // times as much as those scatter
   const double bare = quantile(spreads, kBare), usual = median(spreads);
   return usual > kSoil * bare ? bare : usual;
+}
+
+/// A point of the shell: arc from the window's middle, height above the foot, radius [m].
+struct ShellRow {
+  double t, h, radius;
+};
+
+/// Puts the points of each column of a scan at its middle: where rays graze the shell, range noise moves points along
+/// it by much and across it by little, which would pass for a turn of the shell. Columns closer than noise are left.
+void uprightColumns(std::vector<ShellRow>& rows, double noise) {
+  constexpr double kApart = 3.0, kWide = 12.0;  // times the noise: columns, and one of them at most
+  std::sort(rows.begin(), rows.end(), [](const ShellRow& a, const ShellRow& b) { return a.t < b.t; });
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    double sum = 0.0;
+    for (end = begin; end < rows.size() && (end == begin || rows[end].t - rows[end - 1].t < kApart * noise); ++end)
+      sum += rows[end].t;
+    if (rows[end - 1].t - rows[begin].t > kWide * noise) continue;
+    for (std::size_t i = begin; i < end; ++i) rows[i].t = sum / static_cast<double>(end - begin);
+  }
 }
 
 template <typename Keep>
@@ -101,19 +121,23 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   ShellLine line;
   const double start = outline.at(window.azimuth);
   if (!std::isfinite(start)) return line;
-  SurfaceRows rows;
+  std::vector<ShellRow> seen;
   ring.around(window.azimuth, window.half_width, [&](const PolarPoint& p, double turn) {
     const double h = p.z - window.foot;
     if (h >= window.heights.from && h <= window.heights.to &&
         std::abs(p.radius - outline.at(p.azimuth)) < kOnShell * outline.noise) {
-      rows.add(h, turn * start, p.radius);
+      seen.push_back({turn * start, h, p.radius});
     }
   });
-  if (rows.size() < 3 * kUnknowns) return line;
+  if (seen.size() < 3 * kUnknowns) return line;
+  if (seen.size() < kDense) uprightColumns(seen, outline.noise);
+  SurfaceRows rows;
+  rows.reserve(seen.size());
+  for (const ShellRow& row : seen) rows.add(row.h, row.t, row.radius);
   rows.close();
   SurfacePrior prior;
   if (outline.isResolved(window.heights.to)) {
-    prior = {{0.0, 0.0, 1.0 / square(kTurn), square(start / kBend)}, outline.noise, outline.noise};
+    prior = {{0.0, 0.0, 1.0 / square(kTurn), square(start / kBend)}, outline.noise};
   }
   const std::optional<SurfaceFit> fit = fitRobustly(rows, prior);
   if (!fit) return line;
@@ -123,9 +147,9 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   line.turn_slope = fit->solution[2];
   line.bend = fit->solution[3];
   const Eigen::Matrix2d upright = fit->normal.topLeftCorner<2, 2>();  // of radius and lean alone
-  const double beside = upright.inverse()(0, 0);
-  line.sigma_along = std::max(line.noise, prior.least) * std::sqrt(std::max(0.0, fit->inverse(0, 0) - beside));
-  line.sigma_radius = std::hypot(line.noise * std::sqrt(beside), line.sigma_along);
+  const double variance = fit->inverse(0, 0);
+  line.sigma_radius = line.noise * std::sqrt(variance);
+  line.sigma_along = line.noise * std::sqrt(std::max(0.0, variance - upright.inverse()(0, 0)));
   line.straight_to = window.heights.to;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.weights()[i] <= 0.0) continue;

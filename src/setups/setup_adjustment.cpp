@@ -44,8 +44,9 @@ KindSigmas chooseSigmas(const SetupSystem& system, const KindSigmas& usual, cons
     // nothing makes a registration better in height than it is seen to be in plan
     const double places_err = k == 0 && result.plan_estimated ? sigmas[2] : 0.0;
     const double known = std::max(1.0, solution.determined[k] - (k == 0 ? 1.0 : 2.0) * free_count);
-    // tilts that overlaps do not show are no better than their heights are seen to be
-    const double alike = k == 1 && !held[0] ? std::max(1.0, sigmas[0] / usual[0]) : 1.0;
+    // tilts that overlaps do not show are as good as their heights are seen to be, if these are not just usual
+    const double ratio = sigmas[0] / usual[0];
+    const double alike = k == 1 && !held[0] ? std::max(std::min(1.0, ratio / kFarBetter), ratio) : 1.0;
     sigmas[k] = given[k]  ? usual[k]
                 : held[k] ? std::max(alike * assumedSigma(usual[k], seen.squares[k], seen.determined[k]), places_err)
                           : temperedSigma(sigmas[k], known, std::max(usual[k], places_err), others[k]);

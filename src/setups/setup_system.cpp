@@ -77,7 +77,6 @@ double assumedSigma(double usual, double squares, double known) {
 }
 
 double temperedSigma(double sigma, double known, double usual, double others) {
-  constexpr double kFarBetter = 0.25;  // of the usual sigma
   const double ratio = std::max(sigma / (kFarBetter * usual), others);
   const double worth = sigma < usual ? kUsualWorth * ratio * ratio / (1.0 + ratio * ratio) : 0.0;
   const double drawn =

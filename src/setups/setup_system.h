@@ -53,6 +53,8 @@ KindSigmas estimateSigmas(const SetupSystem& system, const KindSigmas& start,
 /// @param known    how many parameters they tell
 double assumedSigma(double usual, double squares = 0.0, double known = 0.0);
 
+constexpr double kFarBetter = 0.25;  ///< of a usual sigma: a registration of another kind
+
 /// A sigma estimated from few parameters. One below the usual sigma is drawn up towards it on the logarithm's scale, as
 /// if that came from three parameters; but not where the setups agree far better than usual, as scans that one
 /// adjustment has fitted to each other do. Wider by what a variance from few parameters is uncertain itself (Student).
