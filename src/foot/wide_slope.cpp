@@ -10,6 +10,7 @@
 #include "core/units.h"
 #include "fit/adaptive_smooth.h"
 #include "fit/harmonics.h"
+#include "fit/ring_process.h"
 #include "foot/slope_windows.h"
 #include "tank_datum/core/unknown.h"
 
@@ -30,19 +31,28 @@ double mostSigmaThatTells(const std::vector<FootFit>& fits, std::size_t fewest) 
 /// @param known  variance of the ring's slope at a window [m2/m2]
 void followArcs(const Slopes& found, const std::vector<double>& off, double known, FootPriors& priors) {
   constexpr double kFar = 3.0;
+  const std::size_t windows = off.size();
+  const auto is_floors = [&](std::size_t k) { return off[k] > -kHeapFalls && off[k] < FootPriors::kSteepestFoot; };
+  const auto is_off = [&](std::size_t k) {
+    return is_floors(k) && std::abs(off[k]) > kFar * std::sqrt(known + square(found.fits[k].sigma_slope));
+  };
   std::vector<SeriesValue> local;
-  for (std::size_t k = 0; k < off.size(); ++k) {
-    const double sigma = found.fits[k].sigma_slope;
-    const bool is_off = off[k] > -kHeapFalls && off[k] < FootPriors::kSteepestFoot &&
-                        std::abs(off[k]) > kFar * std::sqrt(known + square(sigma));
-    local.push_back(is_off ? SeriesValue{off[k], sigma, 1.0} : SeriesValue{0.0, 0.0, 1.0});
+  for (std::size_t k = 0; k < windows; ++k) {
+    const bool beside = is_off((k + 1) % windows) || is_off((k + windows - 1) % windows);  // where slopes fade away
+    const bool followed = is_off(k) || (beside && is_floors(k));
+    local.push_back(followed ? SeriesValue{off[k], found.fits[k].sigma_slope, 1.0} : SeriesValue{0.0, 0.0, 1.0});
   }
   for (std::size_t i = 0; i < priors.slope.size(); ++i) {
     const BetweenValues at(local, i, found.stride);
     const double mean = at.mean(local, &SeriesValue::value);
-    const double nearest = local[nearestWindow(i, found.stride, local.size())].value;
+    const std::size_t k = nearestWindow(i, found.stride, windows);
+    const double nearest = local[k].value;
+    // where neighbours differ the slope changes within a window, and what a station sees of it is not what is at it
+    const double changes = std::max(std::abs(local[(k + 1) % windows].value - nearest),
+                                    std::abs(local[(k + windows - 1) % windows].value - nearest));
     priors.slope[i] += mean;
-    priors.sigma_slope[i] = std::hypot(priors.sigma_slope[i], at.mean(local, &SeriesValue::sigma), nearest - mean);
+    priors.sigma_slope[i] = std::hypot(std::hypot(priors.sigma_slope[i], at.mean(local, &SeriesValue::sigma)),
+                                       nearest - mean, kEither * changes);
   }
 }
 

@@ -18,10 +18,18 @@ namespace {
 constexpr double kNearlyAll = 0.9;  // of the shell's height
 constexpr double kCourse = 3.0;     // plates are no higher [m]
 
+/// What the largest deviation at a height may be: surely no less than at a place that was looked at, and more between
+/// those.
+Interval95 radiusInterval(const Roundness& r) {
+  const double half = kNormal95 * std::sqrt(std::max(0.0, square(r.sigma) - square(r.rise)));
+  return {std::max(0.0, r.largest() - r.rise - half), r.largest() + half + std::max(r.may_rise, kNormal95 * r.rise)};
+}
+
 Measure radiusMeasure(const Roundness& r) {
   Measure measure;
   measure.quantity = isAtFoot(r.height) ? "roundness_foot" : "roundness_above";
   measure.worst = {r.largest(), r.sigma, r.azimuth};
+  measure.interval = radiusInterval(r);
   measure.whole_ring = r.widest_gap <= kSurveySpacing;
   measure.note = formatted("%.2f m above the datum", r.height);
   return measure;
@@ -65,6 +73,11 @@ double seenAllRoundTo(const std::vector<Roundness>& roundness) {
 /// height.
 Measure radiusAbove(const ShellSurvey& survey, const Roundness& worst, double height) {
   Measure measure = radiusMeasure(worst);
+  for (const auto* rows : {&survey.roundness, &survey.arcs}) {
+    for (const Roundness& r : *rows) {
+      if (!isAtFoot(r.height)) measure.interval.high = std::max(measure.interval.high, radiusInterval(r).high);
+    }
+  }
   const double top = seenAllRoundTo(survey.roundness);
   const bool is_arc = std::any_of(survey.arcs.begin(), survey.arcs.end(), [&](const auto& r) { return &r == &worst; });
   measure.whole_ring = (measure.whole_ring || is_arc) && top >= kNearlyAll * height;

@@ -7,12 +7,16 @@
 namespace tank_datum {
 namespace {
 
-/// By how much a parabola through three values at equal steps rises above the middle one, which is the largest but for
-/// chance; 0 where it does not bend by more than some least, or one is not known.
-double riseBetween(double before, double at, double after, double least) {
-  const double bend = at - 0.5 * (before + after), climb = std::min(0.5 * std::abs(after - before), bend);
-  return bend > least ? climb * climb / (4.0 * bend) : 0.0;
-}
+/// What a parabola through three values at equal steps rises by above the middle one, which is the largest but for
+/// chance, and what a narrower peak may; zeros where it does not bend by more than some least, or one is not known.
+struct Rise {
+  double is = 0.0, may = 0.0;
+
+  Rise(double before, double at, double after, double least) {
+    const double bend = at - 0.5 * (before + after), climb = std::min(0.5 * std::abs(after - before), bend);
+    if (bend > least) is = climb * climb / (4.0 * bend), may = climb;
+  }
+};
 
 bool isBetweenEqualSteps(const std::vector<double>& heights, std::size_t k) {
   constexpr double kRounding = 1e-6;  // m
@@ -34,10 +38,14 @@ void raisePeaks(std::vector<Roundness>& roundness, const ShellGrid& grid,
     const double sign = r.max_deviation >= -r.min_deviation ? 1.0 : -1.0;
     const auto out = [&](std::size_t row, std::size_t station) { return sign * deviations[row][station % count]; };
     const double least = kSurely * grid.cells[k][i].sigma;
-    double rise = riseBetween(out(k, i + count - 1), out(k, i), out(k, i + 1), least);
-    if (isBetweenEqualSteps(grid.heights, k)) rise += riseBetween(out(k - 1, i), out(k, i), out(k + 1, i), least);
-    (sign > 0.0 ? r.max_deviation : r.min_deviation) += sign * rise;
-    r.sigma = std::hypot(r.sigma, rise);
+    const Rise along(out(k, i + count - 1), out(k, i), out(k, i + 1), least);
+    r.rise = along.is, r.may_rise = along.may;
+    if (isBetweenEqualSteps(grid.heights, k)) {
+      const Rise upwards(out(k - 1, i), out(k, i), out(k + 1, i), least);
+      r.rise += upwards.is, r.may_rise += upwards.may;
+    }
+    (sign > 0.0 ? r.max_deviation : r.min_deviation) += sign * r.rise;
+    r.sigma = std::hypot(r.sigma, r.rise);
   }
 }
 

@@ -65,6 +65,8 @@ TEST(ShellCircle, OfAShellThatBulgesAllRoundIsThatOfItsFoot) {
   std::vector<ShellLine> lines = linesOf(360, 10.003);
   for (ShellLine& line : lines) line.lean = 0.02;
   EXPECT_NEAR(fitted(lines).circle.radius, 10.003, 1e-5);
+  for (ShellLine& line : lines) line.lean = 0.035;
+  EXPECT_NEAR(fitted(lines).circle.radius, 10.003, 1e-5) << "battered by two degrees";
   const CirclePrior whole_wall{0.003, 0.05};  // of a wall that stands farther out above
   EXPECT_NEAR(fitted(lines, whole_wall).circle.radius, 10.003, 1e-4);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 
 #include "core/units.h"
@@ -52,6 +53,20 @@ TEST(ShellMeasures, AreTheFootTheWorstAboveAndTheWorstPlumbness) {
   EXPECT_EQ(measures[1].note, "1.30 m above the datum");
   EXPECT_EQ(measures[2].quantity, "plumbness");
   EXPECT_EQ(measures[2].worst.value, 0.03);
+}
+
+TEST(ShellMeasures, ARadiusIsSurelyWhatWasSeenAndMayBeMoreBetween) {
+  ShellSurvey shell = survey();
+  Roundness& worst = shell.roundness[1];
+  worst.rise = 0.002, worst.sigma = std::hypot(0.0002, 0.002);
+  const auto interval = [&] { return shellMeasures(shell, {}, kRadius)[1].interval; };
+  EXPECT_NEAR(interval().low, 0.018 - 1.96 * 0.0002, 1e-6);
+  EXPECT_NEAR(interval().high, 0.020 + 1.96 * 0.0022, 1e-6);
+  worst.may_rise = 0.007;
+  EXPECT_NEAR(interval().high, 0.027 + 1.96 * 0.0002, 1e-6);
+  shell.roundness[4].may_rise = 0.020;  // of a height that shows less
+  EXPECT_NEAR(interval().high, 0.035 + 1.96 * 0.0002, 1e-6);
+  EXPECT_NEAR(shellMeasures(shell, {}, kRadius)[0].interval.high, 0.010 + 1.96 * 0.0002, 1e-6);
 }
 
 TEST(ShellMeasures, RadiiAboveAreOfTheRingThatIsSeenUpToNearlyItsHeight) {

@@ -45,6 +45,8 @@ struct Roundness {
   double min_deviation = kUnknown;  ///< inwards, negative [m]
   double azimuth = kUnknown;        ///< of the larger of the two [rad]
   double sigma = kUnknown;          ///< its standard error [m]
+  double rise = 0.0;                ///< of it, by which it is more than at the places that were looked at [m]
+  double may_rise = 0.0;            ///< by which it may be still more, if it is as narrow as these allow [m]
   std::size_t stations = 0;         ///< at which the shell is seen at this height
   double widest_gap = kUnknown;     ///< arc between two of them [m]
 
