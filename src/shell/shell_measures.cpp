@@ -7,7 +7,7 @@
 #include "core/clauses.h"
 #include "core/normal95.h"
 #include "core/plain_text.h"
-#include "core/statistics.h"
+#include "core/portable_math.h"
 #include "core/units.h"
 #include "limits/checks.h"
 #include "limits/survey_spacing.h"
