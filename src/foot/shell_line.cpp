@@ -45,21 +45,24 @@ double noiseOf(const std::vector<double>& spreads) {
   return usual > kSoil * bare ? bare : usual;
 }
 
-/// A point of the shell: arc from the window's middle, height above the foot, radius [m].
+/// A point of the shell: arc from the window's middle, as it is and of its column, height above the foot, radius [m].
 struct ShellRow {
-  double t, h, radius;
+  double at, t, h, radius;
 };
 
 /// Puts the points of each column of a scan at its middle: where rays graze the shell, range noise moves points along
 /// it by much and across it by little, which would pass for a turn of the shell. Columns closer than noise are left.
-void uprightColumns(std::vector<ShellRow>& rows, double noise) {
+/// @param width  of the window [m]
+void uprightColumns(std::vector<ShellRow>& rows, double width, double noise) {
   constexpr double kApart = 3.0, kWide = 12.0;  // times the noise: columns, and one of them at most
-  std::sort(rows.begin(), rows.end(), [](const ShellRow& a, const ShellRow& b) { return a.t < b.t; });
+  constexpr double kResolves = 24.0;            // times the noise: a window that columns can be told apart in
+  if (width < kResolves * noise) return;
+  std::sort(rows.begin(), rows.end(), [](const ShellRow& a, const ShellRow& b) { return a.at < b.at; });
   for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
     double sum = 0.0;
-    for (end = begin; end < rows.size() && (end == begin || rows[end].t - rows[end - 1].t < kApart * noise); ++end)
-      sum += rows[end].t;
-    if (rows[end - 1].t - rows[begin].t > kWide * noise) continue;
+    for (end = begin; end < rows.size() && (end == begin || rows[end].at - rows[end - 1].at < kApart * noise); ++end)
+      sum += rows[end].at;
+    if (rows[end - 1].at - rows[begin].at > kWide * noise) continue;
     for (std::size_t i = begin; i < end; ++i) rows[i].t = sum / static_cast<double>(end - begin);
   }
 }
@@ -126,11 +129,11 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
     const double h = p.z - window.foot;
     if (h >= window.heights.from && h <= window.heights.to &&
         std::abs(p.radius - outline.at(p.azimuth)) < kOnShell * outline.noise) {
-      seen.push_back({turn * start, h, p.radius});
+      seen.push_back({turn * start, turn * start, h, p.radius});
     }
   });
   if (seen.size() < 3 * kUnknowns) return line;
-  if (seen.size() < kDense) uprightColumns(seen, outline.noise);
+  if (seen.size() < kDense) uprightColumns(seen, 2.0 * window.half_width * start, outline.noise);
   SurfaceRows rows;
   rows.reserve(seen.size());
   for (const ShellRow& row : seen) rows.add(row.h, row.t, row.radius);
@@ -154,8 +157,8 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.weights()[i] <= 0.0) continue;
     ++line.points;
-    double& nearest = rows.t()[i] < 0 ? line.before : line.after;
-    if (!(nearest <= std::abs(rows.t()[i]))) nearest = std::abs(rows.t()[i]);
+    double& nearest = seen[i].at < 0 ? line.before : line.after;
+    if (!(nearest <= std::abs(seen[i].at))) nearest = std::abs(seen[i].at);
   }
   return line;
 }
