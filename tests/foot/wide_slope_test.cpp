@@ -11,6 +11,16 @@ namespace tank_datum::wide_slope_test {
 
 using namespace made_feet;
 
+FootSections padSections() {
+  FootSections sections;
+  FootProfile& whole = sections.whole;
+  whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = 0.28, whole.edge = 0.3;
+  whole.blur = 0.004, whole.noise = 0.0002, whole.surface = Surface::Foundation;
+  whole.height.assign(100, 0.0);
+  sections.stations = 360;
+  return sections;
+}
+
 /// A level pad that windows of ten degrees show by one row of points each, whose range noise moves them along rays that
 /// fall by 0.05 to the shell, which is seen as densely as by such rays; but for every so many, which show many rows.
 FootPriors learntOfRows(int every) {
@@ -26,14 +36,8 @@ FootPriors learntOfRows(int every) {
       made.add((s + beside(generator)) * made.step(), d + along, 0.05 * along);
     }
   }
-  FootSections sections;
-  FootProfile& whole = sections.whole;
-  whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = 0.28, whole.edge = 0.3;
-  whole.blur = 0.004, whole.noise = 0.0002, whole.surface = Surface::Foundation;
-  whole.height.assign(100, 0.0);
-  sections.stations = 360;
   const FootElevations level{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
-  return learnPriors(made.foot(), level, sections);
+  return learnPriors(made.foot(), level, padSections());
 }
 
 TEST(LearnWide, WindowsOfOneRowSayNothingWhereSixOthersTell) {
@@ -59,16 +63,10 @@ FootPriors learntOfFloor(double there, bool inside = true) {
     const double slope = s >= 100 && s <= 170 ? there : 0.008;
     made.addStation(s, 60, 0.015, 0.28, [&](double d) { return slope * d; });
   }
-  FootSections sections;
-  FootProfile& whole = sections.whole;
-  whole.bin = 0.003, whole.band_from = 0.015, whole.band_to = 0.28, whole.edge = 0.3;
-  whole.blur = 0.004, whole.noise = 0.0002, whole.surface = Surface::Foundation;
-  whole.height.assign(100, 0.0);
-  sections.stations = 360;
   const FootElevations level{{}, std::vector<double>(360, 0.0), std::vector<bool>(360, true)};
   Foot& foot = made.foot();
   foot.inside = inside;
-  return learnPriors(foot, level, sections);
+  return learnPriors(foot, level, padSections());
 }
 
 TEST(LearnWide, APartOfAFloorThatSettledHasASlopeOfItsOwn) {
