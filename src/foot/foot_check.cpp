@@ -12,6 +12,13 @@
 namespace tank_datum {
 namespace {
 
+/// Stations that stand, over gaps that are bridged.
+std::vector<RingRun> islandsOf(const std::vector<Unmeasured>& reasons, std::size_t far) {
+  std::vector<char> stand;
+  for (const Unmeasured reason : reasons) stand.push_back(reason == Unmeasured::None ? 1 : 0);
+  return runsRound(stand, far);
+}
+
 bool isStep(const FootFit& a, const FootFit& b, double arc) {
   constexpr double kSteepest = 0.02;  // of a datum along its shell; ten times what the codes allow [m/m]
   constexpr double kLeast = 0.002;    // a step that matters [m]
@@ -131,9 +138,7 @@ std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons,
     for (std::size_t k = first; k <= last; ++k) found += reasons[k % count] == reason;
     return found;
   };
-  std::vector<char> stand;
-  for (const Unmeasured reason : reasons) stand.push_back(reason == Unmeasured::None ? 1 : 0);
-  const std::vector<RingRun> islands = runsRound(stand, far);
+  const std::vector<RingRun> islands = islandsOf(reasons, far);
   std::size_t most = 0;
   for (const RingRun& run : islands) most = std::max(most, countOf(Unmeasured::None, run.first, run.last));
   std::vector<bool> outnumbered(count, false);
@@ -142,7 +147,7 @@ std::vector<bool> findOutnumberedIslands(const std::vector<Unmeasured>& reasons,
     const std::size_t length = run.last - run.first + 1, beside = std::min({length, far, (count - length) / 2});
     const std::size_t other = countOf(Unmeasured::OtherSurface, run.first + count - beside, run.last + count + beside);
     if (stands == most || other <= stands) continue;
-    for (std::size_t k = run.first; k <= run.last; ++k) outnumbered[k % count] = stand[k % count] != 0;
+    for (std::size_t k = run.first; k <= run.last; ++k) outnumbered[k % count] = reasons[k % count] == Unmeasured::None;
   }
   return outnumbered;
 }
@@ -151,9 +156,7 @@ std::vector<bool> findLoneStations(const std::vector<Unmeasured>& reasons, std::
   constexpr double kFew = 2.0 * kDegree;  // over which an edge, as beams cross it, passes for a floor [rad]
   const std::size_t count = reasons.size();
   const auto few = static_cast<std::size_t>(std::lround(kFew / kTwoPi * static_cast<double>(count)));
-  std::vector<char> stand;
-  for (const Unmeasured reason : reasons) stand.push_back(reason == Unmeasured::None ? 1 : 0);
-  const std::vector<RingRun> islands = runsRound(stand, far);
+  const std::vector<RingRun> islands = islandsOf(reasons, far);
   std::size_t longest = 0;
   for (const RingRun& run : islands) longest = std::max(longest, run.last - run.first + 1);
   std::vector<bool> lone(count, false);

@@ -181,10 +181,11 @@ std::vector<std::optional<std::size_t>> chooseRoundRing(const Places& places, do
   const Places level = overTilt(places, costs, arc, reach);
   const RingPath ring{level, costs, arc, reach};
   Choice choice = cheapestPath(ring);
-  if (between != nullptr && !runsOf(ring, choice).empty()) {
+  auto runs = runsOf(ring, choice);
+  if (between != nullptr && !runs.empty()) {
     for (const auto& chosen : choice) between->push_back(!chosen);
   }
-  for (auto runs = runsOf(ring, choice); !runs.empty(); runs = runsOf(ring, choice)) {
+  for (; !runs.empty(); runs = runsOf(ring, choice)) {
     const auto dearest =
         std::max_element(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.cost < b.cost; });
     for (const std::size_t i : dearest->members) choice[i].reset();

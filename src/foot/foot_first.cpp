@@ -164,15 +164,16 @@ std::vector<double> guessRoundRing(const Foot& foot, const Tank& tank, const std
   const std::size_t places = (count + stride - 1) / stride;
   const double half = foot.half_step * static_cast<double>(stride), arc = foot.arc() * static_cast<double>(stride);
   std::vector<std::vector<FootCandidate>> candidates(places);
-  forEachIndex(places, 0, [&](std::size_t k) {
+  const auto look_at = [&](std::size_t k, bool climbs) {
     if (!left_out.empty() && left_out[k * stride]) return;
-    candidates[k] = candidatesAt(foot, k * stride, half, tank, false);
-  });
+    candidates[k] = candidatesAt(foot, k * stride, half, tank, climbs);
+  };
+  forEachIndex(places, 0, [&](std::size_t k) { look_at(k, false); });
   std::vector<bool> between;
   auto choice = chooseRoundRing(candidates, arc, foot.reach, &between);
   if (foot.inside && !between.empty()) {  // a floor may go on from one level to the other, as soil does outside
     forEachIndex(places, 0, [&](std::size_t k) {
-      if (between[k]) candidates[k] = candidatesAt(foot, k * stride, half, tank, true);
+      if (between[k]) look_at(k, true);
     });
     choice = chooseRoundRing(candidates, arc, foot.reach);
   }
