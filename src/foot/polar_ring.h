@@ -25,11 +25,11 @@ class PolarRing {
   /// Of points in order of azimuth.
   explicit PolarRing(PolarPoints points) : points_(std::move(points)) {}
 
-  /// Calls visit(point, turn) for every point whose azimuth is within half_width of `azimuth`; turn is the signed
-  /// difference [rad].
+  /// Calls visit(point, turn) for every point whose azimuth is within half_width of `azimuth`, in order of turn, the
+  /// signed difference [rad].
   template <typename Visit>
   void around(double azimuth, double half_width, Visit&& visit) const {
-    for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
+    for (const double shift : {kTwoPi, 0.0, -kTwoPi}) {
       for (std::size_t i = firstFrom(azimuth + shift - half_width); i < points_.size(); ++i) {
         const double turn = points_[i].azimuth - shift - azimuth;
         if (turn > half_width) break;

@@ -51,18 +51,20 @@ struct ShellRow {
 };
 
 /// Puts the points of each column of a scan at its middle: where rays graze the shell, range noise moves points along
-/// it by much and across it by little, which would pass for a turn of the shell. Columns closer than noise are left.
+/// it by much and across it by little, which would pass for a turn of the shell. Columns closer than noise are left,
+/// and so are few points together, which chance brings about.
+/// @param rows   in order of `at`
 /// @param width  of the window [m]
 void uprightColumns(std::vector<ShellRow>& rows, double width, double noise) {
   constexpr double kApart = 3.0, kWide = 12.0;  // times the noise: columns, and one of them at most
   constexpr double kResolves = 24.0;            // times the noise: a window that columns can be told apart in
+  constexpr std::size_t kColumn = 5;            // points
   if (width < kResolves * noise) return;
-  std::sort(rows.begin(), rows.end(), [](const ShellRow& a, const ShellRow& b) { return a.at < b.at; });
   for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
     double sum = 0.0;
     for (end = begin; end < rows.size() && (end == begin || rows[end].at - rows[end - 1].at < kApart * noise); ++end)
       sum += rows[end].at;
-    if (rows[end - 1].at - rows[begin].at > kWide * noise) continue;
+    if (end - begin < kColumn || rows[end - 1].at - rows[begin].at > kWide * noise) continue;
     for (std::size_t i = begin; i < end; ++i) rows[i].t = sum / static_cast<double>(end - begin);
   }
 }

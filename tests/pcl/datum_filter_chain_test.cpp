@@ -71,7 +71,7 @@ TEST(DatumFilterFarAway, WantsAnOriginTakenOff) {
   const Datum expected = extractDatum(Scan::fromPoints(made), DatumOptions());
   for (std::size_t i = 0; i < 360; ++i) {
     EXPECT_NEAR(filter.getDatum().stations[i].z + origin.z(), expected.stations[i].z + expected.origin.z() + place.z(),
-                5e-5);  // 4-byte coordinates are micrometres off, by which a gap between two columns may be one or not
+                2e-5);
   }
   const auto far = std::make_shared<Cloud>();
   for (std::size_t i = 0; i < made.size(); ++i) far->emplace_back(x[i], y[i], z[i]);
