@@ -129,12 +129,13 @@ std::vector<StationDatum> withReasons(std::vector<StationDatum> stations, const 
 }
 
 /// The stations without a datum at which another wall stands, cladding on a part of the ring.
-std::vector<StationDatum> withoutOtherWalls(std::vector<StationDatum> stations, const std::vector<ShellLine>& lines,
+std::vector<StationDatum> withoutOtherWalls(std::vector<StationDatum> stations, const ShellFits& shell,
                                             const std::vector<bool>& strays, double arc) {
   if (strays.empty()) return stations;
-  const std::vector<bool> other = findOtherWalls(lines, strays, arc);
+  const std::vector<bool> other = findOtherWalls(shell.lines, strays, arc);
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    if (other[i] && stations[i].flag == StationFlag::Missing) stations[i].reason = Unmeasured::OffCircle;
+    if ((other[i] || shell.clad[i]) && stations[i].flag == StationFlag::Missing)
+      stations[i].reason = Unmeasured::OffCircle;
   }
   return stations;
 }
@@ -202,7 +203,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   auto bridged = withGapsBridged(stations, levels.process, foot, {round.circle, sigma_bend, fitted});
   if (isResolved(foot)) bridged = withShadowsDoubted(std::move(bridged), foot, pass);
   bridged = withRefusedDoubted(std::move(bridged), pass.outliers.refused, foot);
-  bridged = withoutOtherWalls(std::move(bridged), shell.lines, round.strays, foot.arc());
+  bridged = withoutOtherWalls(std::move(bridged), shell, round.strays, foot.arc());
   const std::vector<Lift> lifts = findNarrowLips(foot, levels.fits, pass.sections);
   found.refined.narrow_lip = usualLip(lifts, levels.fits);
   if (found.refined.narrow_lip > 0.0) found.refined.profile.surface = Surface::AnnularPlate;

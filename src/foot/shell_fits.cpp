@@ -5,8 +5,10 @@
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "core/units.h"
+#include "fit/ring_cells.h"
 #include "foot/gussets.h"
 #include "foot/shell_bends.h"
+#include "foot/shell_objects.h"
 
 namespace tank_datum {
 double ShellFits::noise() const {
@@ -23,6 +25,22 @@ ShellHeights heightsOver(const ShellOutline& outline, double reach) {
   return {std::max(0.1 * reach, 4.0 * outline.noise), reach};
 }
 
+/// The directions in which, or a step beside which, something wide stands before the shell.
+std::vector<bool> cladDirections(const ShellOutline& outline, const std::vector<double>& directions,
+                                   const Tank& tank) {
+  const std::size_t cells = outline.radius.size();
+  const double arc = kTwoPi * tank.circle.radius / static_cast<double>(cells);
+  const std::vector<bool> parts = partsBefore({outline.radius, outline.noise, arc}, tank.side == Side::Inside);
+  const double step = kTwoPi / static_cast<double>(directions.size());
+  std::vector<bool> clad(directions.size());
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    for (const double beside : {-step, 0.0, step}) {
+      if (parts[ringCell(directions[i] + beside, cells)]) clad[i] = true;
+    }
+  }
+  return clad;
+}
+
 /// The lines of the shell that is outlined.
 ShellFits fitAlong(const ShellOutline& outline, const std::vector<double>& directions, const PolarRing& ring,
                    const Tank& tank, double reach) {
@@ -31,6 +49,7 @@ ShellFits fitAlong(const ShellOutline& outline, const std::vector<double>& direc
   constexpr double kWider = 1.5;
   ShellFits shell;
   shell.heights = heightsOver(outline, reach);
+  shell.clad = cladDirections(outline, directions, tank);
   shell.lines.resize(directions.size());
   const double step = kTwoPi / static_cast<double>(directions.size());
   auto& lines = shell.lines;
@@ -47,6 +66,9 @@ ShellFits fitAlong(const ShellOutline& outline, const std::vector<double>& direc
     if (!lines[i].isSupportedWithin(step * tank.circle.radius)) lines[i] = {};
   });
   lines = linesAtFoot(ring, lines, windows);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (shell.clad[i]) lines[i] = {};
+  }
   return shell;
 }
 

@@ -10,8 +10,9 @@ namespace tank_datum {
 
 /// The shell at every station.
 struct ShellFits {
-  std::vector<ShellLine> lines;  ///< one per station, not seen() where the shell is not in view
+  std::vector<ShellLine> lines;  ///< one per station, not seen() where the shell is not in view or clad
   ShellHeights heights;          ///< that the lines were fitted between
+  std::vector<bool> clad;        ///< stations at which something wide stands before the shell
 
   double noise() const;  ///< median of the lines' [m]; NaN when none was seen
 };

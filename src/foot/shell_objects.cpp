@@ -44,6 +44,9 @@ class Runs {
     return shortest;
   }
 
+  /// Whether the radius jumps one way to a run and back after it.
+  bool standsOut(std::size_t k, int way) const { return runs_[k].before == way && runs_[next(k)].before == -way; }
+
   std::size_t size() const { return runs_.size(); }
   const Run& operator[](std::size_t k) const { return runs_[k]; }
 
@@ -96,6 +99,23 @@ std::vector<double> withoutObjects(const ShellCells& cells) {
     for (std::size_t i = runs[k].first; i != (runs[k].last + 1) % count; i = (i + 1) % count) radius[i] = kUnknown;
   }
   return radius;
+}
+
+std::vector<bool> partsBefore(const ShellCells& cells, bool inside) {
+  const std::size_t count = cells.radius.size();
+  std::vector<bool> before(count, false);
+  std::size_t marked = 0, seen = 0;
+  for (const double radius : cells.radius) seen += std::isfinite(radius) ? 1 : 0;
+  const Runs runs(cells);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (!runs.standsOut(k, inside ? -1 : 1)) continue;
+    for (std::size_t i = runs[k].first; i != (runs[k].last + 1) % count; i = (i + 1) % count) {
+      before[i] = true;
+      marked += std::isfinite(cells.radius[i]) ? 1 : 0;
+    }
+  }
+  if (2 * marked > seen) before.assign(count, false);
+  return before;
 }
 
 }  // namespace tank_datum

@@ -97,6 +97,39 @@ TEST(WithoutObjects, NothingSeenIsNothingTakenOut) {
   EXPECT_EQ(countUnknown(withoutObjects(cells)), 39u);
 }
 
+std::ptrdiff_t countBefore(const ShellCells& cells, bool inside = false) {
+  const std::vector<bool> before = partsBefore(cells, inside);
+  return std::count(before.begin(), before.end(), true);
+}
+
+TEST(PartsBefore, CladdingIsBetweenAStepTowardsTheScannerAndOneBack) {
+  ShellCells cells = round();
+  put(cells, 1300, 400, 0.05);
+  EXPECT_EQ(countBefore(cells), 400);
+  EXPECT_EQ(countBefore(cells, true), 0) << "from inside it is the shell between two parts that stand inwards";
+  put(cells, 1300, 400, -0.05);
+  EXPECT_EQ(countBefore(cells, true), 400);
+  EXPECT_EQ(countBefore(round()), 0);
+  put(cells, 1300, 400, 0.006);
+  EXPECT_EQ(countBefore(cells), 0) << "a shell may turn as much";
+}
+
+TEST(PartsBefore, NoneIsToldWhereItIsMostOfWhatIsSeen) {
+  ShellCells cells = round();
+  put(cells, 0, 700, 0.05);
+  EXPECT_EQ(countBefore(cells), 700);
+  put(cells, 0, 740, 0.05);
+  EXPECT_EQ(countBefore(cells), 0);
+  for (std::size_t i = 20; i < 700; ++i) cells.radius[i] = kUnknown;
+  EXPECT_EQ(countBefore(cells), 740) << "60 of 760 that show something";
+}
+
+TEST(PartsBefore, AStepThatIsNotTakenBackIsNone) {
+  ShellCells cells = round();
+  for (std::size_t i = 200; i < 600; ++i) cells.radius[i] += 0.05 * static_cast<double>(600 - i) / 400.0;
+  EXPECT_EQ(countBefore(cells), 0);
+}
+
 TEST(MostTurn, IsFourDeviationsAndFifteenHundredthsOfTheArc) {
   EXPECT_NEAR(mostTurn({{}, 0.002, kArc}, 1.0), 0.158, 1e-12);
 }
