@@ -26,8 +26,7 @@ ShellHeights heightsOver(const ShellOutline& outline, double reach) {
 }
 
 /// The directions in which, or a step beside which, something wide stands before the shell.
-std::vector<bool> cladDirections(const ShellOutline& outline, const std::vector<double>& directions,
-                                   const Tank& tank) {
+std::vector<bool> cladDirections(const ShellOutline& outline, const std::vector<double>& directions, const Tank& tank) {
   const std::size_t cells = outline.radius.size();
   const double arc = kTwoPi * tank.circle.radius / static_cast<double>(cells);
   const std::vector<bool> parts = partsBefore({outline.radius, outline.noise, arc}, tank.side == Side::Inside);

@@ -32,7 +32,7 @@ TEST(FitShellLines, CladdingOnAPartIsNotTheShell) {
   const ShellFits shell = shellClad(0.06);
   for (int i = 0; i < 360; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const bool within = i > kFirst && i < kLast, beside = i > kFirst - 3 && i < kLast + 3;
+    const bool within = i > kFirst && i<kLast, beside = i> kFirst - 3 && i < kLast + 3;
     if (within) {
       EXPECT_TRUE(shell.clad[at] && !shell.lines[at].seen()) << i;
     }

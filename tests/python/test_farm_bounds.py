@@ -19,7 +19,7 @@ from tank_datum.farm.campaign import FarmTank, Survey  # noqa: E402
 from tank_datum.farm.engine import Engine, _Queued  # noqa: E402
 from tank_datum.farm.heights import datum_of, shift_of  # noqa: E402
 from tank_datum.farm.hydrotest import hydrotests_of  # noqa: E402
-from tank_datum.farm.lines import Line, fit_line_and_level  # noqa: E402
+from tank_datum.farm.lines import Line, fit_line_and_level, student  # noqa: E402
 from tank_datum.farm.over_time import EpochDatum  # noqa: E402
 from tank_datum.farm.store import Store  # noqa: E402
 from tank_datum.farm.task import FAILED, Meant, Row, Task  # noqa: E402
@@ -47,13 +47,80 @@ def test_a_tank_stands_within_a_quarter_of_its_radius(apart: float, there: bool)
     assert _is_there({"center": (10.0, 0.0), "radius": 8.0 * (1.0 + apart)}, meant) is there
 
 
-def test_stable_stations_share_their_errors_over_six_degrees() -> None:
-    """60 degrees are ten arcs: the mean of a scatter of 1 mm has 1 / sqrt(10) mm."""
+@pytest.mark.parametrize(
+    ("stations", "arcs"), [(36, 6.0), (360, 61.0 / 6.0)], ids=["10 deg apart", "1 deg apart"]
+)
+def test_stable_stations_share_their_errors_over_six_degrees(stations: int, arcs: float) -> None:
+    """61 stations a degree apart are ten arcs, six of ten degrees six."""
     tank = FarmTank("T", height_reference="stable", stable_deg=((5.0, 65.0),))
-    shift = shift_of(tank, drawn(), drawn(0.050, scatter=0.001), {}, 0.0)
-    assert shift.dz == pytest.approx(-0.050, abs=1e-6)
-    assert shift.sigma == pytest.approx(0.001 / math.sqrt(10.0), rel=1e-6)
-    assert (shift.slope_x, shift.slope_y) == (0.0, 0.0)
+    shift = shift_of(tank, around(stations), around(stations, 0.050, scatter=0.001), {}, 0.0)
+    few = student(0.975, int(arcs) - 1) / 1.959964
+    assert shift.dz == pytest.approx(-0.050, abs=2e-5)
+    assert shift.sigma == pytest.approx(few * 0.001 / math.sqrt(int(arcs) - 1), rel=0.01)
+    assert (shift.slope_x, shift.slope_y, shift.sigma_slope) == (0.0, 0.0, None)
+
+
+def around(stations: int, lift: float = 0.0, scatter: float = 0.0) -> object:
+    """A level datum of stations without errors, neighbours up and down in turn by the scatter."""
+    record = json.loads(json.dumps(base()))
+    first = record["stations"][0]
+    record["stations"] = [
+        first
+        | {
+            "station": number,
+            "azimuth_deg": 360.0 / stations * number,
+            "direction_deg": 360.0 / stations * number,
+            "z": lift + scatter * (-1) ** number,
+            "sigma_z": 1e-9,
+        }
+        for number in range(stations)
+    ]
+    return datum_of(json.dumps(record), "around")
+
+
+@pytest.mark.parametrize(
+    "sectors",
+    [((0.0, 200.0),), ((0.0, 10.0), (100.0, 110.0), (200.0, 210.0), (290.0, 300.0))],
+    ids=["one side", "four"],
+)
+def test_height_and_tilt_of_stable_sectors_err_as_they_say(
+    sectors: tuple[tuple[float, float], ...],
+) -> None:
+    """Errors of 1 mm that are alike over six degrees, drawn 300 times."""
+    draw = np.random.default_rng(11)
+    tank = FarmTank("T", height_reference="stable", stable_deg=sectors)
+    still = around(360)
+    beyond = {"height": 0, "slope": 0, "far side": 0}
+    for _ in range(300):
+        record = json.loads(json.dumps(still.to_dict()))
+        errors = np.repeat(draw.normal(0.0, 0.001, 60), 6)
+        for station, error in zip(record["stations"], errors, strict=True):
+            station["z"] = float(error)
+        shift = shift_of(tank, still, datum_of(json.dumps(record), "drawn"), {}, 0.0)
+        radius = record["tank"]["radius"]
+        assert shift.sigma_slope is not None
+        at_far = shift.dz - radius * shift.slope_x * math.cos(math.radians(80.0))
+        at_far -= radius * shift.slope_y * math.sin(math.radians(80.0))
+        beyond["height"] += abs(shift.dz) > 2.0 * shift.sigma
+        beyond["slope"] += abs(shift.slope_x) > 2.0 * shift.sigma_slope
+        beyond["far side"] += abs(at_far) > 2.0 * math.hypot(
+            shift.sigma, radius * shift.sigma_slope
+        )
+    assert all(count <= 0.06 * 300 for count in beyond.values()), beyond
+
+
+def test_benchmarks_of_which_nothing_is_said_err_by_a_usual_millimetre() -> None:
+    """Known as well as a variance of three values; two marks add what they differ by."""
+    tank = FarmTank("T", height_reference="marks", marks={"A": 1.0, "B": 2.0})
+    one = shift_of(tank, drawn(), drawn(), {"A": 1.003}, 0.0)
+    assert one.dz == pytest.approx(-0.003)
+    assert one.sigma == pytest.approx(0.001 * student(0.975, 3) / 1.959964)
+    assert "registration_error" in one.note
+    two = shift_of(tank, drawn(), drawn(), {"A": 1.003, "B": 1.997}, 0.0)
+    both = math.sqrt((3e-6 + 2 * 0.003**2) / 4.0 / 2.0)
+    assert two.sigma == pytest.approx(both * student(0.975, 4) / 1.959964)
+    told = shift_of(tank, drawn(), drawn(), {"A": 1.003}, 0.0005)
+    assert (told.sigma, told.note) == (0.0005, "")
 
 
 @pytest.mark.parametrize(

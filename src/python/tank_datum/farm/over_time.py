@@ -6,6 +6,7 @@ through its figures give rates. Settlement is positive downwards.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -98,9 +99,12 @@ def at_one_height(
         )
         if shift.note:
             notes.append(f"{survey.epoch}: {shift.note}")
-        adjusted = tank.height_reference in ("marks", "stable")
-        moved = replace(survey, registration_error=shift.sigma) if adjusted else survey
-        made.append(replace(epoch, survey=moved, datum=shifted(epoch.datum, shift)))
+        if tank.height_reference in ("marks", "stable"):
+            survey = replace(survey, registration_error=shift.sigma)
+        if shift.sigma_slope is not None:
+            tilt = math.degrees(shift.sigma_slope) * 3600.0
+            survey = replace(survey, registration_tilt_arcsec=tilt)
+        made.append(replace(epoch, survey=survey, datum=shifted(epoch.datum, shift)))
     return made
 
 
