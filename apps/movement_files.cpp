@@ -28,6 +28,7 @@ using Json = nlohmann::ordered_json;
 }  // namespace
 
 void followOverTime(Comparison& comparison, std::vector<Epoch> surveys) {
+  if (comparison.dates.empty()) requireInOrder(surveys);
   // refuses another number of dates
   comparison.histories = historiesOf(comparison.movements, timesOf(comparison.dates, surveys.size()));
   for (std::size_t i = 0; i < comparison.dates.size(); ++i) surveys[i].date = comparison.dates[i];

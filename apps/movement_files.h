@@ -24,6 +24,7 @@ struct Comparison {
 
 /// Adds what the surveys show together: the stations' trends, and when limits are reached; by its dates, where it has
 /// them. All movements then have the azimuths of the last survey.
+/// @throws Error (Option) where the surveys' own dates are not in order
 void followOverTime(Comparison& comparison, std::vector<Epoch> surveys);
 
 /// What a trend is in: "m/year" with dates, "m/survey" without.

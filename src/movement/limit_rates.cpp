@@ -69,7 +69,7 @@ void meetLimit(const Line& line, double last, LimitRate& rate) {
   const double half = std::sqrt(std::max(b * b - 4.0 * a * c, 0.0));
   if (a > 0.0) {
     rate.approach = Approach::Reached;
-    rate.expected = line.at + gap / line.rate;
+    rate.expected = std::max(last, line.at + gap / line.rate);
     rate.earliest = line.at + (-b - half) / (2.0 * a);
     rate.latest = std::max(last, line.at + (-b + half) / (2.0 * a));
   } else {
@@ -159,11 +159,24 @@ LimitRates limitRatesOf(const std::vector<Epoch>& surveys) {
   return found;
 }
 
-std::string monthOf(double year) {
-  const double whole = std::floor(year);
-  const int month = std::min(11, static_cast<int>(12.0 * (year - whole)));
+namespace {
+
+/// [years]
+double firstOfMonth(int year, int month) {
   char text[24];
-  snprintfPlain(text, sizeof text, "%04.0f-%02d", whole, month + 1);
+  snprintfPlain(text, sizeof text, "%04d-%02d-01", year, month);
+  return yearOf(text);
+}
+
+}  // namespace
+
+std::string monthOf(double year) {
+  constexpr double kRounding = 1e-6;  // half a minute
+  const double whole = std::floor(year);
+  int month = 1;
+  while (month < 12 && firstOfMonth(static_cast<int>(whole), month + 1) <= year + kRounding) ++month;
+  char text[24];
+  snprintfPlain(text, sizeof text, "%04.0f-%02d", whole, month);
   return text;
 }
 

@@ -13,6 +13,7 @@
 #include "core/units.h"
 #include "movement/epoch_matching.h"
 #include "tank_datum/core/error.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -146,6 +147,22 @@ std::vector<double> timesOf(const std::vector<std::string>& dates, std::size_t s
   for (const std::string& date : dates) times.push_back(yearOf(date));
   while (dates.empty() && times.size() < surveys) times.push_back(static_cast<double>(times.size()));
   return times;
+}
+
+void requireInOrder(const std::vector<Epoch>& surveys) {
+  const auto time = [](const Epoch& survey) {
+    try {
+      return yearOf(survey.date);
+    } catch (const Error&) {
+      return kUnknown;
+    }
+  };
+  for (std::size_t i = 1; i < surveys.size(); ++i) {
+    const Epoch &now = surveys[i], &before = surveys[i - 1];
+    if (!(time(now) < time(before))) continue;
+    throw Error(Error::Kind::Option, "movement", "date of " + now.name, now.date,
+                "no earlier than that of " + before.name + ", " + before.date + ": surveys in the order of time");
+  }
 }
 
 }  // namespace tank_datum

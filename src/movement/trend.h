@@ -16,4 +16,9 @@ double yearOf(const std::string& date);
 /// @throws Error (Option) as yearOf
 std::vector<double> timesOf(const std::vector<std::string>& dates, std::size_t surveys);
 
+/// Refuses surveys whose own dates say that one is of an earlier day than the one before it; dates that cannot be read
+/// say nothing.
+/// @throws Error (Option)
+void requireInOrder(const std::vector<Epoch>& surveys);
+
 }  // namespace tank_datum

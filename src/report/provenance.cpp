@@ -4,6 +4,7 @@
 
 #include "io/input_file.h"
 #include "io/sha256.h"
+#include "movement/trend.h"
 #include "tank_datum/core/error.h"
 
 namespace tank_datum {
@@ -27,7 +28,9 @@ LimitRates limitRatesSince(const Baseline& baseline, const Datum& datum, const R
   for (const auto& [key, words] : run.identity ? run.identity->about : Identity().about) {
     if (key == "survey_date") current.date = words;
   }
-  return limitRatesOf({baseline.epoch, current});
+  const std::vector<Epoch> surveys = {baseline.epoch, current};
+  requireInOrder(surveys);
+  return limitRatesOf(surveys);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "movement/trend.h"
 #include "tank_datum/movement/movement.h"
 
 namespace tank_datum::limit_rates_test {
@@ -124,6 +125,14 @@ TEST(LimitRatesOf, NineteenOfTwentyIntervalsHoldTheDate) {
   EXPECT_NEAR(held / static_cast<double>(kTanks), 0.95, 0.015);
 }
 
+TEST(LimitRatesOf, NoneOfItsDatesIsBeforeTheLastSurvey) {
+  const double s = kSigma;
+  const LimitRate rate = only({{2018, 0.002 - 0.1 * s}, {2019, 0.006 + 1.1 * s}, {2020, 0.01 - 0.1 * s}});
+  EXPECT_EQ(rate.approach, Approach::Reached);
+  EXPECT_EQ(rate.earliest, 2020.0);
+  EXPECT_EQ(rate.expected, 2020.0) << "the line was at the limit a little before";
+}
+
 TEST(LimitRatesOf, SaysWhyThereAreNone) {
   std::vector<Epoch> all = surveys({{2020, 0.002}, {2022, 0.004}});
   all[1].date.clear();
@@ -157,6 +166,10 @@ TEST(MonthOf, IsThatOfTheCalendar) {
   EXPECT_EQ(monthOf(2031.0), "2031-01");
   EXPECT_EQ(monthOf(2031.29), "2031-04");
   EXPECT_EQ(monthOf(2031.9999), "2031-12");
+  for (const char* first : {"2020-06-01", "2019-03-01", "2024-02-29", "2024-12-01"}) {
+    EXPECT_EQ(monthOf(yearOf(first)), std::string(first).substr(0, 7));
+  }
+  EXPECT_EQ(monthOf(yearOf("2019-05-31")), "2019-05");
 }
 
 }  // namespace tank_datum::limit_rates_test

@@ -96,6 +96,26 @@ TEST(HistoriesOf, RefusesTimesThatAreNone) {
   EXPECT_EQ(refusal({}, {1}), "");
 }
 
+TEST(RequireInOrder, RefusesASurveyOfAnEarlierDay) {
+  const auto require = [](const std::vector<std::string>& dates) {
+    std::vector<Epoch> surveys(dates.size());
+    for (std::size_t i = 0; i < dates.size(); ++i) surveys[i].name = std::to_string(i), surveys[i].date = dates[i];
+    requireInOrder(surveys);
+  };
+  require({"2018-06-01", "2018-06-02", "2023.5"});
+  require({"2023-06-01", "", "2018-06-01"});
+  require({"2018-06-01", "in spring"});
+  require({"2018-06-01", "2018-06-01"});
+  try {
+    require({"2018-06-01", "2023-06-01", "2020-06-01"});
+    FAIL() << "a survey of an earlier day";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "movement: date of 2, 2020-06-01, expected no earlier than that of 1, 2023-06-01: "
+                 "surveys in the order of time");
+  }
+}
+
 TEST(YearOf, ReadsDatesAndYears) {
   EXPECT_EQ(yearOf("2024-01-01"), 2024.0);
   EXPECT_NEAR(yearOf("2024-12-31"), 2024.0 + 365.0 / 366.0, 1e-9);
