@@ -6,6 +6,7 @@
 
 #include "core/portable_math.h"
 #include "core/statistics.h"
+#include "core/units.h"
 #include "fit/circle_process.h"
 
 namespace tank_datum {
@@ -18,24 +19,38 @@ double withPrior(double sigma) { return 1.0 / std::hypot(1.0 / sigma, 1.0 / kTan
 
 double density(double off, double sigma) { return portable::exp(-0.5 * off * off / (sigma * sigma)) / sigma; }
 
+/// Root mean square of what beams draw a lip down by that is seen to lean up, by that much against what it lies on: of
+/// a normal distribution cut off at 0.
+/// @param beams  standard deviation of what they feign, before it is seen
+double drawnDown(double off, double beams) {
+  constexpr double kFarOut = 20.0;  // standard deviations: an exponential distribution from there on
+  const double width = 1.0 / std::hypot(1.0 / beams, 1.0 / kTankSlope), middle = -off * square(width / kTankSlope);
+  const double from = -middle / width;
+  if (from > kFarOut) return std::sqrt(2.0) * width / from;
+  const double hazard =
+      std::sqrt(2.0 / kPi) * portable::exp(-0.5 * from * from) / portable::erfc(from / std::sqrt(2.0));
+  return std::sqrt(square(width) + middle * (middle + width * hazard));
+}
+
 /// The ring's own slope for what its windows show: of two kinds of tanks, those whose lips are parallel to what they
 /// lie on and those whose lips lean as they like, as many of each, as likely as what is seen is of either. Of a slope
-/// that beams may feign, lips that lean have half.
+/// that beams may feign, lips that lean have half; one that leans up no beam has feigned, it leans no less.
 /// @param error  standard error of what the windows show
 MeanSlope ringSlope(double seen, double error, const ExpectedSlope& expected) {
   constexpr double kBeams = 0.6;  // standard deviation of what beams feign, of the most
   const double off = seen - expected.parallel, doubt = std::hypot(expected.noise, error);
   if (std::abs(off) > kSteepestLip + expected.lean) return {seen, expected.parallel, kLipSlope};
   const double feigned = std::clamp(-off, 0.0, expected.lean), beams = kBeams * expected.lean;
-  const double odd = std::hypot(doubt, beams), own = off + 0.5 * feigned;
-  const double unsure = expected.sigma_parallel, told = square(unsure) / (square(unsure) + square(odd));
+  const double odd = std::hypot(doubt, beams), own = off + 0.5 * feigned, known = off > 0.0 ? doubt : odd;
+  const double unsure = expected.sigma_parallel, told = square(unsure) / (square(unsure) + square(known));
   const double parallel = density((off + feigned) / std::hypot(doubt, unsure), 1.0) / std::hypot(odd, unsure),
                leaning = density(own, std::hypot(odd, kTankSlope));
   const double share = leaning / (parallel + leaning);
-  const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + odd * odd), mean = weight * own;
+  const double weight = kTankSlope * kTankSlope / (kTankSlope * kTankSlope + known * known), mean = weight * own;
   const double near = told * own;
-  const double variance =
-      (1.0 - share) * (beams * beams + told * odd * odd + share * square(mean - near)) + share * weight * odd * odd;
+  const double steeper = off > 0.0 && beams > 0.0 ? square(drawnDown(off, beams)) : 0.0;
+  const double variance = (1.0 - share) * (beams * beams + told * known * known + share * square(mean - near)) +
+                          share * (weight * known * known + steeper);
   return {seen, expected.parallel + share * mean + (1.0 - share) * near,
           withPrior(std::hypot(std::sqrt(variance), kBeams * expected.more))};
 }

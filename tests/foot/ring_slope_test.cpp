@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/portable_math.h"
 #include "core/units.h"
 
 namespace tank_datum::ring_slope_test {
@@ -60,6 +61,29 @@ TEST(DrawTogether, BeamsFeignNoRise) {
   EXPECT_GT(slopeOff(3, 2.7 * kError), 0.5 * kError);
   EXPECT_GT(slopeOff(19, -2.5 * kError), -1.0 * kError);
   EXPECT_LT(slopeOff(19, 2.5 * kError, 0.01), 1.0 * kError);  // but before a crown
+}
+
+/// The ring's slope where all windows show level lips on what falls by so much, and beams may feign as much down.
+MeanSlope levelOn(double falls, double lean) {
+  const std::vector<SeriesValue> seen(72, {0.0, 0.001, 1.0});
+  return drawTogether(seen, seen, 0.0, {-falls, 0.0005, lean}).ring;
+}
+
+TEST(DrawTogether, LipsThatAreSeenLevelOnAShoulderThatFallsLeanNoLess) {
+  for (const double lean : {0.02, 0.12, 0.3}) {
+    const MeanSlope ring = levelOn(0.08, lean);
+    EXPECT_NEAR(ring.slope, 0.0, 0.001) << lean;
+    constexpr double kTank = 0.03;  // of lips about what they lie on
+    const double beams = 0.6 * lean;
+    double weights = 0.0, squares = 0.0;  // of what beams draw down: never up
+    for (double b = 0.0; b < 0.2; b += 1e-5) {
+      const double weight = std::exp(-0.5 * (square((0.08 + b) / kTank) + square(b / beams)));
+      weights += weight, squares += weight * b * b;
+    }
+    const double drawn = std::sqrt(squares / weights);
+    EXPECT_NEAR(ring.sigma, 1.0 / std::hypot(1.0 / drawn, 1.0 / kTank), 2e-4) << lean;
+  }
+  EXPECT_LT(levelOn(0.09, 4.0).sigma, 0.015) << "a normal distribution's tail that no number holds";
 }
 
 /// Slopes of 72 windows, the first of which lies off by so much; of the second as they are drawn.
