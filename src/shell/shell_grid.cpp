@@ -16,10 +16,11 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kPlenty = 40;       // points for four unknowns
-constexpr double kWantedSigma = 0.00025;  // a cell borrows points from its neighbours until it is this good [m]
-constexpr double kWidestArc = 0.4;        // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
-constexpr double kSteepest = 0.2;         // of a shell; a roof is flatter [m/m]
+constexpr std::size_t kPlenty = 40;           // points for four unknowns
+constexpr double kWantedSigma = 0.00025;      // a cell borrows points from its neighbours until it is this good [m]
+constexpr double kGood = 2.0 * kWantedSigma;  // good enough, whatever the others are [m]
+constexpr double kWidestArc = 0.4;  // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
+constexpr double kSteepest = 0.2;   // of a shell; a roof is flatter [m/m]
 
 /// The standard error of a line's radius with its noise drawn towards that of a wider window: few points that happen
 /// to agree are not as good as they look, and a window must not stop growing on their word.
@@ -56,17 +57,36 @@ ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const Cell
   }
 }
 
-/// Takes out the cells whose points do not agree on a surface as the others' do: seen past the edge of something.
-void dropPoor(std::vector<ShellCell>& row) {
-  constexpr double kPoor = 4.0;                 // times the usual standard error
-  constexpr double kGood = 2.0 * kWantedSigma;  // whatever the others are
+/// The median standard error of a row's cells [m]; NaN where none is seen.
+double usualSigma(const std::vector<ShellCell>& row) {
   std::vector<double> sigmas;
   for (const ShellCell& cell : row) {
     if (cell.seen()) sigmas.push_back(cell.sigma);
   }
-  const double worst = std::max(kGood, kPoor * median(std::move(sigmas)));
+  return median(std::move(sigmas));
+}
+
+/// Takes out the cells whose points do not agree on a surface as the others' do: seen past the edge of something.
+void dropPoor(std::vector<ShellCell>& row) {
+  constexpr double kPoor = 4.0;  // times the usual standard error
+  const double worst = std::max(kGood, kPoor * usualSigma(row));
   for (ShellCell& cell : row) {
     if (cell.sigma > worst) cell = {};
+  }
+}
+
+/// Drops rows that are usually known far worse than the others: through the underside of a wind girder, which is level,
+/// any radius fits.
+void dropPoorRows(std::vector<std::vector<ShellCell>>& rows) {
+  constexpr double kFar = 20.0;  // times the usual standard error
+  std::vector<double> sigmas;
+  for (const auto& row : rows) {
+    const double usual = usualSigma(row);
+    if (std::isfinite(usual)) sigmas.push_back(usual);
+  }
+  const double worst = std::max(kGood, kFar * median(std::move(sigmas)));
+  for (auto& row : rows) {
+    if (usualSigma(row) > worst) row.assign(row.size(), {});
   }
 }
 
@@ -189,6 +209,7 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
       if (stations[i].reason == Unmeasured::OffCircle) rows[k][i] = {};
     }
   });
+  dropPoorRows(rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (std::none_of(rows[k].begin(), rows[k].end(), [](const ShellCell& cell) { return cell.seen(); })) continue;
     grid.heights.push_back(bands.heights()[k]);

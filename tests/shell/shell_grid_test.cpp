@@ -104,6 +104,28 @@ MadeShell behind(double gap, double from, double to) {
   return shell;
 }
 
+/// Rows with a cell of a shell of that noise each, the last of the underside of a girder as wide as that.
+std::size_t rowsBelowGirder(double noise, double wide) {
+  MadeShell shell;
+  shell.noise = noise;
+  Points points;
+  std::mt19937_64 random(5);
+  for (const Eigen::Vector3d& p : shell.points()) {
+    if (p.z() < kFoot + 3.5) points.push_back(p);
+  }
+  for (int i = 0; i < 2000; ++i) {  // before one scanner
+    const double a = 1.0 + 0.1 * uniform(random), r = kRadius + wide * uniform(random);
+    points.emplace_back(kCentre.x() + r * std::cos(a), kCentre.y() + r * std::sin(a),
+                        kFoot + 4.3 + 0.0005 * uniform(random));
+  }
+  return gridOf(points).heights.size();
+}
+
+TEST(FitShellGrid, TheUndersideOfAWindGirderIsNoShell) {
+  EXPECT_EQ(rowsBelowGirder(0.001, 0.6), 4U);
+  EXPECT_EQ(rowsBelowGirder(0.001, 0.002), 5U) << "a shell that is seen in few places there";
+}
+
 TEST(KeepConnected, AWideThingInFrontOfTheShellIsNotTakenForIt) {
   const MadeShell shell = behind(0.15, 1.0, 1.5);
   ShellGrid grid = gridOf(shell.points());
