@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "core/plain_text.h"
 #include "locate/foot_unit.h"
 #include "setups/gross_shifts.h"
+#include "setups/one_tripod.h"
 #include "setups/parts_by_order.h"
 #include "setups/rounded_points.h"
 #include "setups/setup_adjustment.h"
@@ -95,6 +97,12 @@ void requireKnown(const Scan& scan, const std::vector<Setup>& setups, const Setu
   }
 }
 
+std::vector<Setup> countParts(const Ring& ring) {
+  std::vector<Setup> parts = countSetups(ring);
+  for (std::size_t part = 0; part < parts.size(); ++part) parts[part].name = "part " + std::to_string(part + 1);
+  return parts;
+}
+
 /// Tells the setups of a cloud merged without labels apart by the order of its points. False where that says nothing.
 bool partByOrder(Ring& ring, const Tank& tank, SetupAgreement& agreement, int threads) {
   const std::vector<std::size_t> begins = partsByOrder(ring, tank, threads);
@@ -108,10 +116,18 @@ bool partByOrder(Ring& ring, const Tank& tank, SetupAgreement& agreement, int th
     std::fill(at(part), part + 1 < begins.size() ? at(part + 1) : ring.point_setups.end(),
               static_cast<std::uint16_t>(part));
   }
-  agreement.setups = countSetups(ring);
-  for (std::size_t part = 0; part < begins.size(); ++part) {
-    agreement.setups[part].name = "part " + std::to_string(part + 1);
-  }
+  agreement.setups = countParts(ring);
+  return true;
+}
+
+/// Makes one setup of the parts that one tripod scanned. False where each was a setup of its own.
+bool uniteParts(Ring& ring, const SetupAdjustment& adjusted, std::vector<Setup>& parts) {
+  const std::vector<std::uint16_t> setups = setupsOfParts(adjusted);
+  const std::size_t count = std::size_t{1} + *std::max_element(setups.begin(), setups.end());
+  if (count == parts.size() || count == 1) return false;
+  for (std::uint16_t& setup : ring.point_setups) setup = setups[setup];
+  ring.setups.resize(count);
+  parts = countParts(ring);
   return true;
 }
 
@@ -193,10 +209,18 @@ SetupAgreement agreeSetups(Ring& ring, const RepeatedPoints& repeated, const Sca
     takeTogether(ring, agreement.setups);  // each may hold pieces of several: their order says nothing
     return agreement;
   }
-  const std::size_t setups = agreement.setups.size();
-  origins.clear();
-  for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
-  fill(agreement, adjustSetups(viewWithGrossShifts(views_in, setups, ring.reach, options), setups, options));
+  const auto adjust = [&] {
+    const std::size_t setups = agreement.setups.size();
+    origins.clear();
+    for (const Setup& setup : agreement.setups) origins.push_back(setup.origin);
+    return adjustSetups(viewWithGrossShifts(views_in, setups, ring.reach, options), setups, options);
+  };
+  SetupAdjustment adjusted = adjust();
+  if (agreement.by_order && uniteParts(ring, adjusted, agreement.setups)) {
+    polar.emplace(ring, tank, threads);
+    adjusted = adjust();
+  }
+  fill(agreement, adjusted);
   if (!agreement.by_order && !joined) markDuplicates(agreement.setups, repeated);
   move(ring, agreement.setups, threads);
   if (options.bad == BadSetups::Drop) dropBad(ring, agreement.setups, tank.circle.center);
