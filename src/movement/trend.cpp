@@ -10,6 +10,7 @@
 #include "core/azimuth.h"
 #include "core/normal95.h"
 #include "core/portable_math.h"
+#include "core/statistics.h"
 #include "core/units.h"
 #include "movement/epoch_matching.h"
 #include "tank_datum/core/error.h"
@@ -46,6 +47,16 @@ StationMovement movementAt(const std::vector<StationMovement>& known, double dir
   return at;
 }
 
+/// What a line's errors are times those of its surveys where these scatter about it by more than theirs explain: one
+/// that is off for a reason of its own. Of a normal distribution with the 95 % of Student's t.
+/// @param misfit   sum of the squares of residuals over standard errors
+/// @param freedom  residuals beyond two
+double widerByScatter(double misfit, double freedom) {
+  constexpr double kOneSided95 = 1.6448536269514722;  // of the normal distribution
+  if (!(freedom > 0.0) || misfit <= chiSquareQuantile(freedom, kOneSided95)) return 1.0;
+  return std::sqrt(misfit / freedom) * student95(freedom) / kNormal95;
+}
+
 /// Ordinary least squares. The slope is the same of z and of z less the baseline's, whose error counts once.
 void fitRate(StationHistory& history, const std::vector<double>& times) {
   std::vector<std::size_t> seen;
@@ -60,14 +71,22 @@ void fitRate(StationHistory& history, const std::vector<double>& times) {
   mean /= static_cast<double>(seen.size() + 1);
   double spread = (times.front() - mean) * (times.front() - mean);
   for (const std::size_t i : seen) spread += (times[i + 1] - mean) * (times[i + 1] - mean);
-  double rate = 0.0, variance = square((times.front() - mean) / spread * baseline);
+  double rate = 0.0, level = 0.0, variance = square((times.front() - mean) / spread * baseline);
+  const auto ownVariance = [](const StationMovement& s) { return square(s.sigma) - square(s.sigma_baseline); };
   for (const std::size_t i : seen) {
     const StationMovement& s = history.surveys[i];
     const double share = (times[i + 1] - mean) / spread;
     rate += share * s.dz;
-    variance += share * share * (s.sigma * s.sigma - s.sigma_baseline * s.sigma_baseline);
+    level += s.dz / static_cast<double>(seen.size() + 1);
+    variance += share * share * ownVariance(s);
   }
-  history.rate = rate, history.sigma_rate = std::sqrt(variance);
+  double misfit = square((level + rate * (times.front() - mean)) / baseline);
+  for (const std::size_t i : seen) {
+    const double off = history.surveys[i].dz - level - rate * (times[i + 1] - mean);
+    misfit += square(off) / ownVariance(history.surveys[i]);
+  }
+  history.rate = rate;
+  history.sigma_rate = std::sqrt(variance) * widerByScatter(misfit, static_cast<double>(seen.size()) - 1.0);
 }
 
 /// The largest of all rates is compared with the largest of as many that are only errors (Sidak).

@@ -51,6 +51,19 @@ TEST(HistoriesOf, FitsALineThroughEverySurvey) {
   EXPECT_EQ(histories[7].surveys.size(), 3U);
 }
 
+TEST(HistoriesOf, ASurveyThatIsOffTheLineWidensItsError) {
+  const auto sigmaWith = [](double off) {  // the third of five, of which it moves the mean by a fifth
+    return historiesOf({moved(-0.001), moved(-0.002 + off), moved(-0.003), moved(-0.004)}, {0, 1, 2, 3, 4})[7]
+        .sigma_rate;
+  };
+  const double own = 0.0003 / std::sqrt(10.0);
+  const auto misfit = [](double off) { return 0.8 * off * off / (0.0003 * 0.0003); };
+  const double inside = 0.0003 * std::sqrt(7.6 / 0.8), beyond = 0.0003 * std::sqrt(8.1 / 0.8);
+  EXPECT_NEAR(sigmaWith(inside), own, 1e-9) << "7.81 is the 95 % point of chi squared with three";
+  EXPECT_NEAR(sigmaWith(beyond), own * std::sqrt(8.1 / 3.0) * 3.182 / 1.96, 1e-6);
+  EXPECT_NEAR(sigmaWith(0.03), own * std::sqrt(misfit(0.03) / 3.0) * 3.182 / 1.96, 1e-5);
+}
+
 TEST(HistoriesOf, TakesTheTimesAsTheyAre) {
   const auto slow = historiesOf({moved(-0.004)}, {2010, 2020});
   EXPECT_NEAR(slow[0].rate, -0.0004, 1e-12);
