@@ -37,15 +37,12 @@ std::vector<std::uint16_t> setupsOfParts(const SetupAdjustment& adjusted) {
   constexpr double kByFar = 100.0;
   const std::size_t parts = adjusted.bad.size();
   const double pairs = 0.5 * static_cast<double>(parts * (parts - 1));
+  const bool told = adjusted.height_estimated && adjusted.plan_estimated;
   std::vector<std::uint16_t> setups;
-  if (!adjusted.height_estimated || !adjusted.plan_estimated) {
-    for (std::size_t part = 0; part < parts; ++part) setups.push_back(static_cast<std::uint16_t>(part));
-    return setups;
-  }
   std::vector<std::size_t> firsts;
   for (std::size_t part = 0; part < parts; ++part) {
     const auto first = std::find_if(firsts.begin(), firsts.end(), [&](std::size_t f) {
-      return oneOverTwo(adjusted, f, part) > portable::log(kByFar * pairs);
+      return told && oneOverTwo(adjusted, f, part) > portable::log(kByFar * pairs);
     });
     setups.push_back(static_cast<std::uint16_t>(first - firsts.begin()));
     if (first == firsts.end()) firsts.push_back(part);

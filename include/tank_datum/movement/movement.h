@@ -148,7 +148,7 @@ struct StationHistory {
   double direction = kUnknown;           ///< in the baseline's frame [rad]
   std::vector<StationMovement> surveys;  ///< its movement at each survey after the baseline; dz NaN where unknown
   double rate = kUnknown;                ///< least-squares slope of the elevation against time [m per unit of time]
-  double sigma_rate = kUnknown;          ///< its standard error, from the surveys' own, or their scatter where that is more
+  double sigma_rate = kUnknown;          ///< its standard error: from the surveys' own, or from more scatter
 
   bool significant = false;  ///< of all places shown at once: some unmoved one is in at most 5 % of tanks
 
