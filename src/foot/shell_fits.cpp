@@ -26,10 +26,13 @@ ShellHeights heightsOver(const ShellOutline& outline, double reach) {
 }
 
 /// The directions in which, or a step beside which, something wide stands before the shell.
-std::vector<bool> cladDirections(const ShellOutline& outline, const std::vector<double>& directions, const Tank& tank) {
+std::vector<bool> cladDirections(const ShellOutline& outline, const std::vector<double>& directions, const Tank& tank,
+                                 double reach) {
+  constexpr double kThinnest = 0.06;  // cladding, of the reach: 30 mm; plates are up to 25 mm thick
   const std::size_t cells = outline.radius.size();
   const double arc = kTwoPi * tank.circle.radius / static_cast<double>(cells);
-  const std::vector<bool> parts = partsBefore({outline.radius, outline.noise, arc}, tank.side == Side::Inside);
+  const std::vector<bool> parts =
+      partsBefore({outline.radius, outline.noise, arc}, tank.side == Side::Inside, kThinnest * reach);
   const double step = kTwoPi / static_cast<double>(directions.size());
   std::vector<bool> clad(directions.size());
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -48,7 +51,7 @@ ShellFits fitAlong(const ShellOutline& outline, const std::vector<double>& direc
   constexpr double kWider = 1.5;
   ShellFits shell;
   shell.heights = heightsOver(outline, reach);
-  shell.clad = cladDirections(outline, directions, tank);
+  shell.clad = cladDirections(outline, directions, tank, reach);
   shell.lines.resize(directions.size());
   const double step = kTwoPi / static_cast<double>(directions.size());
   auto& lines = shell.lines;

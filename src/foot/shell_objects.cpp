@@ -44,8 +44,14 @@ class Runs {
     return shortest;
   }
 
-  /// Whether the radius jumps one way to a run and back after it.
-  bool standsOut(std::size_t k, int way) const { return runs_[k].before == way && runs_[next(k)].before == -way; }
+  /// How far a run stands off the cells some way before and after it, if the radius jumps that way to it and back [m].
+  double standsOut(std::size_t k, int way) const {
+    if (runs_[k].before != way || runs_[next(k)].before != -way) return 0.0;
+    const Run& run = runs_[k];
+    const double before = cells_.radius[run.first] - radiusBeside(run.first, cells_.radius.size() - 1);
+    const double after = cells_.radius[run.last] - radiusBeside(run.last, 1);
+    return std::min(way * before, way * after);
+  }
 
   std::size_t size() const { return runs_.size(); }
   const Run& operator[](std::size_t k) const { return runs_[k]; }
@@ -59,6 +65,16 @@ class Runs {
   }
 
  private:
+  /// Beyond cells at an edge that blend with both of its sides.
+  double radiusBeside(std::size_t cell, std::size_t step) const {
+    constexpr std::size_t kBlend = 3;  // cells that show something
+    for (std::size_t seen = 0; seen < kBlend;) {
+      cell = (cell + step) % cells_.radius.size();
+      if (std::isfinite(cells_.radius[cell])) ++seen;
+    }
+    return cells_.radius[cell];
+  }
+
   std::size_t next(std::size_t k) const { return (k + 1) % runs_.size(); }
 
   std::size_t cellsAhead(std::size_t from, std::size_t to) const {
@@ -101,14 +117,14 @@ std::vector<double> withoutObjects(const ShellCells& cells) {
   return radius;
 }
 
-std::vector<bool> partsBefore(const ShellCells& cells, bool inside) {
+std::vector<bool> partsBefore(const ShellCells& cells, bool inside, double thinnest) {
   const std::size_t count = cells.radius.size();
   std::vector<bool> before(count, false);
   std::size_t marked = 0, seen = 0;
   for (const double radius : cells.radius) seen += std::isfinite(radius) ? 1 : 0;
   const Runs runs(cells);
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (!runs.standsOut(k, inside ? -1 : 1)) continue;
+    if (runs.standsOut(k, inside ? -1 : 1) < thinnest) continue;
     for (std::size_t i = runs[k].first; i != (runs[k].last + 1) % count; i = (i + 1) % count) {
       before[i] = true;
       marked += std::isfinite(cells.radius[i]) ? 1 : 0;

@@ -24,8 +24,9 @@ std::vector<double> withoutObjects(const ShellCells& cells);
 /// Cells of what stands before the shell and is too wide for an object, as cladding on a part of the ring: the radius
 /// jumps towards where the shell is seen from at its one edge and back at the other. None where that holds of more than
 /// half of the cells that show something: then it is not told which of the two is the shell.
-/// @param cells   without those of objects
-/// @param inside  whether the shell is seen from inside
-std::vector<bool> partsBefore(const ShellCells& cells, bool inside);
+/// @param cells     without those of objects
+/// @param inside    whether the shell is seen from inside
+/// @param thinnest  that is no plate of the shell itself, lapped, let in or put on [m]
+std::vector<bool> partsBefore(const ShellCells& cells, bool inside, double thinnest);
 
 }  // namespace tank_datum

@@ -1,7 +1,10 @@
 #include "report/movement_text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
+#include "core/azimuth.h"
 #include "core/plain_text.h"
 #include "core/portable_math.h"
 #include "core/units.h"
@@ -22,6 +25,18 @@ const char* wordOf(const Movement& movement) {
   return movement.removal == Removal::Mean ? "movement.unmoved_mean" : "movement.unmoved_tilt";
 }
 
+/// The widest arc between neighbouring stations that are in both surveys [rad].
+double widestGap(const Movement& movement) {
+  std::vector<double> directions;
+  for (const StationMovement& s : movement.stations) {
+    if (std::isfinite(s.dz)) directions.push_back(withinTurn(s.direction));
+  }
+  std::sort(directions.begin(), directions.end());
+  double widest = kTwoPi + directions.front() - directions.back();
+  for (std::size_t i = 1; i < directions.size(); ++i) widest = std::max(widest, directions[i] - directions[i - 1]);
+  return widest;
+}
+
 std::string degreesText(double angle) { return fixedText(std::fmod(std::round(toDegrees(angle)), 360.0), 0) + " deg"; }
 
 }  // namespace
@@ -34,6 +49,7 @@ std::vector<std::string> unsaidOf(const Movement& movement) {
     keys.emplace_back("movement.one_height");
   }
   if (movement.removal != Removal::Tilt && movement.registration_tilt == 0.0) keys.emplace_back("movement.one_level");
+  if (movement.removal != Removal::Tilt && widestGap(movement) > kPi) keys.emplace_back("movement.part_of_ring");
   if (movement.centre_apart > kApart) keys.emplace_back("movement.centres_apart");
   return keys;
 }

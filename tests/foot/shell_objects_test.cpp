@@ -98,7 +98,7 @@ TEST(WithoutObjects, NothingSeenIsNothingTakenOut) {
 }
 
 std::ptrdiff_t countBefore(const ShellCells& cells, bool inside = false) {
-  const std::vector<bool> before = partsBefore(cells, inside);
+  const std::vector<bool> before = partsBefore(cells, inside, 0.03);
   return std::count(before.begin(), before.end(), true);
 }
 
@@ -112,6 +112,16 @@ TEST(PartsBefore, CladdingIsBetweenAStepTowardsTheScannerAndOneBack) {
   EXPECT_EQ(countBefore(round()), 0);
   put(cells, 1300, 400, 0.006);
   EXPECT_EQ(countBefore(cells), 0) << "a shell may turn as much";
+}
+
+TEST(PartsBefore, PlatesOfTheShellAreNone) {
+  ShellCells cells = round();
+  put(cells, 1300, 400, 0.028);
+  EXPECT_EQ(countBefore(cells), 0);
+  put(cells, 1300, 400, 0.032);
+  EXPECT_EQ(countBefore(cells), 400);
+  for (const std::size_t edge : {1299U, 260U}) cells.radius[edge] = kRadius + 0.02;
+  EXPECT_EQ(countBefore(cells), 400) << "an edge blends with both of its sides";
 }
 
 TEST(PartsBefore, NoneIsToldWhereItIsMostOfWhatIsSeen) {
