@@ -166,7 +166,8 @@ def _by_stable(
     degrees = max(1, math.floor(arcs) - len(columns))
     scatter = float(np.sum(left**2)) / len(angles) * max(1.0, arcs / degrees)
     sigma = _as_normal(math.sqrt(max(scatter, float(np.mean(of_stations)))), degrees)
-    covariance = sigma**2 * len(angles) / arcs * np.linalg.inv(design.T @ design)
+    factor = sigma**2 * len(angles) / arcs
+    covariance = np.asarray(factor * np.linalg.inv(design.T @ design), np.float64)
     height, slope = _held(covariance, radius)
     slopes = [*found[1:], 0.0, 0.0]
     return Shift(-float(found[0]), -float(slopes[0]), -float(slopes[1]), height, slope)
