@@ -54,7 +54,13 @@ class Runs {
   }
 
   std::size_t size() const { return runs_.size(); }
-  const Run& operator[](std::size_t k) const { return runs_[k]; }
+
+  /// Calls visit(cell) for every cell of a run, those that show nothing among them.
+  template <typename Visit>
+  void cellsOf(std::size_t k, const Visit& visit) const {
+    const std::size_t count = cells_.radius.size(), length = lengthOf(runs_[k]);
+    for (std::size_t i = 0; i < length; ++i) visit((runs_[k].first + i) % count);
+  }
 
   /// Takes a run out; those beside it are one where no edge parts them.
   void remove(std::size_t k) {
@@ -112,7 +118,7 @@ std::vector<double> withoutObjects(const ShellCells& cells) {
   std::vector<double> radius = cells.radius;
   Runs runs(cells);
   for (std::size_t k; (k = runs.shortestObject(count / 8)) < runs.size(); runs.remove(k)) {
-    for (std::size_t i = runs[k].first; i != (runs[k].last + 1) % count; i = (i + 1) % count) radius[i] = kUnknown;
+    runs.cellsOf(k, [&](std::size_t cell) { radius[cell] = kUnknown; });
   }
   return radius;
 }
@@ -125,10 +131,10 @@ std::vector<bool> partsBefore(const ShellCells& cells, bool inside, double thinn
   const Runs runs(cells);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (runs.standsOut(k, inside ? -1 : 1) < thinnest) continue;
-    for (std::size_t i = runs[k].first; i != (runs[k].last + 1) % count; i = (i + 1) % count) {
-      before[i] = true;
-      marked += std::isfinite(cells.radius[i]) ? 1 : 0;
-    }
+    runs.cellsOf(k, [&](std::size_t cell) {
+      before[cell] = true;
+      marked += std::isfinite(cells.radius[cell]) ? 1 : 0;
+    });
   }
   if (2 * marked > seen) before.assign(count, false);
   return before;
