@@ -30,7 +30,6 @@ struct Observation {
 
 /// @param seen  of two times or more
 Line lineThrough(const std::vector<Observation>& seen) {
-  constexpr double kOneSided95 = 1.6448536269514722;  // of the normal distribution
   Line line;
   double weights = 0.0, spread = 0.0, misfit = 0.0;
   const auto weight = [](const Observation& o) { return 1.0 / (o.sigma * o.sigma); };
@@ -47,11 +46,9 @@ Line lineThrough(const std::vector<Observation>& seen) {
   for (const Observation& o : seen) {
     misfit += weight(o) * square(o.value - line.level - line.rate * (o.time - line.at));
   }
-  const double freedom = static_cast<double>(seen.size()) - 2.0;
-  const bool scattered = freedom > 0.0 && misfit > chiSquareQuantile(freedom, kOneSided95);
-  const double factor = scattered ? misfit / freedom : 1.0;
-  line.level_variance = factor / weights, line.rate_variance = factor / spread;
-  line.quantile2 = square(student95(scattered ? freedom : 0.0));
+  const LineScatter scatter = scatterAbout(misfit, static_cast<double>(seen.size()) - 2.0);
+  line.level_variance = scatter.variance / weights, line.rate_variance = scatter.variance / spread;
+  line.quantile2 = square(student95(scatter.freedom));
   return line;
 }
 
@@ -159,22 +156,11 @@ LimitRates limitRatesOf(const std::vector<Epoch>& surveys) {
   return found;
 }
 
-namespace {
-
-/// [years]
-double firstOfMonth(int year, int month) {
-  char text[24];
-  snprintfPlain(text, sizeof text, "%04d-%02d-01", year, month);
-  return yearOf(text);
-}
-
-}  // namespace
-
 std::string monthOf(double year) {
   constexpr double kRounding = 1e-6;  // half a minute
   const double whole = std::floor(year);
   int month = 1;
-  while (month < 12 && firstOfMonth(static_cast<int>(whole), month + 1) <= year + kRounding) ++month;
+  while (month < 12 && yearOf(static_cast<int>(whole), month + 1, 1) <= year + kRounding) ++month;
   char text[24];
   snprintfPlain(text, sizeof text, "%04.0f-%02d", whole, month);
   return text;

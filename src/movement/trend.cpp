@@ -47,16 +47,6 @@ StationMovement movementAt(const std::vector<StationMovement>& known, double dir
   return at;
 }
 
-/// What a line's errors are times those of its surveys where these scatter about it by more than theirs explain: one
-/// that is off for a reason of its own. Of a normal distribution with the 95 % of Student's t.
-/// @param misfit   sum of the squares of residuals over standard errors
-/// @param freedom  residuals beyond two
-double widerByScatter(double misfit, double freedom) {
-  constexpr double kOneSided95 = 1.6448536269514722;  // of the normal distribution
-  if (!(freedom > 0.0) || misfit <= chiSquareQuantile(freedom, kOneSided95)) return 1.0;
-  return std::sqrt(misfit / freedom) * student95(freedom) / kNormal95;
-}
-
 /// Ordinary least squares. The slope is the same of z and of z less the baseline's, whose error counts once.
 void fitRate(StationHistory& history, const std::vector<double>& times) {
   std::vector<std::size_t> seen;
@@ -86,7 +76,8 @@ void fitRate(StationHistory& history, const std::vector<double>& times) {
     misfit += square(off) / ownVariance(history.surveys[i]);
   }
   history.rate = rate;
-  history.sigma_rate = std::sqrt(variance) * widerByScatter(misfit, static_cast<double>(seen.size()) - 1.0);
+  const LineScatter scatter = scatterAbout(misfit, static_cast<double>(seen.size()) - 1.0);
+  history.sigma_rate = std::sqrt(variance * scatter.variance) * student95(scatter.freedom) / kNormal95;
 }
 
 /// The largest of all rates is compared with the largest of as many that are only errors (Sidak).
@@ -102,6 +93,13 @@ void judgeRates(std::vector<StationHistory>& histories) {
   }
 }
 
+bool isLeap(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
+
+int daysOf(int year, int month) {
+  constexpr std::array<int, 12> kDays = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  return kDays[static_cast<std::size_t>(month - 1)] + (month == 2 && isLeap(year) ? 1 : 0);
+}
+
 void requireTimes(const std::vector<double>& times, std::size_t surveys) {
   if (times.size() != surveys) {
     throw Error(Error::Kind::Option, "movement", "dates", std::to_string(times.size()),
@@ -115,6 +113,12 @@ void requireTimes(const std::vector<double>& times, std::size_t surveys) {
 }
 
 }  // namespace
+
+LineScatter scatterAbout(double misfit, double freedom) {
+  constexpr double kOneSided95 = 1.6448536269514722;  // of the normal distribution
+  if (!(freedom > 0.0) || misfit <= chiSquareQuantile(freedom, kOneSided95)) return {};
+  return {misfit / freedom, freedom};
+}
 
 double StationHistory::lod95() const { return kNormal95 * sigma_rate; }
 
@@ -137,22 +141,22 @@ std::vector<StationHistory> historiesOf(const std::vector<Movement>& movements, 
   return histories;
 }
 
+double yearOf(int year, int month, int day) {
+  int before = day - 1;
+  for (int m = 1; m < month; ++m) before += daysOf(year, m);
+  return year + before / (isLeap(year) ? 366.0 : 365.0);
+}
+
 double yearOf(const std::string& date) {
   const auto refused = [&date] {
     return Error(Error::Kind::Option, "movement", "date", date, "a date as 2024-05-31 or a year as 2024.41");
   };
   int year = 0, month = 0, day = 0, read = 0;
   if (std::sscanf(date.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &read) == 3) {
-    const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-    const std::array<int, 12> days = {31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     const bool is_month = month >= 1 && month <= 12;
-    if (static_cast<std::size_t>(read) != date.size() || !is_month || day < 1 ||
-        day > days[static_cast<std::size_t>(month - 1)]) {
+    if (static_cast<std::size_t>(read) != date.size() || !is_month || day < 1 || day > daysOf(year, month))
       throw refused();
-    }
-    int before = day - 1;
-    for (int m = 0; m < month - 1; ++m) before += days[static_cast<std::size_t>(m)];
-    return year + before / (leap ? 366.0 : 365.0);
+    return yearOf(year, month, day);
   }
   double decimal = 0.0;
   const char* const end = date.data() + date.size();
