@@ -89,7 +89,7 @@ void addStudies(py::module_& module) {
   module.def("compare_curves", &compareTheCurves);
   module.def("limits", &limits);
   module.def("limits_text", [] { return standardLimitsText(); });
-  module.def("year_of", &yearOf);
+  module.def("year_of", py::overload_cast<const std::string&>(&yearOf));
 }
 
 }  // namespace tank_datum::python
