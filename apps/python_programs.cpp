@@ -71,9 +71,7 @@ class Compared {
       comparison_.hashes.push_back(hash);
       epochs.push_back(epochIn(text, name));
     }
-    for (std::size_t i = 1; i < epochs.size(); ++i) {
-      comparison_.movements.push_back(compareEpochs(epochs.front(), epochs[i], comparison_.options));
-    }
+    comparison_.movements = compareWithFirst(epochs, comparison_.options);
     if (valid()) followOverTime(comparison_, std::move(epochs));
   }
 

@@ -114,9 +114,8 @@ int run(const CompareCommand& command, bool& written) {
     comparison.hashes.push_back(sha256OfFile(file.path()));
     file.requireUnchanged();
   }
-  for (std::size_t i = 1; i < epochs.size(); ++i) {
-    comparison.movements.push_back(compareEpochs(epochs.front(), epochs[i], command.options));
-    const Movement& m = comparison.movements.back();
+  comparison.movements = compareWithFirst(epochs, command.options);
+  for (const Movement& m : comparison.movements) {
     if (m.valid()) continue;
     std::cerr << "tank_datum_compare: movement: "
               << printable(withFlags(m.message) + resultsLeft(command.output, kProgram, false)) << "\n";

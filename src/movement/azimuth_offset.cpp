@@ -14,6 +14,8 @@
 namespace tank_datum {
 namespace {
 
+constexpr double kElsewhere = 10.0 * kDegree;  ///< another turn, and no error of this one
+
 /// Mean squared standardised difference at a turn, without what is common: a tilt that has changed would turn the
 /// shape. NaN with too few stations.
 double misfitAt(const Epoch& baseline, const Epoch& current, double offset) {
@@ -41,11 +43,27 @@ double offsetVariance(std::vector<MatchedStation> stations, double independent, 
   return independent * own / static_cast<double>(slopes.stations.size()) + shared.squaredNorm() / square(information);
 }
 
+/// Variance of an azimuth offset by what the shapes differ by at the turn found [rad^2]. Of a tank that moved, the part
+/// along the slopes is lost in the turn, so what is left tells little of it: the waves of the slopes are taken to have
+/// moved, in an unknown phase, by as much as the largest wave of the differences.
+double shownVariance(const std::vector<MatchedStation>& stations, double information) {
+  constexpr int kFirst = 2, kLast = 12;
+  const Removed rest(stations, Removal::Tilt, false);
+  double largest = 0.0;
+  for (int wave = kFirst; wave <= kLast; ++wave) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const MatchedStation& m : rest.stations)
+      sum += m.dz / m.sigma * Eigen::Vector2d(portable::cos(wave * m.direction), portable::sin(wave * m.direction));
+    largest = std::max(largest, sum.squaredNorm());
+  }
+  return largest / (static_cast<double>(stations.size()) * information);
+}
+
 }  // namespace
 
 AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
   constexpr int kSteps = 720;
-  constexpr double kStep = kTwoPi / kSteps, kElsewhere = 10.0 * kPi / 180.0;
+  constexpr double kStep = kTwoPi / kSteps;
   const auto at = [&](double offset) { return misfitAt(baseline, current, offset); };
   std::vector<double> misfits;
   int best = -1;
@@ -77,9 +95,18 @@ AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const 
   const auto count = static_cast<double>(matched.size());
   const double shared = options.correlation > 0.0 ? options.correlation : medianWindow(matched);
   const double independent = std::min(count, kTwoPi / std::max(shared, kStep)), information = 0.5 * count * curvature;
-  offset.sigma =
-      std::sqrt(offsetVariance(matched, 2.0 * std::max(middle, 1.0) / (independent * curvature), information));
+  const double stated = offsetVariance(matched, 2.0 * std::max(middle, 1.0) / (independent * curvature), information);
+  offset.sigma = std::sqrt(std::max(stated, shownVariance(matched, information)));
   return offset;
+}
+
+bool fitsTurned(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  if (options.estimate_offset || options.azimuth_offset != 0.0) return false;
+  try {
+    return std::abs(estimateOffset(baseline, current, options).value) > kElsewhere;
+  } catch (const Error&) {
+    return false;  // no turn, or more than one
+  }
 }
 
 }  // namespace tank_datum

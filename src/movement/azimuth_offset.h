@@ -13,4 +13,8 @@ struct AzimuthOffset {
 /// @throws Error (Option) when the shape does not single out one turn
 AzimuthOffset estimateOffset(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
 
+/// Whether surveys of which no turn was given fit each other far better when one is turned: their azimuths may be
+/// counted from different marks.
+bool fitsTurned(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
+
 }  // namespace tank_datum

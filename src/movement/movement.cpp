@@ -106,7 +106,8 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   requireValid(options);
   Movement movement;
   movement.baseline = baseline.name;
-  movement.removal = options.removal;
+  movement.removal = removalOf(baseline, current, options);
+  movement.rod_taken_out = differByRod(baseline, current) && movement.removal == Removal::Mean;
   movement.registration_error = options.registration_error;
   movement.registration_tilt = options.registration_tilt;
   for (const Epoch* epoch : {&baseline, &current}) {
@@ -140,12 +141,21 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   requireSameSurface(baseline, current, movement);
   movement.rise_azimuth = azimuthIn(current, movement.tilt_direction - offset.value);
   const CommonErrors common{options.registration_error, rim, offset.sigma, errors.freedom};
-  const Removed rest(matched, Removal::Tilt, true), left(matched, options.removal, true);
+  const Removed rest(matched, Removal::Tilt, true), left(matched, movement.removal, true);
   const UnmovedDraws draws = drawUnmoved(matched, rest, left, common, options.correlation);
   describeRest(rest.stations, draws.largest_rest, common.turn, movement);
   takeFound(findMoved(left.stations, draws.dz, common), left.stations, movement);
   summarise(movement);
+  movement.fits_turned = movement.rest_significant && fitsTurned(baseline, current, options);
   return movement;
+}
+
+std::vector<Movement> compareWithFirst(const std::vector<Epoch>& surveys, MovementOptions options) {
+  options.removal = removalOf(surveys, options);
+  std::vector<Movement> movements;
+  for (std::size_t i = 1; i < surveys.size(); ++i)
+    movements.push_back(compareEpochs(surveys.front(), surveys[i], options));
+  return movements;
 }
 
 Movement countedAs(const Epoch& survey, double azimuth_offset, Movement movement) {

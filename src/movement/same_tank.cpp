@@ -1,6 +1,7 @@
 #include "movement/same_tank.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "core/plain_text.h"
@@ -40,6 +41,19 @@ void requireSameKind(const Epoch& baseline, const Epoch& current) {
 
 bool shareFrame(const Epoch& baseline, const MovementOptions& options) {
   return !baseline.levelled && !options.estimate_offset && options.azimuth_offset == 0.0;
+}
+
+bool differByRod(const Epoch& baseline, const Epoch& current) { return baseline.levelled != current.levelled; }
+
+Removal removalOf(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  const bool unknown = options.removal == Removal::Nothing && options.registration_error == 0.0;
+  return unknown && differByRod(baseline, current) ? Removal::Mean : options.removal;
+}
+
+Removal removalOf(const std::vector<Epoch>& surveys, const MovementOptions& options) {
+  const auto other = std::find_if(surveys.begin(), surveys.end(),
+                                  [&](const Epoch& survey) { return differByRod(surveys.front(), survey); });
+  return other == surveys.end() ? options.removal : removalOf(surveys.front(), *other, options);
 }
 
 void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,

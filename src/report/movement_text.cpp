@@ -50,6 +50,9 @@ std::vector<std::string> unsaidOf(const Movement& movement) {
   }
   if (movement.removal != Removal::Tilt && movement.registration_tilt == 0.0) keys.emplace_back("movement.one_level");
   if (movement.removal != Removal::Tilt && widestGap(movement) > kPi) keys.emplace_back("movement.part_of_ring");
+  if (movement.rod_taken_out) keys.emplace_back("movement.rod_height");
+  if (movement.fits_turned) keys.emplace_back("movement.fits_turned");
+  if (movement.rms == 0.0 && movement.mean == 0.0) keys.emplace_back("movement.one_survey");
   if (movement.centre_apart > kApart) keys.emplace_back("movement.centres_apart");
   return keys;
 }

@@ -39,12 +39,19 @@ std::string refusal(const Epoch& a, const Epoch& b) {
   return refusalOf(Error::Kind::Option, [&] { compareEpochs(a, b, {}); });
 }
 
+/// Options of heights that hang on the same benchmarks to 0.2 mm.
+MovementOptions tied() {
+  MovementOptions options;
+  options.registration_error = 0.0002;
+  return options;
+}
+
 TEST(LevellingAgainstScan, IsComparedAtTheLevelledStationsBothWays) {
-  const Movement later = compareEpochs(levelled(), scanned(1.0, -0.004), {});
+  const Movement later = compareEpochs(levelled(), scanned(1.0, -0.004), tied());
   EXPECT_EQ(later.matched, 18U);
   EXPECT_EQ(later.significant, 18U);
   EXPECT_NEAR(later.max, -0.004, 1e-9);
-  const Movement earlier = compareEpochs(scanned(1.0, -0.004), levelled(), {});
+  const Movement earlier = compareEpochs(scanned(1.0, -0.004), levelled(), tied());
   EXPECT_EQ(earlier.matched, 18U);
   EXPECT_EQ(earlier.stations.size(), 18U);
   EXPECT_NEAR(earlier.max, 0.004, 1e-9);
@@ -52,13 +59,13 @@ TEST(LevellingAgainstScan, IsComparedAtTheLevelledStationsBothWays) {
 
 TEST(LevellingAgainstScan, NeedsNoStationsAtWholeDegrees) {
   for (const double step : {20.0, 360.0 / 14.0}) {
-    const Movement m = compareEpochs(levelled(step, 0.0, 0.4), scanned(1.0, -0.004), {});
+    const Movement m = compareEpochs(levelled(step, 0.0, 0.4), scanned(1.0, -0.004), tied());
     EXPECT_EQ(m.matched, static_cast<std::size_t>(std::lround(360.0 / step)));
     ASSERT_EQ(m.stations.size(), m.matched);
     EXPECT_NEAR(m.stations[1].azimuth, (step + 0.4) * kDegree, 1e-9);
     EXPECT_NEAR(m.stations[1].dz, -0.004, 3e-6);  // the scan's interpolation
     EXPECT_NEAR(m.stations[1].sigma_baseline, 0.0005, 1e-12);
-    EXPECT_NEAR(m.stations[1].sigma, std::hypot(0.0005, 0.0003, 0.0001), 1e-9);
+    EXPECT_NEAR(m.stations[1].sigma, std::hypot(std::hypot(0.0005, 0.0003, 0.0001), 0.0002), 1e-9);
   }
 }
 
@@ -86,12 +93,34 @@ TEST(LevellingAgainstScan, FindsTheTurnByTheShape) {
   EXPECT_NEAR(m.azimuth_offset, 37 * kDegree, 0.5 * kDegree);
 }
 
-TEST(LevellingAgainstScan, AConstantHeightIsNoMovementWithoutTheMean) {
-  MovementOptions options;
-  options.removal = Removal::Mean;
-  const Movement m = compareEpochs(levelled(), scanned(1.0, 0.15), options);
-  EXPECT_EQ(m.significant, 0U);
-  EXPECT_NEAR(m.rms, 0.0, 1e-9);
+TEST(LevellingAgainstScan, WhereTheRodStandsIsNoMovement) {
+  for (const bool scan_first : {false, true}) {
+    const Epoch level = levelled(), scan = scanned(1.0, 0.15);
+    const Movement m = scan_first ? compareEpochs(scan, level, {}) : compareEpochs(level, scan, {});
+    EXPECT_EQ(m.removal, Removal::Mean);
+    EXPECT_TRUE(m.rod_taken_out);
+    EXPECT_EQ(m.significant, 0U);
+    EXPECT_FALSE(m.moved());
+    EXPECT_NEAR(m.rms, 0.0, 1e-9);
+    EXPECT_NEAR(m.mean, scan_first ? -0.15 : 0.15, 1e-9);
+  }
+  EXPECT_EQ(compareEpochs(levelled(), scanned(), tied()).removal, Removal::Nothing);
+  EXPECT_EQ(compareEpochs(levelled(), levelled(), {}).removal, Removal::Nothing);
+  EXPECT_FALSE(compareEpochs(scanned(), scanned(), {}).rod_taken_out);
+}
+
+TEST(LevellingAgainstScan, OneLevellingTakesTheMeanOutOfTheWholeCourse) {
+  const std::vector<Movement> course =
+      compareWithFirst({scanned(), levelled(20.0, 0.15), scanned(1.0, -0.004)}, MovementOptions());
+  ASSERT_EQ(course.size(), 2U);
+  for (const Movement& m : course) EXPECT_EQ(m.removal, Removal::Mean);
+  EXPECT_TRUE(course[0].rod_taken_out);
+  EXPECT_FALSE(course[1].rod_taken_out);
+  EXPECT_NEAR(course[1].rms, 0.0, 1e-9);
+  MovementOptions tilt;
+  tilt.removal = Removal::Tilt;
+  EXPECT_EQ(compareWithFirst({scanned(), levelled()}, tilt).front().removal, Removal::Tilt);
+  EXPECT_NEAR(compareWithFirst({scanned(), scanned(1.0, -0.004)}, {}).front().max, -0.004, 1e-9);
 }
 
 TEST(LevellingAgainstScan, HasARadiusButNeitherCentreNorSurfaceInCommon) {

@@ -65,13 +65,15 @@ def test_levelling_and_scan_both_ways(tmp_path: Path, scan: Path) -> None:
     file = table(tmp_path / "t.csv", scan, 20, sunk=0.01)
     assert levelling(file, level).returncode == 0
     for baseline, later, sign in ((scan, level, -1), (level, scan, 1)):
-        movement = compared(baseline, later, tmp_path / "m", "--remove", "mean")
+        movement = compared(baseline, later, tmp_path / "m")
+        assert movement["removed"] == "mean"
+        assert "movement.rod_height" in movement["not_given"]
         assert movement["matched"] == len(movement["stations"]) == 18
         assert movement["max"] == pytest.approx(sign * 0.01, abs=0.003)
         assert {100.4, 120.4, 140.4} <= {round(a, 3) for a in moved(movement)}
-        whole = compared(baseline, later, tmp_path / "n")
-        assert whole["max"] == pytest.approx(-sign * ROD, abs=1e-3)
-        assert whole["significant"] == 18
+        tied = compared(baseline, later, tmp_path / "n", "--registration-error", "0.0001")
+        assert tied["max"] == pytest.approx(-sign * ROD, abs=1e-3)
+        assert tied["significant"] == 18
 
 
 def test_levelling_against_levelling(tmp_path: Path, scan: Path) -> None:
@@ -90,12 +92,13 @@ def test_levelling_against_levelling(tmp_path: Path, scan: Path) -> None:
 def test_a_scan_with_a_levelled_baseline(tmp_path: Path, scan: Path) -> None:
     level, out = tmp_path / "level", tmp_path / "out"
     assert levelling(table(tmp_path / "t.csv", scan, 25), level).returncode == 0
-    options = ("--quiet", "-o", out, "--baseline", level, "--remove", "mean")
+    options = ("--quiet", "-o", out, "--baseline", level)
     done = call("tank_datum", SAMPLE, *options)
     assert done.returncode == 0, done.stderr
     movement = json.loads((out / "datum.json").read_text())["movement"]
     assert (movement["matched"], movement["significant"]) == (15, 0)
     assert movement["rms"] < 1e-4
+    assert "movement.rod_height" in movement["not_given"]
 
 
 def test_without_standard_errors_one_refusal_says_what_to_do(tmp_path: Path, scan: Path) -> None:

@@ -96,6 +96,8 @@ struct Movement {
   double registration_tilt = 0.0;     ///< as given [rad]
   double azimuth_offset = 0.0;        ///< as given or estimated [rad]
   double sigma_azimuth_offset = 0.0;  ///< its standard error; 0 when given [rad]
+  bool rod_taken_out = false;         ///< one is a levelling: the mean holds the height that its rod stands at
+  bool fits_turned = false;           ///< moved, but not if the later survey counts its azimuths from elsewhere
   double centre_apart = kUnknown;     ///< of the two tanks' centres in a frame that both surveys share [m]
   double errors_shown = 1.0;          ///< scatter of the differences over the given sigmas
   double errors_used = 1.0;           ///< what the given sigmas were multiplied by: that, where it is above 1 and error
@@ -131,11 +133,16 @@ struct Movement {
 /// too far apart for that, at the baseline's. The other survey's elevations are interpolated there between neighbours
 /// at most 2 degrees apart; stations without such neighbours, or without a standard error, are not compared. Of a
 /// levelling neither centre nor foundation surface is known, so they are not compared either: its azimuths are taken
-/// about the tank's centre, and its heights may differ from a scan's by a constant, since the rod stands on chime or
-/// bottom projection (Removal::Mean).
+/// about the tank's centre, and its heights differ from a scan's by a constant, since the rod stands on chime or bottom
+/// projection. That is taken out of a levelling and a scan (Removal::Mean), unless an error of registration is given.
 /// @throws Error (Option) a refused option; surveys of different tanks, units, methods or foundation surfaces; a survey
 ///         without any standard error
 Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
+
+/// Each survey after the first compared with it, as compareEpochs does. What is taken out of the differences of one is
+/// taken out of all, so that they make one course.
+/// @throws Error (Option) as compareEpochs
+std::vector<Movement> compareWithFirst(const std::vector<Epoch>& surveys, MovementOptions options);
 
 /// The same movement with its azimuths as another survey counts them, its stations in that order: movements since one
 /// baseline that are shown together.
