@@ -177,6 +177,21 @@ void traceRow(const PolarRing& ring, const std::vector<double>& z, const ShellAr
   }
 }
 
+/// Takes out cells beside which the shell is seen, but jumps: the edge of something before it. What was traced is a
+/// dent or a peaked weld only where it is seen on both sides.
+void dropJumps(std::vector<ShellCell>& row, double arc) {
+  const std::size_t count = row.size();
+  const std::vector<ShellCell> all = row;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ShellCell &before = all[(i + count - 1) % count], &after = all[(i + 1) % count];
+    if (!before.seen() && !after.seen()) continue;
+    const bool both = before.seen() && after.seen();
+    const bool joins_before = before.seen() && ((both && before.runs_on) || isNear(before, all[i], arc));
+    const bool joins_after = after.seen() && ((both && all[i].runs_on) || isNear(all[i], after, arc));
+    if (!joins_before && !joins_after) row[i] = {};
+  }
+}
+
 }  // namespace
 
 ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stations, const Circle& circle,
@@ -201,10 +216,11 @@ ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stat
       rows[k][i] = fitCell(ring, outline, {stations[i].direction, z[i], circle.radius}, step, options.half_band);
     }
     dropPoor(rows[k]);
-    ShellArc usual{};
-    usual.from = stations.front().direction, usual.half_band = options.half_band;
-    usual.radius = circle.radius, usual.noise = outline.noise;
-    traceRow(ring, z, usual, rows[k]);
+    ShellArc arc{};
+    arc.from = stations.front().direction, arc.half_band = options.half_band;
+    arc.radius = circle.radius, arc.noise = outline.noise;
+    traceRow(ring, z, arc, rows[k]);
+    dropJumps(rows[k], grid.step);
     for (std::size_t i = 0; i < stations.size(); ++i) {
       if (stations[i].reason == Unmeasured::OffCircle) rows[k][i] = {};
     }

@@ -126,6 +126,36 @@ TEST(FitShellGrid, TheUndersideOfAWindGirderIsNoShell) {
   EXPECT_EQ(rowsBelowGirder(0.001, 0.002), 5U) << "a shell that is seen in few places there";
 }
 
+/// Whether a degree that lies `off` the shell of a tank of five metres is taken for it, the shell being hidden for so
+/// many degrees before and behind it.
+bool takesForShell(double off, double hidden_before, double hidden_behind) {
+  constexpr std::size_t kStation = 180;
+  constexpr double kSmall = 5.0, kDegree = kTurn / 360.0, kAt = 180.0 * kDegree, kHalf = 0.5 * kDegree;
+  MadeShell shell;
+  shell.noise = 0.001;
+  shell.from = 0.1, shell.to = 0.5;
+  shell.radius = [=](double a, double) { return kSmall + (std::abs(a - kAt) < kHalf ? off : 0.0); };
+  shell.seen = [=](double a, double) {
+    const double beside = a - kAt;
+    return std::abs(beside) < kHalf || beside < -kHalf - hidden_before * kDegree ||
+           beside > kHalf + hidden_behind * kDegree;
+  };
+  Tank tank = tank10();
+  tank.circle.radius = kSmall;
+  ShellBands bands(tank, everyMetre());
+  bands.gather(0, shell.points());
+  return fitShellGrid(bands, stations(), tank.circle, everyMetre()).cells.front()[kStation].seen();
+}
+
+TEST(FitShellGrid, AJumpBesideAGapIsTheEdgeOfSomething) {
+  EXPECT_TRUE(takesForShell(0.030, 0.0, 0.0)) << "a peaked weld";
+  EXPECT_FALSE(takesForShell(0.030, 0.0, 5.0));
+  EXPECT_FALSE(takesForShell(0.030, 5.0, 0.0));
+  EXPECT_FALSE(takesForShell(-0.030, 0.0, 5.0));
+  EXPECT_TRUE(takesForShell(0.005, 0.0, 5.0)) << "a shell bends by as much";
+  EXPECT_TRUE(takesForShell(0.030, 5.0, 5.0)) << "nothing beside it says what it is";
+}
+
 TEST(KeepConnected, AWideThingInFrontOfTheShellIsNotTakenForIt) {
   const MadeShell shell = behind(0.15, 1.0, 1.5);
   ShellGrid grid = gridOf(shell.points());
