@@ -51,6 +51,12 @@ SetupAgreement adjustSetups(Ring& ring, const Scan& scan, const Tank& tank, cons
   return agreement;
 }
 
+Points pointsAt(const Points& points, const std::vector<std::int32_t>& indices) {
+  Points chosen;
+  for (const std::int32_t i : indices) chosen.push_back(points[static_cast<std::size_t>(i)]);
+  return chosen;
+}
+
 /// The stages at the foot, from the ring of the tank to its stations.
 FootResult measureUprightFoot(const Ring& ring, const Tank& tank, const DatumOptions& options,
                               const Callbacks& callbacks) {
@@ -62,7 +68,8 @@ FootResult measureUprightFoot(const Ring& ring, const Tank& tank, const DatumOpt
   const auto candidates = growCandidates(normals, options.growing, options.threads);
   tell(callbacks, "centre_filter");
   const EdgePoints edge = filterByCentre(ring.search, candidates, tank.circle, options.centre_filter);
-  for (const auto i : edge.indices) foot.edge_points.push_back(ring.search[static_cast<std::size_t>(i)]);
+  foot.edge = edge.indices;
+  foot.edge_points = pointsAt(ring.search, foot.edge);
   tell(callbacks, "spline");
   foot.curve = fitClosedSpline(foot.edge_points, edge.azimuths, options.spline);
   if (!foot.curve.valid()) foot.note = "no paper's curve: " + whyNoCurve(normals, candidates, edge);
@@ -87,8 +94,15 @@ FootResult measureFoot(const Ring& ring, const Tank& tank, const ShellLean& lean
                        const Callbacks& callbacks) {
   const FootFrame frame(tank, lean);
   if (frame.isScans()) return measureUprightFoot(ring, tank, options, callbacks);
-  FootResult foot = measureUprightFoot(frame.into(ring), frame.into(tank), options, callbacks);
+  Callbacks in_frame{callbacks.stage, {}, {}};
+  if (callbacks.normals) {
+    in_frame.normals = [&](const Points&, const NormalOptions& asked, int threads) {
+      return callbacks.normals(ring.search, asked, threads);  // of the scan's own points, which it may know
+    };
+  }
+  FootResult foot = measureUprightFoot(frame.into(ring), frame.into(tank), options, in_frame);
   frame.backFrom(foot);
+  foot.edge_points = pointsAt(ring.search, foot.edge);
   return foot;
 }
 
@@ -234,7 +248,9 @@ Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callback
   if (!options.level || !datum.lean.known()) return datum;
   DatumOptions upright = options;
   upright.level = false;
-  return extractDatum(turnedUpright(scan, datum), upright, {callbacks.stage, {}, callbacks.normals});
+  const Scan turned = turnedUpright(scan, datum);
+  if (callbacks.turned) callbacks.turned(turned);
+  return extractDatum(turned, upright, {callbacks.stage, {}, callbacks.normals});
 }
 
 std::vector<Datum> extractEveryDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {

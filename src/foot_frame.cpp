@@ -105,7 +105,6 @@ void FootFrame::turnBack(Station& s, const Circle& circle) const {
 }
 
 void FootFrame::backFrom(FootResult& foot) const {
-  for (Eigen::Vector3d& p : foot.edge_points) p = out(p);
   for (Circle* circle : {&foot.circle, &foot.refined.circle}) scale(*circle, unit_);
   for (Eigen::Index i = 0; i < foot.curve.control_points.rows(); ++i) {
     foot.curve.control_points.row(i) = out(foot.curve.control_points.row(i).transpose()).transpose();

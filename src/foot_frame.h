@@ -23,10 +23,11 @@ Tank onItsFoot(Tank tank, const ShellEvidence& evidence);
 
 /// What the stages at the foot give.
 struct FootResult {
-  Points edge_points;  ///< in order round the tank
-  ClosedSpline curve;  ///< through them
-  Circle circle;       ///< about whose centre the stations stand
-  Refined refined;     ///< not valid with Method::Paper
+  std::vector<std::int32_t> edge;  ///< of the ring's points for the search, in order round the tank
+  Points edge_points;              ///< those points
+  ClosedSpline curve;              ///< through them
+  Circle circle;                   ///< about whose centre the stations stand
+  Refined refined;                 ///< not valid with Method::Paper
   std::vector<Station> stations;
   std::string note;  ///< why there is no curve through edge points
 };
@@ -45,7 +46,7 @@ class FootFrame {
   Ring into(Ring ring) const;
   Tank into(Tank tank) const;
 
-  /// Puts edge points, curve, stations and what was refined back into the scan's frame.
+  /// Puts curve, stations and what was refined back into the scan's frame.
   void backFrom(FootResult& foot) const;
 
  private:

@@ -113,8 +113,11 @@ struct Datum {
 struct Callbacks {
   std::function<void(const char* name)> stage;                ///< told the name of each stage as it begins
   std::function<void(const std::vector<Tank>& tanks)> tanks;  ///< told what was found, before the long rest
-  /// Gives the ring's points for the search their neighbours and normals; empty: estimateNormals.
+  /// Gives the ring's points for the search their neighbours and normals, which are compared with each other alone;
+  /// empty: estimateNormals.
   std::function<Normals(const Points& points, const NormalOptions& options, int threads)> normals;
+  /// Told the scan that the chain begins anew on, turned upright (options.level): the points that follow are its.
+  std::function<void(const Scan& scan)> turned = {};
 };
 
 /// The tanks of a scan, best first; or the one that options.tank gives.

@@ -67,6 +67,14 @@ void requireUsable(const pcl::Indices& found, pcl::index_t point, std::size_t si
 
 }  // namespace
 
+void requireWithin(const char* stage, const char* name, const std::vector<std::int32_t>& indices, std::size_t points) {
+  for (const std::int32_t i : indices) {
+    if (i >= 0 && static_cast<std::size_t>(i) < points) continue;
+    throw Error(Error::Kind::Option, stage, name, std::to_string(i),
+                "one of the cloud's " + std::to_string(points) + " points");
+  }
+}
+
 void requireValid(const NormalOptions& options) { refuseFirst(firstError(options)); }
 
 Neighbours findNeighbours(const NearestOf& search, std::size_t size, const pcl::Indices& chosen, int k, int threads) {
@@ -121,6 +129,8 @@ RefinedStations refineStationsOf(const Scan& scan, const Tank& tank, const Refin
   refuseFirst(firstError(options));
   refuseFirst(firstError(station_options));
   refuseFirst(firstError(crop));
+  if (!tank.circle.valid() || !tank.foot.valid())
+    throw Error(Error::Kind::Option, "refine", "tank", "without circle or foot", "one that locateTanks gave");
   const Tank local = movedBy(-scan.origin(), tank);
   RefinedStations result;
   RefinedFoot foot = refineStations(cropRing(scan, local, crop), local, options, station_options);

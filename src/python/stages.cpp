@@ -81,7 +81,7 @@ void requireWithin(const std::string& name, const Whole& indices, std::size_t po
   for (py::ssize_t i = 0; i < indices.size(); ++i) {
     if (at[i] >= 0 && static_cast<std::size_t>(at[i]) < points) continue;
     throw Error(Error::Kind::Option, "stages", name, std::to_string(at[i]),
-                "0 to " + std::to_string(points) + ", the number of points, less one");
+                "one of the " + std::to_string(points) + " points, counted from 0");
   }
 }
 

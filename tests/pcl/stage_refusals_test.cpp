@@ -164,6 +164,23 @@ TEST(StageRefusals, ConstantNormalsAreSaid) {
   EXPECT_EQ(filter.getDatum().message.find("all normals"), std::string::npos) << filter.getDatum().message;
 }
 
+TEST(StageRefusals, NoStageLooksForWhatTheCloudDoesNotHave) {
+  const auto refused = [](const auto& work) { return refusalOf(Error::Kind::Option, work); };
+  const auto last = static_cast<std::int32_t>(tank()->size()) - 1;
+  for (const std::int32_t bad : {-1, last + 1}) {
+    const std::string expected = ", expected one of the cloud's " + std::to_string(tank()->size()) + " points";
+    EXPECT_EQ(refused([&] {
+                filterByCentre(*tank(), {last, bad}, std::nullopt, {});
+              }),
+              "pcl: candidate, " + std::to_string(bad) + expected);
+    EXPECT_EQ(refused([&] { scanOf<pcl::PointXYZ>(tank(), std::make_shared<pcl::Indices>(pcl::Indices{bad})); }),
+              "pcl: index, " + std::to_string(bad) + expected);
+  }
+  EXPECT_EQ(refused([] { locateTanks<pcl::PointXYZ>(nullptr, {}); }), "pcl: cloud, none, expected a cloud");
+  EXPECT_EQ(refused([] { refineStations<pcl::PointXYZ>(tank(), Tank(), {}, {}); }),
+            "refine: tank, without circle or foot, expected one that locateTanks gave");
+}
+
 TEST(StageRefusals, AFilterTellsHowFarItIs) {
   DatumFilter<pcl::PointXYZ> filter;
   filter.setOptions(toTheEdge());

@@ -37,16 +37,18 @@ class DatumFilter : public pcl::FilterIndices<PointT> {
   /// @param extract_removed_indices  whether getRemovedIndices() is wanted
   explicit DatumFilter(bool extract_removed_indices = false);
 
-  /// Forgets the last cloud's datum.
+  /// Forgets the last cloud's datum, and what a search knows of this cloud: a cloud that is given again may have been
+  /// filled anew.
   void setInputCloud(const PointCloudConstPtr& cloud) override;
 
   void setOptions(const DatumOptions& options) { options_ = options; }
   const DatumOptions& getOptions() const { return options_; }
 
   /// Neighbours are asked of this search, not of options.normals.search. It is given the input cloud unless it already
-  /// holds it, whole or by the same indices; the datum is the same as without it. A ring that is thinned
-  /// (options.crop.search_points) is asked for the more neighbours the thinner it is. Null: the chain's own.
-  void setSearchMethod(const SearcherPtr& search) { search_ = search; }
+  /// holds it, whole or by the same indices, and the cloud was set before it; the datum is the same as without it. A
+  /// ring that is thinned (options.crop.search_points) is asked for the more neighbours the thinner it is. Null: the
+  /// chain's own.
+  void setSearchMethod(const SearcherPtr& search) { search_ = search, search_is_old_ = false; }
   SearcherPtr getSearchMethod() const { return search_; }
 
   /// Whether the cloud's own normals are used, where finite and not zero, instead of estimated ones.
@@ -79,11 +81,12 @@ class DatumFilter : public pcl::FilterIndices<PointT> {
   /// The input's points that are asked for, each once.
   pcl::IndicesPtr selected() const;
   void runOn(const pcl::IndicesPtr& selection, std::vector<bool>& is_edge);
-  Normals normalsOf(const Points& points, const pcl::Indices& chosen, const NormalOptions& options, int threads) const;
-  void prepareSearch() const;
+  Normals normalsOf(const Points& points, const pcl::Indices& chosen, const NormalOptions& options, int threads);
+  void prepareSearch();
 
   DatumOptions options_;
   SearcherPtr search_;
+  bool search_is_old_ = false;  ///< made from what the input cloud was before it was set
   bool use_cloud_normals_ = false;
   Progress progress_;
   Datum datum_;

@@ -29,11 +29,17 @@
 
 namespace TANK_DATUM_API tank_datum {
 
+/// @throws Error (Option) naming the first index that a cloud of so many points does not have
+void requireWithin(const char* stage, const char* name, const std::vector<std::int32_t>& indices, std::size_t points);
+
 /// A cloud as a scan, without a copy; not finite points are dropped and counted.
 /// @param indices  the points that belong to it; null for all
+/// @throws Error (Option) without a cloud, or for an index that it does not have
 template <typename PointT>
 Scan scanOf(std::shared_ptr<const pcl::PointCloud<PointT>> cloud,
             std::shared_ptr<const pcl::Indices> indices = nullptr) {
+  if (!cloud) throw Error(Error::Kind::Option, "pcl", "cloud", "none", "a cloud");
+  if (indices) requireWithin("pcl", "index", *indices, cloud->size());
   const std::size_t rows = indices ? indices->size() : cloud->size();
   const auto row = [cloud, indices](std::uint64_t i) -> Eigen::Vector3d {
     const auto& p = (*cloud)[indices ? static_cast<std::size_t>((*indices)[i]) : i];
@@ -143,9 +149,11 @@ pcl::PointCloud<pcl::Normal> toPcl(const Normals& normals, const pcl::PointCloud
 }
 
 /// Candidates near the circle of the datum; see filterByCentre(const Points&, ...).
+/// @throws Error (Option) a refused option; a candidate that the cloud does not have
 template <typename PointT>
 EdgePoints filterByCentre(const pcl::PointCloud<PointT>& cloud, const std::vector<std::int32_t>& candidates,
                           const std::optional<Circle>& start, const CentreFilterOptions& options) {
+  requireWithin("pcl", "candidate", candidates, cloud.size());
   return filterByCentre(pointsOf(cloud), candidates, start, options);
 }
 
@@ -157,6 +165,7 @@ struct RefinedStations {
 
 /// Crops the ring of a tank out of a scan and fits the stations on it.
 /// @param tank  in the scan's own frame, as the result is
+/// @throws Error (Option) a refused option; a tank without a circle or a foot
 RefinedStations refineStationsOf(const Scan& scan, const Tank& tank, const RefineOptions& options,
                                  const StationOptions& station_options, const CropOptions& crop = {});
 

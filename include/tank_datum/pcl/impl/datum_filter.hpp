@@ -3,9 +3,11 @@
 #include <pcl/common/point_tests.h>
 #include <pcl/type_traits.h>
 
+#include <optional>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/impl/pcl_base.hpp>
 #include <string>
+#include <utility>
 
 #include "tank_datum/core/error.h"
 #include "tank_datum/pcl/datum_filter.h"
@@ -23,6 +25,7 @@ void DatumFilter<PointT>::setInputCloud(const PointCloudConstPtr& cloud) {
   Base::setInputCloud(cloud);
   datum_ = Datum();
   removed_indices_ = std::make_shared<pcl::Indices>();
+  search_is_old_ = search_is_old_ || (search_ && search_->getInputCloud() == cloud);
 }
 
 template <typename PointT>
@@ -44,30 +47,33 @@ void DatumFilter<PointT>::applyFilter(PointCloud& output) {
 template <typename PointT>
 void DatumFilter<PointT>::applyFilter(pcl::Indices& indices) {
   datum_ = Datum();
-  indices.clear();
+  pcl::Indices kept;                                    // `indices` may be the input's own
   removed_indices_ = std::make_shared<pcl::Indices>();  // a new one: the caller may keep the last run's
   std::vector<bool> is_edge(input_->size(), false);
-  runOn(selected(), is_edge);
+  try {
+    runOn(selected(), is_edge);
+  } catch (...) {
+    indices.clear();
+    throw;
+  }
   for (const pcl::index_t i : *indices_) {
     const auto at = static_cast<std::size_t>(i);
     if (pcl::isXYZFinite((*input_)[at]) && is_edge[at] != negative_) {
-      indices.push_back(i);
+      kept.push_back(i);
     } else if (extract_removed_indices_) {
       removed_indices_->push_back(i);
     }
   }
+  indices = std::move(kept);
 }
 
 template <typename PointT>
 pcl::IndicesPtr DatumFilter<PointT>::selected() const {
   auto selection = std::make_shared<pcl::Indices>();
   std::vector<bool> taken(input_->size(), false);
+  requireWithin("filter", "index", *indices_, input_->size());
   for (const pcl::index_t i : *indices_) {
     const auto at = static_cast<std::size_t>(i);
-    if (i < 0 || at >= taken.size()) {
-      throw Error(Error::Kind::Option, "filter", "index", std::to_string(i),
-                  "one of the cloud's " + std::to_string(taken.size()) + " points");
-    }
     if (!taken[at]) selection->push_back(i);
     taken[at] = true;
   }
@@ -81,9 +87,10 @@ void DatumFilter<PointT>::runOn(const pcl::IndicesPtr& selection, std::vector<bo
   for (const pcl::index_t i : *selection) {
     if (pcl::isXYZFinite((*input_)[static_cast<std::size_t>(i)])) finite.push_back(i);
   }
+  std::optional<Scan> turned;  // the same points upright (options.level)
   const auto sources = [&](const Points& points) {
     pcl::Indices found;
-    for (const std::size_t row : rowsOf(points, scan)) found.push_back(finite[row]);
+    for (const std::size_t row : rowsOf(points, turned ? *turned : scan)) found.push_back(finite[row]);
     return found;
   };
   Callbacks callbacks;
@@ -92,6 +99,7 @@ void DatumFilter<PointT>::runOn(const pcl::IndicesPtr& selection, std::vector<bo
       return normalsOf(points, sources(points), options, threads);
     };
   }
+  callbacks.turned = [&](const Scan& upright) { turned = upright; };
   const char* stage = "";
   if (progress_) {
     callbacks.stage = [&](const char* begun) { progress_(stage = begun, 0, scan.size()); };
@@ -104,7 +112,7 @@ void DatumFilter<PointT>::runOn(const pcl::IndicesPtr& selection, std::vector<bo
 
 template <typename PointT>
 Normals DatumFilter<PointT>::normalsOf(const Points& points, const pcl::Indices& chosen, const NormalOptions& options,
-                                       int threads) const {
+                                       int threads) {
   Normals normals;
   if (search_) {
     prepareSearch();
@@ -116,17 +124,18 @@ Normals DatumFilter<PointT>::normalsOf(const Points& points, const pcl::Indices&
   if constexpr (pcl::traits::has_normal<PointT>::value) {
     for (std::size_t i = 0; use_cloud_normals_ && i < chosen.size(); ++i) {
       const Eigen::Vector3f n = (*input_)[static_cast<std::size_t>(chosen[i])].getNormalVector3fMap();
-      if (n.allFinite() && n.norm() > 0.0F) normals.normals[i] = n.normalized();
+      if (n.allFinite() && !n.isZero(0.0F)) normals.normals[i] = n.stableNormalized();
     }
   }
   return normals;
 }
 
 template <typename PointT>
-void DatumFilter<PointT>::prepareSearch() const {
+void DatumFilter<PointT>::prepareSearch() {
   const auto covered = search_->getIndices();
   const bool holds_all = !covered || covered == indices_ || *covered == *indices_;
-  if (search_->getInputCloud() != input_ || !holds_all) search_->setInputCloud(input_);
+  if (search_is_old_ || search_->getInputCloud() != input_ || !holds_all) search_->setInputCloud(input_);
+  search_is_old_ = false;
 }
 
 }  // namespace tank_datum
