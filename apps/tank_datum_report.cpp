@@ -82,6 +82,7 @@ int run(const ReportCommand& command) {
   std::vector<NamedPath> inputs = inputsOf("result", command.folder);
   if (command.picture != kNoPicture) inputs.push_back({"picture", command.picture});
   requireApart(inputs, {{"--pdf", command.pdf}, {"--html", command.html}});
+  if (!command.pdf.empty()) requireApart({{"--pdf", command.pdf}}, {{"--html", command.html}});
   settleToRead(command.folder, kProgram);
   const std::string browser = command.pdf.empty() ? "" : findBrowser(command.browser);
   const std::string page = pageOf(command);

@@ -14,6 +14,7 @@
 #include "io/whole_file.h"
 #include "shape/analysis.h"
 #include "shape/deformation.h"
+#include "shape/out_of_plane.h"
 #include "stations/stations.h"
 #include "tank_datum/core/error.h"
 
@@ -25,6 +26,7 @@ constexpr std::size_t kMostStations = 3600;  // stations, ten a degree; the work
 constexpr double kLargestDiameter = 1000.0;  // no tank has half of it [m]
 /// Elevations over the diameter: ten times the tilt that any code allows. Beyond it they are in another unit [m/m].
 constexpr double kSteepest = 0.1;
+constexpr double kNarrowest = 15.0 * kDegree;  // the arc that all stations lie in, as of a scan's [rad]
 
 Error refused(const std::string& what, const std::string& value, const std::string& expected) {
   return Error(Error::Kind::Option, "levelling", what, value, expected);
@@ -140,6 +142,10 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
     datum.message = std::to_string(datum.level.measured) + " stations have an elevation, and a datum needs 4";
     datum.stations.clear();
     return datum;
+  }
+  if (const double span = kTwoPi - longestGap(datum.stations, 1.0); span < kNarrowest) {
+    throw refused("azimuths", "all within " + fixedText(toDegrees(span), 1) + " degrees",
+                  "stations round the tank, in degrees (radians need a factor of 57.2958)");
   }
   datum = finishDatum(std::move(datum), options);
   datum.analysis = analyse({datum.stations, datum.tilt, datum.circle.radius, {}, datum.covariance}, options.analysis);

@@ -97,6 +97,20 @@ TEST(DatumOfLevelling, ElevationsInAnotherUnitAreRefused) {
   }
 }
 
+TEST(DatumOfLevelling, StationsOfAnArcAreProbablyInRadians) {
+  const auto within = [](double degrees) {
+    std::string text = "azimuth_deg,elevation\n";
+    for (int i = 0; i < 12; ++i) text += std::to_string(degrees * i / 11.0) + ",1\n";
+    return refusalOf(Error::Kind::Option,
+                     [&] { datumOfLevelling(levellingStations(text, "l", 1.0, 20.0, {}), 20.0, {}); });
+  };
+  EXPECT_EQ(within(6.0),
+            "levelling: azimuths, all within 6.0 degrees, expected stations round the tank, in degrees (radians need a "
+            "factor of 57.2958)");
+  EXPECT_EQ(within(14.0).substr(0, 20), "levelling: azimuths,");
+  EXPECT_EQ(within(16.0), "");
+}
+
 TEST(DatumOfLevelling, ATankIsNoLargerThanAnyThatStands) {
   const auto stations = levellingStations("azimuth_deg,elevation\n0,1\n90,1\n180,1\n270,1\n", "l", 1.0, 10.0, {});
   EXPECT_TRUE(datumOfLevelling(stations, 1000.0, {}).levelled);

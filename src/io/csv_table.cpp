@@ -15,7 +15,14 @@ CsvTable::CsvTable(const std::string& path, std::string stage)
   if (rows_.empty()) throw Error(Error::Kind::File, stage_, path_, "empty", "a header line that names the columns");
   names_ = rows_.front().cells;
   rows_.erase(rows_.begin());
-  for (CsvRow& row : rows_) row.cells.resize(std::max(row.cells.size(), names_.size()));
+  for (CsvRow& row : rows_) {
+    if (row.cells.size() > names_.size()) {
+      throw Error(Error::Kind::File, stage_,
+                  {placeOf(path_, row), std::to_string(row.cells.size()) + " cells",
+                   std::to_string(names_.size()) + " as in the header line, numbers with decimal points", path_});
+    }
+    row.cells.resize(names_.size());
+  }
 }
 
 const std::string& CsvTable::text(std::size_t row, const std::string& column) const {

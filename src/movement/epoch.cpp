@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 
 #include "core/units.h"
 #include "io/json_file.h"
@@ -18,13 +19,25 @@ using Json = nlohmann::json;
 
 double numberOr(const Json& value, double otherwise) { return value.is_null() ? otherwise : value.get<double>(); }
 
+/// A length that a survey's errors may have [m]: what is beyond is a damaged file.
+double errorFrom(const Json& value) {
+  constexpr double kLargest = 1000.0;
+  const double error = numberOr(value, kUnknown);
+  if (std::abs(error) > kLargest) throw std::out_of_range("beyond 1000 m");
+  return error;
+}
+
 /// The columns of datum.json's `covariance.factors`, one a station; an unknown station's are zeros.
 std::vector<std::vector<double>> sharedErrors(const Json& json, std::size_t stations) {
   std::vector<std::vector<double>> columns(stations);
   const auto covariance = json.find("covariance");
   if (covariance == json.end() || covariance->is_null()) return columns;
   for (const Json& factor : covariance->at("factors").get_ref<const Json::array_t&>()) {
-    for (std::size_t i = 0; i < stations; ++i) columns[i].push_back(numberOr(factor.at(i), 0.0));
+    if (factor.size() != stations) throw std::out_of_range("not one of each station");
+    for (std::size_t i = 0; i < stations; ++i) {
+      const double error = errorFrom(factor.at(i));
+      columns[i].push_back(std::isfinite(error) ? error : 0.0);
+    }
   }
   return columns;
 }
@@ -53,35 +66,61 @@ std::string surveyDate(const Json& json) {
   return about.is_object() ? about.value("survey_date", "") : "";
 }
 
-Epoch epochFrom(const Json& json, const std::string& path) {
+/// @param part  of the file that is being read, for messages
+Epoch epochFrom(const Json& json, const std::string& path, std::string& part) {
   Epoch epoch;
   epoch.name = path;
+  part = "status";
   epoch.status = json.at("status").get<std::string>();
   if (!epoch.usable()) return epoch;
+  part = "options.method";
   epoch.method = json.at("options").at("method").get<std::string>();
+  part = "datum.surface";
   const Json& surface = json.at("datum").at("surface");
   if (!surface.is_null()) epoch.surface = surface.get<std::string>();
+  part = "input.kind";
   epoch.levelled = json.value("input", Json::object()).value("kind", "scan") == "levelling";
+  part = "tank";
   const Json& tank = json.at("tank");
   epoch.circle.center = {tank.at("center").at(0).get<double>(), tank.at("center").at(1).get<double>()};
   epoch.circle.radius = tank.at("radius").get<double>();
+  part = "about.survey_date";
   epoch.date = surveyDate(json);
+  part = "checks";
   epoch.checks = checksFrom(json);
+  part = "stations";
   const auto& stations = json.at("stations").get_ref<const Json::array_t&>();
+  part = "covariance";
   const auto shared = sharedErrors(json, stations.size());
   for (const Json& station : stations) {
+    part = "stations[" + std::to_string(epoch.stations.size()) + "]";
     Elevation e;
     e.shared = shared[epoch.stations.size()];
     e.azimuth = toRadians(station.at("azimuth_deg").get<double>());
     e.direction = toRadians(station.at("direction_deg").get<double>());
     if (station.at("flag") == nameOf(StationFlag::Measured)) {
       e.z = numberOr(station.at("z"), kUnknown);
-      e.sigma_z = numberOr(station.at("sigma_z"), kUnknown);
+      e.sigma_z = errorFrom(station.at("sigma_z"));
       e.window = toRadians(numberOr(station.value("window_deg", Json(nullptr)), kUnknown));
     }
     epoch.stations.push_back(e);
   }
   return epoch;
+}
+
+/// The same; refuses a file of which a part is missing or no such thing.
+Epoch epochOfFile(const Json& json, const std::string& name, const std::string& file) {
+  std::string part;
+  const auto refused = [&](const std::string& what) {
+    return Error(Error::Kind::File, "epoch", file, part + " " + what, "a datum.json with its stations");
+  };
+  try {
+    return epochFrom(json, name, part);
+  } catch (const Json::exception&) {
+    throw refused("missing, or of another type");
+  } catch (const std::out_of_range& beyond) {
+    throw refused(beyond.what());
+  }
 }
 
 }  // namespace
@@ -138,17 +177,12 @@ void requireWhole(const std::string& file) {
 Epoch readEpoch(const std::string& path) {
   const std::string file = epochFile(path);
   requireWhole(file);
-  const Json json = readJson(file, "epoch", "a datum.json or a folder with one");
-  try {
-    return epochFrom(json, path);
-  } catch (const Json::exception& error) {
-    throw Error(Error::Kind::File, "epoch", file, error.what(), "a datum.json with its stations");
-  }
+  return epochOfFile(readJson(file, "epoch", "a datum.json or a folder with one"), path, file);
 }
 
 Epoch epochIn(const std::string& datum_json, const std::string& name) {
   try {
-    return epochFrom(Json::parse(datum_json), name);
+    return epochOfFile(Json::parse(datum_json), name, name);
   } catch (const Json::exception& error) {
     throw Error(Error::Kind::File, "epoch", name, error.what(), "a datum.json with its stations");
   }

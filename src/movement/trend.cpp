@@ -180,11 +180,14 @@ void requireInOrder(const std::vector<Epoch>& surveys) {
       return kUnknown;
     }
   };
-  for (std::size_t i = 1; i < surveys.size(); ++i) {
-    const Epoch &now = surveys[i], &before = surveys[i - 1];
-    if (!(time(now) < time(before))) continue;
-    throw Error(Error::Kind::Option, "movement", "date of " + now.name, now.date,
-                "no earlier than that of " + before.name + ", " + before.date + ": surveys in the order of time");
+  const Epoch* before = nullptr;  // the last that has a date
+  for (const Epoch& now : surveys) {
+    if (!std::isfinite(time(now))) continue;
+    if (before && time(now) < time(*before)) {
+      throw Error(Error::Kind::Option, "movement", "date of " + now.name, now.date,
+                  "no earlier than that of " + before->name + ", " + before->date + ": surveys in the order of time");
+    }
+    before = &now;
   }
 }
 

@@ -9,12 +9,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 #include "core/azimuth.h"
 #include "core/printable.h"
 #include "core/units.h"
 #include "io/io_error.h"
+#include "movement/trend.h"
 #include "report/logo.h"
 #include "stations/ring_series.h"
 #include "stations/stations.h"
@@ -69,6 +71,17 @@ std::string wordsOf(const toml::node& value, const std::string& path, const std:
   return out.str();
 }
 
+/// Refuses a day that there is not; other words may stand for a date, too.
+void requireDay(const std::string& date, const toml::source_region& at, const std::string& path) {
+  static const std::regex kDay("[0-9]+-[0-9]+-[0-9]+");
+  if (!std::regex_match(date, kDay)) return;
+  try {
+    yearOf(date);
+  } catch (const Error&) {
+    throw refusedAbout(path, at, "survey_date: " + date, "a day that there is, as 2024-05-31");
+  }
+}
+
 void readAbout(const std::string& path, Identity& identity) {
   const toml::table table = tableOf(path);
   for (const auto& [key, value] : table) {
@@ -78,7 +91,11 @@ void readAbout(const std::string& path, Identity& identity) {
     }
   }
   for (const std::string& key : aboutKeys()) {
-    if (const toml::node* value = table.get(key)) identity.about.emplace_back(key, wordsOf(*value, path, key));
+    const toml::node* const value = table.get(key);
+    if (value == nullptr) continue;
+    const std::string words = wordsOf(*value, path, key);
+    if (key == "survey_date") requireDay(words, value->source(), path);
+    identity.about.emplace_back(key, words);
   }
   if (const toml::node* logo = table.get("logo")) identity.logo = logoOf(path, wordsOf(*logo, path, "logo"));
 }

@@ -43,6 +43,7 @@ std::string degreesText(double angle) { return fixedText(std::fmod(std::round(to
 
 std::vector<std::string> unsaidOf(const Movement& movement) {
   constexpr double kApart = 0.02;  // [m]; what no scans of one tank in one frame are apart by
+  constexpr double kDeep = 0.5;    // [m]; by which few tanks settle
   std::vector<std::string> keys;
   if (!movement.valid()) return keys;
   if (movement.removal == Removal::Nothing && movement.registration_error == 0.0) {
@@ -53,6 +54,8 @@ std::vector<std::string> unsaidOf(const Movement& movement) {
   if (movement.rod_taken_out) keys.emplace_back("movement.rod_height");
   if (movement.fits_turned) keys.emplace_back("movement.fits_turned");
   if (movement.rms == 0.0 && movement.mean == 0.0) keys.emplace_back("movement.one_survey");
+  if (movement.removal == Removal::Nothing && std::abs(movement.mean) > kDeep)
+    keys.emplace_back("movement.heights_apart");
   if (movement.centre_apart > kApart) keys.emplace_back("movement.centres_apart");
   return keys;
 }

@@ -100,9 +100,11 @@ std::string unmeasuredLines(const Datum& datum) {
 std::string methodLines(const Datum& datum, const Display& display) {
   if (datum.levelled) return line("method", "elevations typed in from a levelling survey");
   const std::string curve =
-      line("paper's curve", "RMS %s, largest %s over %zu points not used in the fit (%td control points)",
-           display.shortText(datum.curve.rms).c_str(), display.shortText(datum.curve.max_residual).c_str(),
-           datum.curve.check_points, datum.curve.control_points.rows());
+      !datum.curve.valid()
+          ? ""
+          : line("paper's curve", "RMS %s, largest %s over %zu points not used in the fit (%td control points)",
+                 display.shortText(datum.curve.rms).c_str(), display.shortText(datum.curve.max_residual).c_str(),
+                 datum.curve.check_points, datum.curve.control_points.rows());
   if (!datum.refined.valid()) {
     return line("method", "the paper's curve through edge points: expect millimetres of bias") + curve;
   }

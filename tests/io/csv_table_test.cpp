@@ -39,6 +39,9 @@ TEST(CsvTable, NamesWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(refusalOf(Error::Kind::File, [&] { CsvTable(folder.file("e.csv", ""), "stations"); }).find("empty"),
             std::string::npos);
+  const std::string commas = folder.file("c.csv", "a,b\n1\n1,5,2,5\n");
+  EXPECT_EQ(refusalOf(Error::Kind::File, [&] { CsvTable(commas, "stations"); }),
+            "stations: " + commas + " line 3, 4 cells, expected 2 as in the header line, numbers with decimal points");
 }
 
 }  // namespace tank_datum::csv_table_test

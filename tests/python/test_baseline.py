@@ -1,8 +1,11 @@
 """--baseline: the same comparison within a run, and baselines that are refused."""
 
+import copy
 import json
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -40,7 +43,25 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
     ("changes", "status", "reason"),
     [
         ("not JSON", 3, "a datum.json or a folder with one"),
-        ({"stations": None}, 3, "a datum.json with its stations"),
+        (
+            {"stations": None},
+            3,
+            "stations missing, or of another type, expected a datum.json with its stations",
+        ),
+        ({"tank": {"center": [0, 0], "radius": "5"}}, 3, "tank missing, or of another type"),
+        ({"options": {}}, 3, "options.method missing, or of another type"),
+        ({"checks": 3}, 3, "checks missing, or of another type"),
+        (lambda datum: datum["stations"].pop(), 3, "covariance not one of each station"),
+        (
+            lambda datum: datum["stations"][7].update(sigma_z=1e300),
+            3,
+            "stations[7] beyond 1000 m",
+        ),
+        (
+            lambda datum: datum["stations"][7].update(azimuth_deg=None),
+            3,
+            "stations[7] missing, or of another type",
+        ),
         ({"status": "no_tank"}, 2, "of status no_tank, expected a result with a usable datum"),
         ({"options": {"method": "paper"}}, 2, "of method paper, expected the method"),
         ({"tank": {"center": [0, 0], "radius": 6}}, 2, "radius of the tank in the scan"),
@@ -49,12 +70,20 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
     ],
 )
 def test_unusable_baselines_are_refused(
-    tmp_path: Path, of_the_sample: dict, changes: dict | str, status: int, reason: str
+    tmp_path: Path,
+    of_the_sample: dict,
+    changes: dict | str | Callable[[dict], Any],
+    status: int,
+    reason: str,
 ) -> None:
     """Nothing is written, and what stood there before stays."""
     baseline, out = tmp_path / "baseline.json", tmp_path / "out"
-    text = changes if isinstance(changes, str) else json.dumps(of_the_sample | changes)
-    baseline.write_text(text)
+    datum = copy.deepcopy(of_the_sample)
+    if callable(changes):
+        changes(datum)
+    elif isinstance(changes, dict):
+        datum |= changes
+    baseline.write_text(changes if isinstance(changes, str) else json.dumps(datum))
     out.mkdir()
     (out / "datum.json").write_text("of an earlier run")
     command = [executable("tank_datum"), SAMPLE, "-o", out, "--baseline", baseline]

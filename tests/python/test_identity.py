@@ -98,6 +98,11 @@ def test_the_page_shows_them(browser: Any, told: Path) -> None:
     ("content", "words"),
     [
         pytest.param('tnak = "x"', ["about.toml:1", "key tnak", "one of tank,"], id="other key"),
+        pytest.param(
+            'tank = "x"\nsurvey_date = "2023-02-29"',
+            ["about.toml:2", "survey_date: 2023-02-29", "a day that there is"],
+            id="no such day",
+        ),
         pytest.param("tank = \n", ["about.toml:1", "TOML"], id="no TOML"),
         pytest.param('tank = "a\u202eb"', ["about.toml:1", "direction"], id="bidi override"),
         pytest.param('tank = "a\\u2066b"', ["about.toml:1", "direction"], id="bidi isolate"),

@@ -169,3 +169,11 @@ def test_no_file_asked_for_is_refused(sample_report: Path) -> None:
 def test_a_folder_without_a_report_is_refused(tmp_path: Path) -> None:
     done = to_pdf(tmp_path, tmp_path / "report.pdf")
     assert done.returncode == 3 and "report.html, not there" in done.stderr
+
+
+def test_page_and_print_are_two_files(sample_report: Path, tmp_path: Path) -> None:
+    both = tmp_path / "both.pdf"
+    words = [executable("tank_datum_report"), sample_report, "--pdf", both, "--html", both]
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert (done.returncode, done.stderr.count("\n")) == (2, 1), done.stderr
+    assert not both.exists()
