@@ -19,23 +19,39 @@ struct Depths {
   const Section& section;
   const UsualSection& usual;
   double weights = 0.0, below = 0.0, spread = 0.0;
+  double far = 0.0;  ///< weighted distances, in bins
   std::vector<WeightedValue> bins = {};
 
   Depths(const Section& of, const UsualSection& among) : section(of), usual(among) {}
   void add(std::size_t bin) {
     if (!usual.tells(section, bin)) return;
     const double usually = usual.spread[bin], weight = 1.0 / (usually * usually);
-    const double deep = usual.height[bin] - section[bin] - usual.falls * (static_cast<double>(bin) + 0.5);
-    weights += weight, below += weight * deep, spread += weight * usually;
-    bins.push_back({deep, weight});
+    const double deep = usual.height[bin] - section[bin], away = static_cast<double>(bin) + 0.5;
+    weights += weight, below += weight * deep, spread += weight * usually, far += weight * away;
+    bins.push_back({deep - usual.falls * away, weight});
   }
   bool tell() const { return bins.size() >= kFewestBins; }
-  double mean() const { return below / weights; }
+  /// @param falls  from bin to bin, which says nothing
+  double mean(double falls) const { return (below - falls * far) / weights; }
   /// The same of most bins: a few in which an edge comes nearer, with what is far lower behind it, do not count.
-  double ofMost() const { return std::min(mean(), weightedMedian(bins)); }
+  double ofMost() const { return std::min(mean(usual.falls), weightedMedian(bins)); }
   /// In what sections usually scatter by, which is not less for many bins: they err together.
-  double standOut() const { return below / spread; }
+  double standOut(double falls) const { return (below - falls * far) / spread; }
 };
+
+/// How much more a section falls from bin to bin than the usual one up to a bin, at most: a floor's slope differs round
+/// the ring, but what lies on it ends in a step.
+double fallsBefore(std::size_t end, const Section& section, const UsualSection& usual) {
+  constexpr double kErrors = 2.0;
+  double information = 0.0, sum = 0.0;
+  for (std::size_t b = 0; b < std::min(end, section.size()); ++b) {
+    if (!usual.tells(section, b)) continue;
+    const double away = static_cast<double>(b) + 0.5, weight = 1.0 / (usual.spread[b] * usual.spread[b]);
+    information += weight * away * away, sum += weight * away * (usual.height[b] - section[b]);
+  }
+  if (!(information > 0.0)) return usual.falls;
+  return std::clamp(sum / information + kErrors / std::sqrt(information), 0.0, usual.falls);
+}
 
 /// The section of a station and its neighbours, each relative to its own elevation.
 Section sectionAround(const Foot& foot, const std::vector<double>& levels, std::size_t station, std::size_t bins) {
@@ -171,17 +187,18 @@ Depth SectionSeen::depth(double least) const {
   Depth depth;
   if (!all.tell()) {
     depth.value = kUnknown;
-  } else if (all.standOut() > kStands && all.ofMost() > least) {
+  } else if (all.standOut(narrowest_->usual.falls) > kStands && all.ofMost() > least) {
     depth.value = all.ofMost();
   }
   const Section& own = shown_->own[station_];
   Depths part(own, shown_->usual);
-  double clearest = std::max(kStands, depth.value > 0.0 ? all.standOut() : 0.0);
+  double clearest = std::max(kStands, depth.value > 0.0 ? all.standOut(narrowest_->usual.falls) : 0.0);
   for (std::size_t b = std::min(own.size(), shown_->usual.end); b-- > 0;) {
     part.add(b);
-    if (!part.tell() || part.standOut() <= clearest || part.mean() <= least) continue;
-    clearest = part.standOut();
-    depth = {part.mean(), static_cast<double>(b) / static_cast<double>(own.size()), true};
+    const double falls = shown_->usual.falls > 0.0 ? fallsBefore(b, own, shown_->usual) : 0.0;
+    if (!part.tell() || part.standOut(falls) <= clearest || part.mean(falls) <= least) continue;
+    clearest = part.standOut(falls);
+    depth = {part.mean(falls), static_cast<double>(b) / static_cast<double>(own.size()), true};
   }
   return depth;
 }

@@ -50,12 +50,44 @@ TEST(SectionsBeyond, AFloorMayFallHereAndNotThere) {
   EXPECT_GT(depthOfFall(0.060, true), 0.010);
 }
 
+/// The depth of a station on a plate so thick that lies on a level floor up to 0.31 m from the shell, over 30 degrees.
+double depthBeyondPlate(double thick) {
+  MadeFoot made;
+  for (int s = 0; s < 360; ++s) {
+    const double on = s >= 120 && s < 150 ? thick : 0.0;
+    made.addStation(s, 400, 0.1, 0.5, [&](double d) { return d < 0.31 ? 0.0 : -on; });
+  }
+  Foot& foot = made.foot();
+  foot.inside = true;
+  const auto all = sectionsBeyond(foot, {}, std::vector<double>(360, 0.0), std::vector<bool>(360, true));
+  return SectionSeen(all, 135).depth(0.004).value;
+}
+
+TEST(SectionsBeyond, WhatLiesOnAFloorEndsInAStep) {
+  EXPECT_GT(depthBeyondPlate(0.007), 0.005);
+  EXPECT_EQ(depthBeyondPlate(0.004), 0.0);
+}
+
 /// A ring whose sections are level, known to 1 mm, in bins of which one station shows some, so much lower.
 RingSections ringOf(std::size_t bins, const std::vector<std::size_t>& shown, double lower) {
   RingSections ring{std::vector<Section>(1, Section(bins, kUnknown)),
                     {Section(bins, 0.0), Section(bins, 0.001), 0, 0, bins}};
   for (const std::size_t b : shown) ring.own[0][b] = -lower;
   return ring;
+}
+
+/// The depth that a section inside has of a step beyond `from`, where it is level before that, known to a spread.
+double depthOfStep(std::size_t from, double spread) {
+  std::vector<RingSections> all = {ringOf(25, {}, 0.0)};
+  for (std::size_t b = 4; b < 25; ++b) all[0].own[0][b] = b < from ? 0.0 : -0.012, all[0].usual.spread[b] = spread;
+  all[0].usual.falls = 0.0003;  // 0.015 m/m in bins of 20 mm
+  return SectionSeen(all, 0).depth(0.004).value;
+}
+
+TEST(SectionsBeyond, TheSlopeBeforeAStepIsKnownToTwoStandardErrors) {
+  // bins 4.5 to 14.5: the sum of their squares is 1100; a mean of 1 mm over 33 of it, twice, at 20 bins
+  EXPECT_NEAR(depthOfStep(15, 0.001), 0.012 - 2.0 * 0.001 / std::sqrt(1100.0) * 20.0, 0.0002);
+  EXPECT_NEAR(depthOfStep(15, 0.002), 0.012 - 2.0 * 0.002 / std::sqrt(1100.0) * 20.0, 0.0004);
 }
 
 TEST(SectionSeen, OfAStationThatShowsFewBinsOfAnyWidthTheNarrowestTell) {
