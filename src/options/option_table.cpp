@@ -120,7 +120,7 @@ void addInput(Table& t, RunOptions& run) {
         "classes of the points of LAS files that are read; none: all; points marked as withheld never are")
       .within(within(0, 255));
   t.add("setups", "setups.names", &run.reading.setups,
-        "A,B,... setups of the scanner that are read, by their names in the results; none: all");
+        "A,B,... setups of the scanner that are read, by their labels or files; none: all");
 }
 
 void addRun(Table& t, RunOptions& run) {

@@ -129,8 +129,8 @@ def extract_datum(
     # classes of the points of LAS files that are read; none: all; points marked as
     # withheld never are (0 to 255 and above the one before)
     las_classes: Sequence[int] | NDArray[np.integer[Any]] = ...,
-    # A,B,... setups of the scanner that are read, by their names in the results;
-    # none: all
+    # A,B,... setups of the scanner that are read, by their labels or files; none:
+    # all
     setups: Sequence[str] = ...,
     # datum.json of an earlier survey: movement since then
     baseline: Datum | _Path | None = None,
