@@ -25,16 +25,13 @@ const char* wordOf(const Movement& movement) {
   return movement.removal == Removal::Mean ? "movement.unmoved_mean" : "movement.unmoved_tilt";
 }
 
-/// The widest arc between neighbouring stations that are in both surveys [rad].
-double widestGap(const Movement& movement) {
+/// The directions of the stations that are in both surveys [rad].
+std::vector<double> sharedDirections(const Movement& movement) {
   std::vector<double> directions;
   for (const StationMovement& s : movement.stations) {
     if (std::isfinite(s.dz)) directions.push_back(withinTurn(s.direction));
   }
-  std::sort(directions.begin(), directions.end());
-  double widest = kTwoPi + directions.front() - directions.back();
-  for (std::size_t i = 1; i < directions.size(); ++i) widest = std::max(widest, directions[i] - directions[i - 1]);
-  return widest;
+  return directions;
 }
 
 std::string degreesText(double angle) { return fixedText(std::fmod(std::round(toDegrees(angle)), 360.0), 0) + " deg"; }
@@ -50,7 +47,8 @@ std::vector<std::string> unsaidOf(const Movement& movement) {
     keys.emplace_back("movement.one_height");
   }
   if (movement.removal != Removal::Tilt && movement.registration_tilt == 0.0) keys.emplace_back("movement.one_level");
-  if (movement.removal != Removal::Tilt && widestGap(movement) > kPi) keys.emplace_back("movement.part_of_ring");
+  if (movement.removal != Removal::Tilt && widestArc(sharedDirections(movement)) > kPi)
+    keys.emplace_back("movement.part_of_ring");
   if (movement.rod_taken_out) keys.emplace_back("movement.rod_height");
   if (movement.fits_turned) keys.emplace_back("movement.fits_turned");
   if (movement.rms == 0.0 && movement.mean == 0.0) keys.emplace_back("movement.one_survey");

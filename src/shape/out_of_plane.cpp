@@ -3,7 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/azimuth.h"
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "fit/harmonics.h"
@@ -200,14 +202,11 @@ OutOfPlane fitOutOfPlane(const std::vector<Station>& stations, double radius, co
 }
 
 double longestGap(const std::vector<Station>& stations, double radius) {
-  double first = kUnknown, last = kUnknown, longest = 0.0;
+  std::vector<double> measured;
   for (const Station& s : stations) {
-    if (s.flag != StationFlag::Measured) continue;
-    if (std::isfinite(last)) longest = std::max(longest, s.azimuth - last);
-    if (!std::isfinite(first)) first = s.azimuth;
-    last = s.azimuth;
+    if (s.flag == StationFlag::Measured) measured.push_back(s.azimuth);
   }
-  return radius * (std::isfinite(last) ? std::max(longest, first + kTwoPi - last) : kTwoPi);
+  return radius * widestArc(std::move(measured));
 }
 
 }  // namespace tank_datum

@@ -22,4 +22,11 @@ TEST(AzimuthOfArm, IsLessThanAFullTurn) {
   EXPECT_GT(azimuthOfArm(1.0, -1e-300), 6.28);
 }
 
+TEST(WidestArc, LiesBetweenNeighboursRoundTheTurn) {
+  EXPECT_DOUBLE_EQ(widestArc({3.0, 0.5, 1.0}), 0.5 + kTwoPi - 3.0);
+  EXPECT_DOUBLE_EQ(widestArc({0.1, 4.0, 6.0}), 3.9);
+  EXPECT_DOUBLE_EQ(widestArc({1.0}), kTwoPi);
+  EXPECT_DOUBLE_EQ(widestArc({}), kTwoPi);
+}
+
 }  // namespace tank_datum::azimuth_test
