@@ -184,11 +184,9 @@ void dropJumps(std::vector<ShellCell>& row, double arc) {
   const std::vector<ShellCell> all = row;
   for (std::size_t i = 0; i < count; ++i) {
     const ShellCell &before = all[(i + count - 1) % count], &after = all[(i + 1) % count];
-    if (!before.seen() && !after.seen()) continue;
-    const bool both = before.seen() && after.seen();
-    const bool joins_before = before.seen() && ((both && before.runs_on) || isNear(before, all[i], arc));
-    const bool joins_after = after.seen() && ((both && all[i].runs_on) || isNear(all[i], after, arc));
-    if (!joins_before && !joins_after) row[i] = {};
+    const bool both = before.seen() && after.seen(), traced = both && (before.runs_on || all[i].runs_on);
+    const bool near = (before.seen() && isNear(before, all[i], arc)) || (after.seen() && isNear(all[i], after, arc));
+    if ((before.seen() || after.seen()) && !traced && !near) row[i] = {};
   }
 }
 
