@@ -1,5 +1,6 @@
 #include "tank_datum/datum.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/clauses.h"
@@ -188,7 +189,13 @@ Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callback
   upright.level = false;
   const Scan turned = turnedUpright(scan, datum);
   if (callbacks.turned) callbacks.turned(turned);
-  return extractDatum(turned, upright, {callbacks.stage, {}, callbacks.normals});
+  const Callbacks again{callbacks.stage, {}, callbacks.normals};
+  const std::vector<Tank> found = findTanks(turned, upright, again);
+  const Eigen::Vector2d center = datum.tank.circle.center + (datum.origin - turned.origin()).head<2>();
+  const auto same = std::min_element(found.begin(), found.end(), [&](const Tank& a, const Tank& b) {
+    return (a.circle.center - center).squaredNorm() < (b.circle.center - center).squaredNorm();
+  });
+  return extractDatum(same == found.end() ? Tank() : *same, turned, upright, again);
 }
 
 std::vector<Datum> extractEveryDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {

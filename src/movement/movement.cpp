@@ -83,6 +83,7 @@ bool Movement::moved() const {
 double StationMovement::lod95() const { return kNormal95 * sigma; }
 
 const char* nameOf(Removal removal) {
+  if (removal == Removal::Auto) return "auto";
   return removal == Removal::Nothing ? "none" : removal == Removal::Mean ? "mean" : "tilt";
 }
 
@@ -107,7 +108,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   Movement movement;
   movement.baseline = baseline.name;
   movement.removal = removalOf(baseline, current, options);
-  movement.rod_taken_out = differByRod(baseline, current) && movement.removal == Removal::Mean;
+  movement.rod_taken_out = options.removal == Removal::Auto && movement.removal == Removal::Mean;
   movement.registration_error = options.registration_error;
   movement.registration_tilt = options.registration_tilt;
   for (const Epoch* epoch : {&baseline, &current}) {
@@ -151,10 +152,13 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
 }
 
 std::vector<Movement> compareWithFirst(const std::vector<Epoch>& surveys, MovementOptions options) {
+  const Removal asked = options.removal;
   options.removal = removalOf(surveys, options);
   std::vector<Movement> movements;
-  for (std::size_t i = 1; i < surveys.size(); ++i)
+  for (std::size_t i = 1; i < surveys.size(); ++i) {
     movements.push_back(compareEpochs(surveys.front(), surveys[i], options));
+    movements.back().rod_taken_out = asked == Removal::Auto && options.removal == Removal::Mean;
+  }
   return movements;
 }
 

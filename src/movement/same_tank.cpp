@@ -43,17 +43,16 @@ bool shareFrame(const Epoch& baseline, const MovementOptions& options) {
   return !baseline.levelled && !options.estimate_offset && options.azimuth_offset == 0.0;
 }
 
-bool differByRod(const Epoch& baseline, const Epoch& current) { return baseline.levelled != current.levelled; }
-
 Removal removalOf(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
-  const bool unknown = options.removal == Removal::Nothing && options.registration_error == 0.0;
-  return unknown && differByRod(baseline, current) ? Removal::Mean : options.removal;
+  if (options.removal != Removal::Auto) return options.removal;
+  return baseline.levelled != current.levelled ? Removal::Mean : Removal::Nothing;
 }
 
 Removal removalOf(const std::vector<Epoch>& surveys, const MovementOptions& options) {
-  const auto other = std::find_if(surveys.begin(), surveys.end(),
-                                  [&](const Epoch& survey) { return differByRod(surveys.front(), survey); });
-  return other == surveys.end() ? options.removal : removalOf(surveys.front(), *other, options);
+  const auto other = std::find_if(surveys.begin(), surveys.end(), [&](const Epoch& survey) {
+    return removalOf(surveys.front(), survey, options) != Removal::Nothing;
+  });
+  return other == surveys.end() ? Removal::Nothing : removalOf(surveys.front(), *other, options);
 }
 
 void requireSameTank(const Epoch& baseline, const std::string& name, const Circle& circle,

@@ -10,14 +10,9 @@ namespace tank_datum {
 /// Whether centres say whether it is the same tank: in a frame that both surveys share.
 bool shareFrame(const Epoch& baseline, const MovementOptions& options);
 
-/// Whether one is a levelling and the other a scan: heights differ by where the rod stands.
-bool differByRod(const Epoch& baseline, const Epoch& current);
-
-/// What is removed from the differences of these surveys: the mean as well, where some differ from the baseline by
-/// where a rod stands and no error of the heights' registration is given.
-/// @param surveys  the baseline first
-Removal removalOf(const std::vector<Epoch>& surveys, const MovementOptions& options);
+/// What is removed from the differences of two surveys, or of some from the first: never Removal::Auto.
 Removal removalOf(const Epoch& baseline, const Epoch& current, const MovementOptions& options);
+Removal removalOf(const std::vector<Epoch>& surveys, const MovementOptions& options);
 
 /// Refuses a circle that is not that of the baseline's tank. The centre of a levelled baseline is not looked at.
 /// @throws Error (Option) naming radius or centre, and the units that may have been confused

@@ -90,9 +90,9 @@ void dropPoorRows(std::vector<std::vector<ShellCell>>& rows) {
   }
 }
 
-/// What two places of one shell may differ by [m], at most.
-double mayDiffer(const ShellCell& a, const ShellCell& b, double bend) {
-  return bend + 4.0 * std::hypot(a.sigma, b.sigma);
+/// Whether two places may be one shell, which bends by so much between them [m].
+bool mayBeOne(const ShellCell& a, const ShellCell& b, double bend) {
+  return std::abs(a.radius - b.radius) <= bend + 4.0 * std::hypot(a.sigma, b.sigma);
 }
 
 /// The next station after this one that is seen, from there on round the ring; row.size() further where none other is.
@@ -120,9 +120,7 @@ class Parts {
 };
 
 /// Whether two stations of a row, so many steps apart, may be one shell by their radii.
-bool isNear(const ShellCell& a, const ShellCell& b, double arc) {
-  return std::abs(a.radius - b.radius) <= mayDiffer(a, b, bendAlong(arc));
-}
+bool isNear(const ShellCell& a, const ShellCell& b, double arc) { return mayBeOne(a, b, bendAlong(arc)); }
 
 void joinAlong(const ShellGrid& grid, std::size_t k, Parts& parts) {
   const std::vector<ShellCell>& row = grid.cells[k];
@@ -142,11 +140,8 @@ void joinUp(const ShellGrid& grid, std::size_t station, Parts& parts) {
     const ShellCell& cell = grid.cells[k][station];
     if (!cell.seen()) continue;
     if (below < k) {
-      const ShellCell& under = grid.cells[below][station];
       const double bend = bendUp(grid.heights[k] - grid.heights[below]);
-      if (std::abs(cell.radius - under.radius) <= mayDiffer(cell, under, bend)) {
-        parts.join(below * count + station, k * count + station);
-      }
+      if (mayBeOne(cell, grid.cells[below][station], bend)) parts.join(below * count + station, k * count + station);
     }
     below = k;
   }
@@ -184,9 +179,12 @@ void dropJumps(std::vector<ShellCell>& row, double arc) {
   const std::vector<ShellCell> all = row;
   for (std::size_t i = 0; i < count; ++i) {
     const ShellCell &before = all[(i + count - 1) % count], &after = all[(i + 1) % count];
-    const bool both = before.seen() && after.seen(), traced = both && (before.runs_on || all[i].runs_on);
-    const bool near = (before.seen() && isNear(before, all[i], arc)) || (after.seen() && isNear(all[i], after, arc));
-    if ((before.seen() || after.seen()) && !traced && !near) row[i] = {};
+    if (!all[i].seen() || !(before.seen() || after.seen())) continue;
+    if (before.seen() && after.seen() && (before.runs_on || all[i].runs_on)) continue;
+    if (isNear(before, all[i], arc) || isNear(all[i], after, arc)) continue;  // not to what is not seen: NaN
+    row[i] = {};
+    row[i].doubted = all[i].radius;
+    row[(i + count - 1) % count].runs_on = false;
   }
 }
 
@@ -242,7 +240,8 @@ void keepConnected(ShellGrid& grid) {
   for (std::size_t c = 0; c < sizes.size(); ++c) sizes[parts.of(c)] += grid.cells[c / count][c % count].seen();
   const auto largest = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   for (std::size_t c = 0; c < sizes.size(); ++c) {
-    if (parts.of(c) != largest) grid.cells[c / count][c % count] = {};
+    ShellCell& cell = grid.cells[c / count][c % count];
+    if (cell.seen() && parts.of(c) != largest) cell = {};
   }
 }
 

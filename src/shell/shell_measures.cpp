@@ -23,7 +23,8 @@ constexpr double kCourse = 3.0;     // plates are no higher [m]
 /// those.
 Interval95 radiusInterval(const Roundness& r) {
   const double half = kNormal95 * std::sqrt(std::max(0.0, square(r.sigma) - square(r.rise)));
-  return {std::max(0.0, r.largest() - r.rise - half), r.largest() + half + std::max(r.may_rise, kNormal95 * r.rise)};
+  const double high = r.largest() + half + std::max(r.may_rise, kNormal95 * r.rise);
+  return {std::max(0.0, r.largest() - r.rise - half), std::max(high, r.doubted)};
 }
 
 Measure radiusMeasure(const Roundness& r) {

@@ -93,6 +93,20 @@ std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<do
   return worst;
 }
 
+/// How far what may be the shell lies off a circle, at most: a dent beside something that hides the rest of it. What is
+/// farther off stands before the shell.
+double doubtedOf(const Circle& circle, const std::vector<ShellCell>& row, const std::vector<Station>& stations,
+                 const Circle& datum_circle) {
+  constexpr double kDeepest = 0.1;  // of a dent [m]
+  double largest = 0.0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i].seen() || !std::isfinite(row[i].doubted)) continue;
+    const double off = std::abs(circle.residual(placeOf(datum_circle, stations[i], row[i].doubted)));
+    if (off <= kDeepest) largest = std::max(largest, off);
+  }
+  return largest;
+}
+
 }  // namespace
 
 Roundness arcOf(const std::vector<ShellCell>& row, double height, const std::vector<Station>& stations,
@@ -104,6 +118,7 @@ Roundness arcOf(const std::vector<ShellCell>& row, double height, const std::vec
   const std::vector<double> deviations = deviationsFrom(expected, row, stations, datum_circle);
   arc.widest_gap = widestGap(row) * datum_circle.radius;
   arc.circle = expected;
+  arc.doubted = doubtedOf(expected, row, stations, datum_circle);
   findExtremes(row, deviations, stations, arc);
   arc.sigma = std::hypot(arc.sigma, median(finiteOf(deviations)));
   return arc;
@@ -124,6 +139,7 @@ Roundness roundnessOf(const std::vector<ShellCell>& row, double height, const st
   const Circle plainer = circleThrough(row, stations, datum_circle, kOvalOrder / 2);
   if (!circle.valid() || !plainer.valid()) return roundness;
   roundness.circle = circle;
+  roundness.doubted = doubtedOf(circle, row, stations, datum_circle);
   deviations = deviationsFrom(circle, row, stations, datum_circle);
   const std::size_t worst = findExtremes(row, deviations, stations, roundness);
   const Eigen::Vector2d place = placeOf(datum_circle, stations[worst], row[worst].radius);

@@ -42,6 +42,7 @@ std::string refusal(const Epoch& a, const Epoch& b) {
 /// Options of heights that hang on the same benchmarks to 0.2 mm.
 MovementOptions tied() {
   MovementOptions options;
+  options.removal = Removal::Nothing;
   options.registration_error = 0.0002;
   return options;
 }
@@ -106,6 +107,9 @@ TEST(LevellingAgainstScan, WhereTheRodStandsIsNoMovement) {
   }
   EXPECT_EQ(compareEpochs(levelled(), scanned(), tied()).removal, Removal::Nothing);
   EXPECT_EQ(compareEpochs(levelled(), levelled(), {}).removal, Removal::Nothing);
+  MovementOptions none;
+  none.removal = Removal::Nothing;
+  EXPECT_NEAR(compareEpochs(levelled(), scanned(1.0, 0.15), none).max, 0.15, 1e-9) << "as it was asked for";
   EXPECT_FALSE(compareEpochs(scanned(), scanned(), {}).rod_taken_out);
 }
 
@@ -115,11 +119,12 @@ TEST(LevellingAgainstScan, OneLevellingTakesTheMeanOutOfTheWholeCourse) {
   ASSERT_EQ(course.size(), 2U);
   for (const Movement& m : course) EXPECT_EQ(m.removal, Removal::Mean);
   EXPECT_TRUE(course[0].rod_taken_out);
-  EXPECT_FALSE(course[1].rod_taken_out);
+  EXPECT_TRUE(course[1].rod_taken_out);
   EXPECT_NEAR(course[1].rms, 0.0, 1e-9);
   MovementOptions tilt;
   tilt.removal = Removal::Tilt;
   EXPECT_EQ(compareWithFirst({scanned(), levelled()}, tilt).front().removal, Removal::Tilt);
+  EXPECT_FALSE(compareWithFirst({scanned(), levelled()}, tilt).front().rod_taken_out);
   EXPECT_NEAR(compareWithFirst({scanned(), scanned(1.0, -0.004)}, {}).front().max, -0.004, 1e-9);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/units.h"
 #include "support/pcl_clouds.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/pcl/datum_filter.h"
 
 /// Clouds whose foot is not measured in the cloud's own frame: leaning, in other units, or turned upright first.
@@ -127,12 +128,25 @@ TEST(DatumFilterFrames, IndicesMayBeNarrowedInPlace) {
   EXPECT_EQ(*indices, plainEdge(cloud));
 }
 
+TEST(DatumFilterFrames, IndicesInPlaceSurviveARefusal) {
+  const Cloud::Ptr cloud = leaning(0.0);
+  auto indices = std::make_shared<pcl::Indices>(pcl::Indices{1, 2, static_cast<pcl::index_t>(cloud->size())});
+  Filter filter;
+  filter.setOptions(options());
+  filter.setInputCloud(cloud);
+  filter.setIndices(indices);
+  EXPECT_THROW(filter.filter(*indices), Error);
+  EXPECT_EQ(indices->size(), 3U);
+}
+
 TEST(DatumFilterFrames, ACloudThatIsFilledAnewIsSearchedAnew) {
   const Cloud::Ptr cloud = leaning(0.0);
   Filter filter;
   filter.setSearchMethod(std::make_shared<pcl::search::KdTree<pcl::PointNormal>>());
   const pcl::Indices before = edgeOf(filter, cloud, options());
   std::reverse(cloud->begin(), cloud->end());
+  filter.setInputCloud(cloud);
+  filter.setSearchMethod(filter.getSearchMethod());
   pcl::Indices after = edgeOf(filter, cloud, options());
   for (pcl::index_t& i : after) i = static_cast<pcl::index_t>(cloud->size()) - 1 - i;
   std::reverse(after.begin(), after.end());

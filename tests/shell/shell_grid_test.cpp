@@ -126,10 +126,11 @@ TEST(FitShellGrid, TheUndersideOfAWindGirderIsNoShell) {
   EXPECT_EQ(rowsBelowGirder(0.001, 0.002), 5U) << "a shell that is seen in few places there";
 }
 
-/// Whether a degree that lies `off` the shell of a tank of five metres is taken for it, the shell being hidden for so
-/// many degrees before and behind it.
-bool takesForShell(double off, double hidden_before, double hidden_behind) {
-  constexpr std::size_t kStation = 180;
+constexpr std::size_t kThere = 180;
+
+/// The row of a tank of five metres of which a degree lies `off` the shell, which is hidden for so many degrees before
+/// and behind it.
+std::vector<ShellCell> rowWith(double off, double hidden_before, double hidden_behind) {
   constexpr double kSmall = 5.0, kDegree = kTurn / 360.0, kAt = 180.0 * kDegree, kHalf = 0.5 * kDegree;
   MadeShell shell;
   shell.noise = 0.001;
@@ -144,16 +145,27 @@ bool takesForShell(double off, double hidden_before, double hidden_behind) {
   tank.circle.radius = kSmall;
   ShellBands bands(tank, everyMetre());
   bands.gather(0, shell.points());
-  return fitShellGrid(bands, stations(), tank.circle, everyMetre()).cells.front()[kStation].seen();
+  return fitShellGrid(bands, stations(), tank.circle, everyMetre()).cells.front();
 }
 
-TEST(FitShellGrid, AJumpBesideAGapIsTheEdgeOfSomething) {
-  EXPECT_TRUE(takesForShell(0.030, 0.0, 0.0)) << "a peaked weld";
-  EXPECT_FALSE(takesForShell(0.030, 0.0, 5.0));
-  EXPECT_FALSE(takesForShell(0.030, 5.0, 0.0));
-  EXPECT_FALSE(takesForShell(-0.030, 0.0, 5.0));
-  EXPECT_TRUE(takesForShell(0.005, 0.0, 5.0)) << "a shell bends by as much";
-  EXPECT_TRUE(takesForShell(0.030, 5.0, 5.0)) << "nothing beside it says what it is";
+TEST(FitShellGrid, AJumpBesideAGapMayBeTheEdgeOfSomething) {
+  const auto takes = [](double off, double before, double behind) {
+    return rowWith(off, before, behind)[kThere].seen();
+  };
+  EXPECT_TRUE(takes(0.030, 0.0, 0.0)) << "a peaked weld";
+  EXPECT_FALSE(takes(0.030, 0.0, 5.0));
+  EXPECT_FALSE(takes(0.030, 5.0, 0.0));
+  EXPECT_FALSE(takes(-0.030, 0.0, 5.0));
+  EXPECT_TRUE(takes(0.005, 0.0, 5.0)) << "a shell bends by as much";
+  EXPECT_TRUE(takes(0.030, 5.0, 5.0)) << "nothing beside it says what it is";
+}
+
+TEST(FitShellGrid, WhatJumpsIsInDoubtAndJoinsNothing) {
+  const std::vector<ShellCell> row = rowWith(-0.030, 0.0, 5.0);
+  EXPECT_NEAR(row[kThere].doubted, 5.0 - 0.030, 0.008);
+  EXPECT_TRUE(row[kThere - 1].seen());
+  EXPECT_FALSE(row[kThere - 1].runs_on) << "to what is seen behind the gap";
+  EXPECT_TRUE(std::isnan(row[kThere - 1].doubted));
 }
 
 TEST(KeepConnected, AWideThingInFrontOfTheShellIsNotTakenForIt) {

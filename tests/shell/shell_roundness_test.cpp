@@ -38,6 +38,21 @@ TEST(Roundness, OfACircleIsNothing) {
   EXPECT_EQ(verdictOf(r), Verdict::Pass);
 }
 
+TEST(Roundness, WhatMayBeADentIsUndecidedWhatIsFartherOffStandsBeforeIt) {
+  const auto with = [](double off) {
+    std::vector<ShellCell> row = cells([](double) { return kRadius; });
+    row[40] = {};
+    row[40].doubted = kRadius + off;
+    return roundOf(row);
+  };
+  EXPECT_NEAR(with(-0.080).doubted, 0.080, 1e-9);
+  EXPECT_NEAR(with(-0.080).largest(), 0.0, 1e-9);
+  EXPECT_EQ(verdictOf(with(-0.080)), Verdict::Undecided);
+  EXPECT_EQ(verdictOf(with(0.090)), Verdict::Undecided);
+  EXPECT_EQ(verdictOf(with(0.110)), Verdict::Pass);
+  EXPECT_EQ(verdictOf(with(0.010)), Verdict::Pass);
+}
+
 TEST(Roundness, AShiftedCircleIsRound) {
   const Eigen::Vector2d shift(0.06, -0.03);
   const auto radius = [&](double a) {

@@ -53,16 +53,17 @@ Epoch epochOf(const Datum& datum, Method method, const std::string& name);
 
 /// What is taken from the differences before they are judged.
 enum class Removal {
+  Auto,     ///< nothing; between a levelling and a scan the mean, since a rod stands elsewhere than a scan's datum
   Nothing,  ///< both surveys hang on the same benchmarks
   Mean,     ///< the common height: settlement of the whole is not seen
   Tilt,     ///< height and tilt: neither is seen, whatever the scanners' levels
 };
 
-/// The names used at the command line and in files: "none", "mean", "tilt".
+/// The names used at the command line and in files: "auto", "none", "mean", "tilt".
 const char* nameOf(Removal removal);
 
 struct MovementOptions {
-  Removal removal = Removal::Nothing;
+  Removal removal = Removal::Auto;
   double registration_error = 0.0;  ///< 1 sigma of a height common to all stations, left after the removal [m]
   double registration_tilt = 0.0;   ///< 1 sigma of a tilt about either level axis, left after it [rad]
   double azimuth_offset = 0.0;      ///< of the current survey's frame: added to its directions [rad]
@@ -96,7 +97,7 @@ struct Movement {
   double registration_tilt = 0.0;     ///< as given [rad]
   double azimuth_offset = 0.0;        ///< as given or estimated [rad]
   double sigma_azimuth_offset = 0.0;  ///< its standard error; 0 when given [rad]
-  bool rod_taken_out = false;         ///< one is a levelling: the mean holds the height that its rod stands at
+  bool rod_taken_out = false;         ///< with the mean, as of the surveys some are levellings (Removal::Auto)
   bool fits_turned = false;           ///< moved, but not if the later survey counts its azimuths from elsewhere
   double centre_apart = kUnknown;     ///< of the two tanks' centres in a frame that both surveys share [m]
   double errors_shown = 1.0;          ///< scatter of the differences over the given sigmas
@@ -134,7 +135,7 @@ struct Movement {
 /// at most 2 degrees apart; stations without such neighbours, or without a standard error, are not compared. Of a
 /// levelling neither centre nor foundation surface is known, so they are not compared either: its azimuths are taken
 /// about the tank's centre, and its heights differ from a scan's by a constant, since the rod stands on chime or bottom
-/// projection. That is taken out of a levelling and a scan (Removal::Mean), unless an error of registration is given.
+/// projection (Removal::Auto).
 /// @throws Error (Option) a refused option; surveys of different tanks, units, methods or foundation surfaces; a survey
 ///         without any standard error
 Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options);

@@ -45,10 +45,13 @@ class DatumFilter : public pcl::FilterIndices<PointT> {
   const DatumOptions& getOptions() const { return options_; }
 
   /// Neighbours are asked of this search, not of options.normals.search. It is given the input cloud unless it already
-  /// holds it, whole or by the same indices, and the cloud was set before it; the datum is the same as without it. A
-  /// ring that is thinned (options.crop.search_points) is asked for the more neighbours the thinner it is. Null: the
-  /// chain's own.
-  void setSearchMethod(const SearcherPtr& search) { search_ = search, search_is_old_ = false; }
+  /// holds it, whole or by the same indices; where setInputCloud gives a cloud that the filter's search holds, it is
+  /// given it again. The datum is the same as without it. A ring that is thinned (options.crop.search_points) is asked
+  /// for the more neighbours the thinner it is. Null: the chain's own.
+  void setSearchMethod(const SearcherPtr& search) {
+    if (search != search_) search_is_old_ = false;
+    search_ = search;
+  }
   SearcherPtr getSearchMethod() const { return search_; }
 
   /// Whether the cloud's own normals are used, where finite and not zero, instead of estimated ones.

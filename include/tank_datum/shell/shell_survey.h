@@ -47,6 +47,7 @@ struct Roundness {
   double sigma = kUnknown;          ///< its standard error [m]
   double rise = 0.0;                ///< of it, by which it is more than at the places that were looked at [m]
   double may_rise = 0.0;            ///< by which it may be still more, if it is as narrow as these allow [m]
+  double doubted = 0.0;             ///< the largest of what may be the shell or something before it [m]
   std::size_t stations = 0;         ///< at which the shell is seen at this height
   double widest_gap = kUnknown;     ///< arc between two of them [m]
 

@@ -134,10 +134,10 @@ def extract_datum(
     setups: Sequence[str] = ...,
     # datum.json of an earlier survey: movement since then
     baseline: Datum | _Path | None = None,
-    # what is taken from the movement: nothing, the mean, mean and tilt; between
-    # levelling and scan the mean, since the rod does not stand where the scan's
-    # datum is
-    remove: Literal["none", "mean", "tilt"] = "none",
+    # what is taken from the movement: nothing, the mean, mean and tilt; auto:
+    # nothing, but between levelling and scan the mean, since the rod does not stand
+    # where the scan's datum is
+    remove: Literal["auto", "none", "mean", "tilt"] = "auto",
     # 1 sigma of the height left between the surveys [m] (0 to 1000 m)
     registration_error: float = 0.0,
     # 1 sigma of the tilt left between them, about either level axis (0 to 324000

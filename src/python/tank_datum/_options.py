@@ -21,7 +21,7 @@ class MovementOptions(TypedDict, total=False):
     """Those of compare."""
 
     # options of a comparison
-    remove: Literal["none", "mean", "tilt"]
+    remove: Literal["auto", "none", "mean", "tilt"]
     registration_error: float
     registration_tilt_arcsec: float
     azimuth_offset_deg: float

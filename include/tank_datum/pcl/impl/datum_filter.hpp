@@ -53,7 +53,7 @@ void DatumFilter<PointT>::applyFilter(pcl::Indices& indices) {
   try {
     runOn(selected(), is_edge);
   } catch (...) {
-    indices.clear();
+    if (&indices != indices_.get()) indices.clear();  // the input's own are not lost
     throw;
   }
   for (const pcl::index_t i : *indices_) {
