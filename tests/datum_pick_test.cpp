@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "sighting.h"
 #include "support/made_clouds.h"
@@ -30,6 +32,28 @@ TEST(ExtractDatum, OfATankThatIsNotThereKeepsOriginAndCounts) {
   EXPECT_EQ(datum.message, "only 1 found, no tank 5 to pick");
   EXPECT_EQ(datum.origin, scan.origin());
   EXPECT_EQ(datum.counts.points, scan.size());
+}
+
+/// Two of the made tank, 40 m apart, that lean by so much.
+Points twoTanks(double first_degrees, double second_degrees) {
+  Points points;
+  for (const auto& [at, degrees] : {std::pair{0.0, first_degrees}, std::pair{40.0, second_degrees}}) {
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(degrees * kTurn / 360.0, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    for (const Eigen::Vector3d& p : tankPoints()) points.push_back(turn * p + Eigen::Vector3d(at, 0.0, 0.0));
+  }
+  return points;
+}
+
+TEST(ExtractDatum, ATankThatIsTurnedUprightIsTheOnePicked) {
+  const Scan scan = Scan::fromPoints(twoTanks(1.0, 0.5));  // turned, the second one is found first
+  DatumOptions options;
+  options.pick = 2;
+  const Datum leaning = extractDatum(scan, options);
+  options.level = true;
+  const Datum upright = extractDatum(scan, options);
+  const Eigen::Vector2d there = leaning.tank.circle.center + leaning.origin.head<2>();
+  EXPECT_NEAR((upright.tank.circle.center + upright.origin.head<2>() - there).norm(), 0.0, 0.1);
 }
 
 TEST(ExtractDatum, OfNoTankIsThatOfAScanWithoutOne) {
