@@ -99,7 +99,7 @@ def test_comparison_is_the_commands(datum: Any, tmp_path: Path) -> None:
     [
         (1, {}, "epochs, .*, expected two surveys or more"),
         (2, {"dates": ["2024-05-31"]}, "dates, 1, expected one for each of the 2"),
-        (2, {"remove": "all"}, "remove, all, expected none, mean or tilt"),
+        (2, {"remove": "all"}, "remove, all, expected auto, none, mean or tilt"),
     ],
 )
 def test_refused_comparisons(datum: Any, surveys: int, options: dict[str, Any], said: str) -> None:
