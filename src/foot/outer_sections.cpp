@@ -195,7 +195,7 @@ Depth SectionSeen::depth(double least) const {
   double clearest = std::max(kStands, depth.value > 0.0 ? all.standOut(narrowest_->usual.falls) : 0.0);
   for (std::size_t b = std::min(own.size(), shown_->usual.end); b-- > 0;) {
     part.add(b);
-    const double falls = shown_->usual.falls > 0.0 ? fallsBefore(b, own, shown_->usual) : 0.0;
+    const double falls = fallsBefore(b, own, shown_->usual);
     if (!part.tell() || part.standOut(falls) <= clearest || part.mean(falls) <= least) continue;
     clearest = part.standOut(falls);
     depth = {part.mean(falls), static_cast<double>(b) / static_cast<double>(own.size()), true};

@@ -9,8 +9,7 @@ std::vector<Option> movementOptionsOf(MovementOptions& movement) {
   t.add("remove", "movement.remove",
         option_rows::choiceOf(movement.removal, {Removal::Auto, Removal::Nothing, Removal::Mean, Removal::Tilt}),
         "what is taken from the movement: nothing, the mean, mean and tilt; auto: nothing, but between levelling and "
-        "scan "
-        "the mean, since the rod does not stand where the scan's datum is");
+        "scan the mean, since the rod does not stand where the scan's datum is");
   t.add("registration_error", "movement.registration_error", &movement.registration_error,
         "1 sigma of the height left between the surveys")
       .in(Unit::Metres)

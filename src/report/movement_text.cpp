@@ -1,8 +1,6 @@
 #include "report/movement_text.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "core/azimuth.h"
 #include "core/plain_text.h"

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <utility>
 
+#include "core/azimuth.h"
 #include "core/clauses.h"
 #include "core/normal95.h"
 #include "core/plain_text.h"
@@ -46,11 +47,7 @@ double widestArcWithout(const std::vector<Plumbness>& plumbness, double height, 
   for (const Plumbness& p : plumbness) {
     if (isSeenToTop(p, height)) directions.push_back(p.direction);
   }
-  if (directions.empty()) return kTwoPi * radius;
-  std::sort(directions.begin(), directions.end());
-  double widest = directions.front() + kTwoPi - directions.back();
-  for (std::size_t i = 1; i < directions.size(); ++i) widest = std::max(widest, directions[i] - directions[i - 1]);
-  return widest * radius;
+  return widestArc(std::move(directions)) * radius;
 }
 
 /// Its own height where that is not said: the most that is seen of it [m].
