@@ -129,6 +129,7 @@ ShellLine fitShellLine(const PolarRing& ring, const ShellOutline& outline, const
   std::vector<ShellRow> seen;
   ring.around(window.azimuth, window.half_width, [&](const PolarPoint& p, double turn) {
     const double h = p.z - window.foot;
+    if (turn < -window.back || turn > window.on) return;
     if (h >= window.heights.from && h <= window.heights.to &&
         std::abs(p.radius - outline.at(p.azimuth)) < kOnShell * outline.noise) {
       seen.push_back({turn * start, turn * start, h, p.radius});

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/units.h"
 #include "foot/polar_ring.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/locate/tank.h"
@@ -70,6 +71,7 @@ struct ShellWindow {
   double half_width;  ///< [rad]
   double foot;        ///< elevation of the foot here [m]
   ShellHeights heights;
+  double back = kPi, on = kPi;  ///< no farther than this clockwise and counter-clockwise [rad]
 };
 
 /// A robust local fit of the shell in a window.

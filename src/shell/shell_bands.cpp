@@ -29,7 +29,8 @@ std::vector<double> heightsOf(const ShellOptions& options) {
 }  // namespace
 
 ShellBands::ShellBands(const Tank& tank, const ShellOptions& options, std::uint64_t points)
-    : foot_(tank.circle.center.x(), tank.circle.center.y(), tank.foot.coefficients[0]),
+    : side_(tank.side),
+      foot_(tank.circle.center.x(), tank.circle.center.y(), tank.foot.coefficients[0]),
       slope_(tank.foot.coefficients[1] / tank.circle.radius, tank.foot.coefficients[2] / tank.circle.radius),
       radius_(tank.circle.radius),
       reach_(reachOf(tank, options.reach) + 2.0 * tank.resolution),

@@ -28,6 +28,7 @@ class ShellBands {
 
   /// Above the datum, also those that nothing was seen at [m].
   const std::vector<double>& heights() const { return heights_; }
+  Side side() const { return side_; }
   /// What was kept of one of them, relative to the scan's origin.
   Points points(std::size_t height) const;
 
@@ -67,6 +68,7 @@ class ShellBands {
   bool wants(std::size_t band, const Place& place) const;
   void put(Cell& cell, const Kept& kept) const;
 
+  Side side_;
   Eigen::Vector3d foot_;              ///< centre [m]
   Eigen::Vector2d slope_;             ///< of the foot [m/m]
   double inner_ = 0.0, outer_ = 0.0;  ///< squared distances from the centre beyond which there is no shell [m2]

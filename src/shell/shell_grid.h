@@ -4,24 +4,12 @@
 #include <vector>
 
 #include "shell/shell_bands.h"
-#include "tank_datum/core/unknown.h"
+#include "shell/shell_row.h"
 #include "tank_datum/fit/curves.h"
 #include "tank_datum/shell/shell_survey.h"
 #include "tank_datum/stations/stations.h"
 
 namespace tank_datum {
-
-/// The shell at one height of one station, about the datum's centre.
-struct ShellCell {
-  double radius = kUnknown;   ///< [m]
-  double sigma = kUnknown;    ///< its standard error [m]
-  double shared = 1.0;        ///< the arc its points come from, in stations; the neighbours share what is beyond one
-  std::size_t points = 0;     ///< 0 when the shell is not seen here
-  bool runs_on = false;       ///< traced to the next station that is seen
-  double doubted = kUnknown;  ///< radius of what was not taken for the shell, though it may be it [m]
-
-  bool seen() const { return points > 0; }
-};
 
 /// One cell per height and station.
 struct ShellGrid {

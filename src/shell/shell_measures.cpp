@@ -38,14 +38,22 @@ Measure radiusMeasure(const Roundness& r) {
   return measure;
 }
 
-/// Whether the shell of a tank so high is seen here up to nearly its top.
-bool isSeenToTop(const Plumbness& p, double height) { return p.top >= kNearlyAll * height; }
+/// What the shell of a tank is looked at over [m].
+struct ShellSpan {
+  double from, height;  ///< the lowest height that is seen, and the tank's own
+};
+
+/// Whether the shell is seen here from nearly its foot up to nearly its top: the offset of a place in a dent from one
+/// above or below it is not the shell's.
+bool isSeenWhole(const Plumbness& p, const ShellSpan& span) {
+  return p.top >= kNearlyAll * span.height && p.height >= kNearlyAll * (p.top - span.from);
+}
 
 /// The widest arc in which the shell is nowhere seen over nearly all of its height [m].
-double widestArcWithout(const std::vector<Plumbness>& plumbness, double height, double radius) {
+double widestArcWithout(const std::vector<Plumbness>& plumbness, const ShellSpan& span, double radius) {
   std::vector<double> directions;
   for (const Plumbness& p : plumbness) {
-    if (isSeenToTop(p, height)) directions.push_back(p.direction);
+    if (isSeenWhole(p, span)) directions.push_back(p.direction);
   }
   return widestArc(std::move(directions)) * radius;
 }
@@ -56,6 +64,12 @@ double heightOf(const std::vector<Plumbness>& plumbness, const TankFacts& facts)
   double height = 0.0;
   for (const Plumbness& p : plumbness) height = std::max(height, p.top);
   return height;
+}
+
+ShellSpan spanOf(const std::vector<Plumbness>& plumbness, const TankFacts& facts) {
+  double from = kUnknown;
+  for (const Plumbness& p : plumbness) from = std::fmin(from, p.top - p.height);
+  return {from, heightOf(plumbness, facts)};
 }
 
 /// Up to which height the shell is seen all round [m], at heights no farther apart than a course of plates is high.
@@ -87,19 +101,19 @@ Measure radiusAbove(const ShellSurvey& survey, const Roundness& worst, double he
 /// What the largest offset between foot and top may be: as much more than what was seen as the shell goes on above it,
 /// at the worst place and wherever nearly all was seen. Where much of it was not seen, a bulge may end there, and
 /// surely is only what the whole tank leans by.
-Interval95 plumbnessInterval(const ShellSurvey& survey, const Plumbness& worst, double height) {
+Interval95 plumbnessInterval(const ShellSurvey& survey, const Plumbness& worst, const ShellSpan& span) {
   const auto half = [](const Plumbness& p) { return kNormal95 * p.sigma; };
   const auto may_be = [&](const Plumbness& p) {
-    return (std::abs(p.offset) + half(p)) * std::max(1.0, height / p.height);
+    return (std::abs(p.offset) + half(p)) * std::max(1.0, span.height / p.height);
   };
   double high = may_be(worst);
   for (const Plumbness& p : survey.plumbness) {
-    if (isSeenToTop(p, height)) high = std::max(high, may_be(p));
+    if (isSeenWhole(p, span)) high = std::max(high, may_be(p));
   }
   const Lean& lean = survey.lean;
   const double leans = lean.valid() ? worst.height * (lean.slope() - kNormal95 * lean.sigma) : 0.0;
   const double low = std::abs(worst.offset) - half(worst);
-  return {std::max(0.0, isSeenToTop(worst, height) ? low : std::min(low, leans)), high};
+  return {std::max(0.0, isSeenWhole(worst, span) ? low : std::min(low, leans)), high};
 }
 
 }  // namespace
@@ -107,16 +121,16 @@ Interval95 plumbnessInterval(const ShellSurvey& survey, const Plumbness& worst, 
 std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& facts, double radius) {
   std::vector<Measure> measures;
   if (const Roundness* foot = survey.foot()) measures.push_back(radiusMeasure(*foot));
-  const double height = heightOf(survey.plumbness, facts);
-  if (const Roundness* above = survey.worstAbove()) measures.push_back(radiusAbove(survey, *above, height));
+  const ShellSpan span = spanOf(survey.plumbness, facts);
+  if (const Roundness* above = survey.worstAbove()) measures.push_back(radiusAbove(survey, *above, span.height));
   if (const Plumbness* plumb = survey.worstPlumbness()) {
     Measure measure;
     measure.quantity = "plumbness";
     measure.worst = {std::abs(plumb->offset), plumb->sigma, plumb->azimuth};
-    measure.interval = plumbnessInterval(survey, *plumb, height);
+    measure.interval = plumbnessInterval(survey, *plumb, span);
     measure.note = formatted("over %.1f m of height", plumb->height);
     measure.whole_ring =
-        isSeenToTop(*plumb, height) && widestArcWithout(survey.plumbness, height, radius) <= kSurveySpacing;
+        isSeenWhole(*plumb, span) && widestArcWithout(survey.plumbness, span, radius) <= kSurveySpacing;
     measures.push_back(measure);
   }
   return measures;

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "foot/polar_ring.h"
-#include "shell/shell_grid.h"
+#include "shell/shell_row.h"
 
 namespace tank_datum {
 
@@ -20,9 +19,13 @@ struct ShellArc {
   ShellCell first, last;  ///< the shell at its ends
 };
 
-/// The shell at the stations between the arc's ends, steps - 1 of them, traced from column to column of its points;
-/// nothing where it cannot be: a dent or a peaked weld runs on, what stands before the shell begins and ends with a
-/// jump.
-std::optional<std::vector<ShellCell>> traceShell(const PolarRing& ring, const ShellArc& arc);
+/// What the shell does between the arc's ends.
+struct ShellTrace {
+  bool runs_on = false;             ///< traced from column to column of its points, as over a dent or a peaked weld
+  std::vector<ShellCell> stations;  ///< between the ends, steps - 1 of them, where it runs on
+  double stepped = 0.0;  ///< by how much the radius is seen to step, as at the edges of what stands before it [m]
+};
+
+ShellTrace traceShell(const PolarRing& ring, const ShellArc& arc);
 
 }  // namespace tank_datum

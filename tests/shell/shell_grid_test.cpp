@@ -169,11 +169,11 @@ TEST(FitShellGrid, WhatJumpsIsInDoubtAndJoinsNothing) {
 }
 
 TEST(KeepConnected, AWideThingInFrontOfTheShellIsNotTakenForIt) {
-  const MadeShell shell = behind(0.15, 1.0, 1.5);
+  const MadeShell shell = behind(0.15, 1.0, 2.0);  // wider than an object
   ShellGrid grid = gridOf(shell.points());
   EXPECT_GT(seenIn(grid.cells[1]), 350U);  // it looks like a shell
   keepConnected(grid);
-  const std::size_t hidden = static_cast<std::size_t>(0.5 / kTurn * 360);
+  const std::size_t hidden = static_cast<std::size_t>(1.0 / kTurn * 360);
   EXPECT_NEAR(static_cast<double>(seenIn(grid.cells[1])), static_cast<double>(360 - hidden), 6.0);
   for (std::size_t i = 0; i < 360; ++i) {
     const double truth = kRadius + 0.02 * std::cos(3 * kTurn * static_cast<double>(i) / 360);

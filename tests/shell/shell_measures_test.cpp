@@ -35,7 +35,7 @@ constexpr double kRadius = 20.0;
 /// Whether plumbness is of the whole ring where so many degrees are seen over no more than so much of 8 m.
 bool isWhole(std::size_t degrees, double seen, double tank_height = kUnknown) {
   ShellSurvey shell = survey();
-  for (std::size_t i = 0; i < degrees; ++i) shell.plumbness[100 + i].top = seen;
+  for (std::size_t i = 0; i < degrees; ++i) shell.plumbness[100 + i].top = seen, shell.plumbness[100 + i].height = seen - 0.3;
   TankFacts facts;
   facts.height = tank_height;
   return shellMeasures(shell, facts, kRadius)[2].whole_ring;
@@ -147,6 +147,16 @@ TEST(ShellMeasures, AnArcAsWideAsSurveyPointsAreApartLeavesPlumbnessOpen) {  // 
   EXPECT_FALSE(isWhole(17, 7.1));
   EXPECT_FALSE(isWhole(17, 7.3, 8.5)) << "of the height that is said";
   EXPECT_TRUE(isWhole(17, 7.7, 8.5));
+}
+
+TEST(ShellMeasures, FromADentUpToTheTopIsNotTheShellsPlumbness) {
+  ShellSurvey shell = survey();
+  shell.plumbness[7].offset = 0.09;
+  const auto low = [&] { return shellMeasures(shell, {}, kRadius)[2].interval.low; };
+  shell.plumbness[7].height = 7.0;  // of 7.7
+  EXPECT_NEAR(low(), 0.09 - 1.96 * 0.001, 1e-5);
+  shell.plumbness[7].height = 6.8;
+  EXPECT_EQ(low(), 0.0);
 }
 
 TEST(ShellMeasures, PlumbnessInOnePlaceIsNotOfTheRing) {
