@@ -11,6 +11,7 @@
 #include "datum_status.h"
 #include "foot_frame.h"
 #include "foot_stages.h"
+#include "limits/survey_spacing.h"
 #include "locate/crop.h"
 #include "locate/foot_unit.h"
 #include "locate/locate.h"
@@ -93,12 +94,14 @@ Datum describeFoot(Datum datum, FootResult foot, const Ring& ring, const ShellEv
 
 /// What the shape of the stations and of the shell means, beside the limits of the codes.
 Datum withChecks(Datum datum, const DatumOptions& options) {
+  const double sigma_radius = std::isfinite(datum.refined.sigma_radius) ? datum.refined.sigma_radius : 0.0;
   datum.analysis = analyse({datum.stations, datum.tilt, datum.circle.radius,
-                            shellMeasures(datum.shell, options.analysis.facts, datum.circle.radius), datum.covariance},
+                            shellMeasures(datum.shell, options.analysis.facts, datum.circle.radius), datum.covariance,
+                            kSurveySpacing, sigma_radius},
                            options.analysis);
   datum.stations = withParts(std::move(datum.stations), datum.analysis.out_of_plane.stations);
-  datum.analysis.roundness =
-      compareRoundness(datum.shell, options.analysis.limits, options.analysis.facts, 2.0 * datum.circle.radius);
+  datum.analysis.roundness = compareRoundness(datum.shell, options.analysis.limits, options.analysis.facts,
+                                              {2.0 * datum.circle.radius, 2.0 * sigma_radius});
   datum.asked_height = options.analysis.facts.height;
   if (const std::string text = ringwallText(datum.tank); !text.empty()) datum.analysis.notes.push_back(text);
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);

@@ -12,6 +12,7 @@
 #include "datum_status.h"
 #include "io/csv.h"
 #include "io/whole_file.h"
+#include "limits/survey_spacing.h"
 #include "shape/analysis.h"
 #include "shape/deformation.h"
 #include "shape/out_of_plane.h"
@@ -148,7 +149,10 @@ Datum datumOfLevelling(std::vector<Station> stations, double diameter, const Dat
                   "stations round the tank, in degrees (radians need a factor of 57.2958)");
   }
   datum = finishDatum(std::move(datum), options);
-  datum.analysis = analyse({datum.stations, datum.tilt, datum.circle.radius, {}, datum.covariance}, options.analysis);
+  const double spacing = kTwoPi * datum.circle.radius / static_cast<double>(datum.stations.size());
+  datum.analysis =
+      analyse({datum.stations, datum.tilt, datum.circle.radius, {}, datum.covariance, widestLevelledGap(spacing)},
+              options.analysis);
   datum.stations = withParts(std::move(datum.stations), datum.analysis.out_of_plane.stations);
   for (const std::string& warning : warningsOf(datum)) datum.analysis.notes.push_back("Warning: " + warning);
   return datum;

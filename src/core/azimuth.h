@@ -13,6 +13,9 @@ namespace tank_datum {
 /// An angle as one from 0 to a full turn, to which a tiny negative one rounds [rad].
 inline double withinTurn(double angle) { return angle - kTwoPi * std::floor(angle / kTwoPi); }
 
+/// An azimuth in whole degrees, 0 to 359.
+inline double wholeDegrees(double azimuth) { return std::fmod(std::round(toDegrees(azimuth)), 360.0); }
+
 /// The azimuth of a direction (x, y), counter-clockwise from x: 0 or more, and less than a full turn, to which that of
 /// a tiny negative y rounds [rad].
 inline double azimuthOfArm(double x, double y) {

@@ -150,31 +150,54 @@ Check judged(Check check, const Limit& limit, const Measure& measure, const Tank
   return check;
 }
 
-Check checkOf(const LimitTable& table, const std::vector<Measure>& measures, const TankFacts& facts, double diameter) {
+/// Of checks by the limits of classes one of which is the tank's, that by the strictest; undecided where they do not
+/// agree.
+/// @param classes  as many as checks, or more: some have no limit
+Check strictestOf(const std::vector<Check>& checks, std::size_t classes) {
+  Check check =
+      *std::min_element(checks.begin(), checks.end(), [](const Check& a, const Check& b) { return a.limit < b.limit; });
+  if (classes == 1) return check;
+  addClause(check.note, "the diameter may be of either of two classes: by the stricter limit");
+  const auto all = [&](Verdict verdict) {
+    return std::all_of(checks.begin(), checks.end(), [&](const Check& c) { return c.verdict == verdict; });
+  };
+  const bool fails = all(Verdict::Fail) && checks.size() == classes;
+  if (!fails && !all(Verdict::Pass) && check.role == "judged") check.verdict = Verdict::Undecided;
+  return check;
+}
+
+Check checkOf(const LimitTable& table, const std::vector<Measure>& measures, const TankFacts& facts,
+              const Diameter& diameter) {
   const Limit& first = *table.front();
-  Check check = namedAs(first);
+  const Check named = namedAs(first);
   std::vector<const Measure*> candidates;
   for (const Measure& m : measures) {
     if (m.quantity == first.quantity) candidates.push_back(&m);
   }
-  const Limit* limit = rowFor(table, facts, diameter, check.note);
-  if (candidates.empty()) {
-    check.note = "the survey does not hold it";
-    check.verdict = Verdict::NotEvaluated;
-    return standing(check, first, facts);
+  const auto without = [&](Check check, const std::string& why, Verdict verdict) {
+    check.note = why;
+    check.verdict = verdict;
+    return standing(std::move(check), first, facts);
+  };
+  if (candidates.empty()) return without(named, "the survey does not hold it", Verdict::NotEvaluated);
+  std::string reason;
+  std::vector<const Limit*> rows = rowsFor(table, facts, diameter, reason);
+  const std::size_t classes = rows.size();
+  rows.erase(std::remove(rows.begin(), rows.end(), nullptr), rows.end());
+  const Measure& measure = worstOf(candidates, rows.empty() ? first : *rows.front(), facts, diameter.value);
+  Check figure = named;
+  takeFigure(measure, figure);
+  if (!measure.unavailable.empty()) return without(figure, measure.unavailable, Verdict::NotApplicable);
+  if (rows.empty()) {
+    return without(figure, reason, reason == kNoLimit ? Verdict::NotApplicable : Verdict::NotEvaluated);
   }
-  const Measure& measure = worstOf(candidates, limit ? *limit : first, facts, diameter);
-  takeFigure(measure, check);
-  if (!measure.unavailable.empty()) {
-    check.note = measure.unavailable;
-    return standing(check, first, facts);
+  std::vector<Check> checks;
+  for (const Limit* limit : rows) {
+    Check check = figure;
+    takeLimit(*limit, measure, facts, diameter.value, check);
+    checks.push_back(judged(std::move(check), *limit, measure, facts));
   }
-  if (!limit) {
-    check.verdict = check.note == kNoLimit ? Verdict::NotApplicable : Verdict::NotEvaluated;
-    return standing(check, first, facts);
-  }
-  takeLimit(*limit, measure, facts, diameter, check);
-  return judged(std::move(check), *limit, measure, facts);
+  return strictestOf(checks, classes);
 }
 
 }  // namespace
@@ -184,24 +207,25 @@ const char* nameOf(Service service) {
 }
 
 std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
-                         double diameter) {
+                         const Diameter& diameter) {
   std::vector<Check> checks;
   for (const LimitTable& table : tablesOf(limits)) checks.push_back(checkOf(table, measures, facts, diameter));
   return checks;
 }
 
 LimitComparison compare(const std::vector<Limit>& limits, const Measure& measure, const TankFacts& facts,
-                        double diameter) {
+                        const Diameter& diameter) {
+  LimitComparison other;
   for (const LimitTable& table : tablesOf(limits)) {
-    std::string reason;
-    const Limit* limit = table.front()->quantity == measure.quantity ? rowFor(table, facts, diameter, reason) : nullptr;
-    if (!limit) continue;
-    const double at = limitAt(*limit, measure, facts, diameter);
-    const bool is_other = !limit->service.empty() && limit->service != nameOf(facts.service);
-    return {at, verdictOf(measure.worst.value, intervalOf(measure), at, measure.whole_ring),
-            is_other ? limit->service : ""};
+    if (table.front()->quantity != measure.quantity) continue;
+    const Check check = checkOf(table, {measure}, facts, diameter);
+    if (!std::isfinite(check.limit)) continue;
+    if (check.role == "judged") return {check.limit, check.verdict, ""};
+    if (check.role == "for comparison" && !std::isfinite(other.limit)) {
+      other = {check.limit, check.verdict, table.front()->service};
+    }
   }
-  return {};
+  return other;
 }
 
 }  // namespace tank_datum

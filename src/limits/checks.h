@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "limits/limit_tables.h"
 #include "tank_datum/limits/limits.h"
 
 namespace tank_datum {
@@ -10,13 +11,15 @@ namespace tank_datum {
 /// Every limit beside the figure it is for; rows of a table (one code, clause and name) make one check.
 /// A failure needs the whole 95 % interval beyond the limit; a pass value and interval within it, and that no gap hides
 /// a part of the ring.
-/// @param diameter  of the tank [m]
+/// Where the diameter's error leaves open which of two rows is for the tank, the stricter is shown, and a verdict that
+/// is not that of both is undecided.
 std::vector<Check> judge(const std::vector<Limit>& limits, const std::vector<Measure>& measures, const TankFacts& facts,
-                         double diameter);
+                         const Diameter& diameter);
 
-/// A figure beside the first limit for its quantity and such a tank.
+/// A figure beside the first limit for its quantity and such a tank, of a rule for tanks of its service if there is
+/// one. That of another service judges nothing.
 LimitComparison compare(const std::vector<Limit>& limits, const Measure& measure, const TankFacts& facts,
-                        double diameter);
+                        const Diameter& diameter);
 
 /// What of a ring was measured.
 struct RingSurveyed {

@@ -18,6 +18,9 @@ std::vector<LimitTable> tablesOf(const std::vector<Limit>& limits) {
   return tables;
 }
 
+namespace {
+
+/// The row for a tank of this diameter [m], or why there is none.
 const Limit* rowFor(const LimitTable& table, const TankFacts& facts, double diameter, std::string& reason) {
   bool roof_needed = false, foundation_needed = false;
   for (const Limit* limit : table) {
@@ -33,6 +36,19 @@ const Limit* rowFor(const LimitTable& table, const TankFacts& facts, double diam
     addClause(reason, "the kind of foundation is not given (option foundation: ringwall or earth)");
   if (reason.empty()) reason = kNoLimit;
   return nullptr;
+}
+
+}  // namespace
+
+std::vector<const Limit*> rowsFor(const LimitTable& table, const TankFacts& facts, const Diameter& diameter,
+                                  std::string& reason) {
+  std::vector<const Limit*> rows = {rowFor(table, facts, diameter.value, reason)};
+  for (const double other : {diameter.least(), diameter.most()}) {
+    std::string why;
+    const Limit* row = rowFor(table, facts, other, why);
+    if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+  }
+  return rows;
 }
 
 }  // namespace tank_datum

@@ -10,4 +10,8 @@ constexpr double kSurveySpacing = 6.096;
 /// than usual.
 constexpr double kWidestSpacing = 9.7536;
 
+/// The widest gap between points that people chose, so far apart as a rule [m]. What lies between the stations of a
+/// scan is in the scan: their gap is kSurveySpacing.
+inline double widestLevelledGap(double spacing) { return spacing > kSurveySpacing ? kWidestSpacing : kSurveySpacing; }
+
 }  // namespace tank_datum

@@ -32,7 +32,7 @@ std::vector<double> sharedDirections(const Movement& movement) {
   return directions;
 }
 
-std::string degreesText(double angle) { return fixedText(std::fmod(std::round(toDegrees(angle)), 360.0), 0) + " deg"; }
+std::string degreesText(double angle) { return fixedText(wholeDegrees(angle), 0) + " deg"; }
 
 }  // namespace
 

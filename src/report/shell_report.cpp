@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/plain_text.h"
 #include "core/units.h"
 #include "report/summary_line.h"
@@ -19,13 +20,12 @@ std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComp
   std::string tolerance = "no tolerance for it";
   if (at < tolerances.size() && std::isfinite(tolerances[at].limit)) {
     const LimitComparison& it = tolerances[at];
-    const std::string whose = it.service.empty() ? "" : " of " + it.service + " tanks";  // else it judges nothing here
-    tolerance = formatted("tolerance%s %.4g %s: %s", whose.c_str(), display.shortFactor() * it.limit,
-                          display.shortUnit(), nameOf(it.verdict));
+    tolerance = formatted("tolerance %.4g %s", display.shortFactor() * it.limit, display.shortUnit());
+    tolerance += it.service.empty() ? ": " + std::string(nameOf(it.verdict)) : " of " + it.service + " tanks";
   }
   return line("roundness", "%s / %s %s at %s above the datum, worst at %.0f deg (%s)",
               display.signedShort(r->max_deviation).c_str(), display.signedShort(r->min_deviation).c_str(),
-              display.shortUnit(), display.longText(r->height, 2).c_str(), toDegrees(r->azimuth), tolerance.c_str());
+              display.shortUnit(), display.longText(r->height, 2).c_str(), wholeDegrees(r->azimuth), tolerance.c_str());
 }
 
 constexpr double kShownLean = 5e-5;  // [m]: of less, which is 0.0 mm, a direction says nothing
@@ -37,11 +37,11 @@ std::string plumbnessLine(const ShellSurvey& survey, const Display& display) {
   if (survey.lean.valid() && survey.lean.offset() >= kShownLean) {
     lean = formatted("; the tank leans %s +- %s towards %.0f deg", display.shortText(survey.lean.offset()).c_str(),
                      display.shortText(2.0 * survey.lean.height * survey.lean.sigma).c_str(),
-                     toDegrees(survey.lean.direction));
+                     wholeDegrees(survey.lean.direction));
   }
   return line("plumbness", "%s +- %s (2 sigma) over %s of height at %.0f deg%s",
               display.signedShort(worst->offset).c_str(), display.shortText(2.0 * worst->sigma).c_str(),
-              display.longText(worst->height, 1).c_str(), toDegrees(worst->azimuth), lean.c_str());
+              display.longText(worst->height, 1).c_str(), wholeDegrees(worst->azimuth), lean.c_str());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/azimuth.h"
 #include "core/plain_text.h"
 #include "core/portable_math.h"
 #include "core/statistics.h"
@@ -75,7 +76,8 @@ std::string stationsLine(const Datum& datum) {
 /// the rest; where it is not the shell that stands there; where the datum is known to lie lower than the stations
 /// beside a gap say; and where what was refused may be the datum.
 std::string unmeasuredLines(const Datum& datum) {
-  constexpr std::size_t kNamed = 3;  // stations of an arc; of shorter ones there are many beside a foot
+  constexpr double kNamed = 3.0 / 360.0;  // of a turn; of shorter arcs there are many beside a foot
+  const auto named = static_cast<std::size_t>(std::max(1.0, kNamed * static_cast<double>(datum.stations.size())));
   const bool inside = datum.tank.side == Side::Inside;
   const std::string surface = inside ? "floor" : nameOf(datum.refined.profile.surface);
   std::string text;
@@ -84,11 +86,11 @@ std::string unmeasuredLines(const Datum& datum) {
     if (!arcs.empty()) text += line(title, "at %s %s", arcs.c_str(), what.c_str());
   };
   if (datum.refined.valid()) {
-    add("other surface", withReason(datum.stations, Unmeasured::OtherSurface), kNamed,
+    add("other surface", withReason(datum.stations, Unmeasured::OtherSurface), named,
         "something else than the " + surface + " meets the shell, " + (inside ? "liquid or a coil" : "soil or a kerb") +
             ": not measured");
   }
-  add("another wall", withReason(datum.stations, Unmeasured::OffCircle), kNamed,
+  add("another wall", withReason(datum.stations, Unmeasured::OffCircle), named,
       "what stands there is not the shell, cladding or a pipe: not measured, no part of its shape");
   add("shell below", withReason(datum.stations, Unmeasured::ShellBelow), 1,
       "the shell is seen below the level of the stations beside: the datum lies lower there");
@@ -124,14 +126,14 @@ std::string outOfPlaneText(const Datum& datum, const Display& display) {
                                       [&](const Station& a, const Station& b) { return apart(a) < apart(b); });
   const bool is_down = place != datum.stations.end() && place->u < 0.0;
   return "; out of plane at most " + display.signedShort(is_down ? -rest.max_u : rest.max_u) + " " +
-         display.shortUnit() + " at " + fixedText(toDegrees(rest.max_u_azimuth), 0) + " deg";
+         display.shortUnit() + " at " + fixedText(wholeDegrees(rest.max_u_azimuth), 0) + " deg";
 }
 
 /// Towards where, of a tilt that stands out of its errors.
 std::string sidesText(const Tilt& tilt) {
   constexpr double kShown = 0.05 / 3600.0 * kDegree;  // of less, which is 0.0 arc-seconds, a side says nothing
   if (tilt.slope() < kShown || tilt.slope() < 2.0 * tilt.sigma_slope) return ", not significant";
-  const double high = std::fmod(std::round(toDegrees(tilt.direction)), 360.0);
+  const double high = wholeDegrees(tilt.direction);
   return formatted(", high side at %.0f deg, low side at %.0f deg", high, std::fmod(high + 180.0, 360.0));
 }
 
@@ -159,7 +161,7 @@ std::string localLine(std::vector<LocalSettlement> all, const Display& display) 
     char part[100];
     snprintfPlain(part, sizeof part, "%s%s +- %s (2 sigma) at %.0f deg, %.0f deg wide", i > 0 ? "; " : "",
                   display.signedShort(all[i].height).c_str(), display.shortText(2.0 * all[i].sigma).c_str(),
-                  toDegrees(all[i].azimuth), toDegrees(all[i].width));
+                  wholeDegrees(all[i].azimuth), toDegrees(all[i].width));
     text += part;
   }
   if (all.size() > kShown) text += "; " + std::to_string(all.size() - kShown) + " more";
@@ -170,7 +172,7 @@ std::string antipodalLine(const Antipodal& across, const Display& display) {
   if (!std::isfinite(across.max_h)) return {};
   return line("antipodal", "h %s over D %s: %.5f deg, %.1f arc-seconds, high end at %.0f deg",
               display.shortText(across.max_h).c_str(), display.longText(across.diameter).c_str(),
-              toDegrees(across.angle()), toArcSeconds(across.angle()), toDegrees(across.azimuth));
+              toDegrees(across.angle()), toArcSeconds(across.angle()), wholeDegrees(across.azimuth));
 }
 
 std::string movementLine(const Provenance& provenance, const Display& display) {
@@ -203,8 +205,8 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   if (!setups.empty() && setups != "1") text += line("setups", "%s", setups.c_str());
   text += line("datum", "mean %s, range %s: lowest %s at %.0f deg, highest %s at %.0f deg",
                display.longText(level.mean + z, 4).c_str(), display.shortText(level.range()).c_str(),
-               display.longText(level.min + z, 4).c_str(), toDegrees(level.min_azimuth),
-               display.longText(level.max + z, 4).c_str(), toDegrees(level.max_azimuth));
+               display.longText(level.min + z, 4).c_str(), wholeDegrees(level.min_azimuth),
+               display.longText(level.max + z, 4).c_str(), wholeDegrees(level.max_azimuth));
   if (blocks) {
     text += line("elevation", "%s from station 0 round", sparkline(datum.stations, kSparklineColumns).c_str());
   }

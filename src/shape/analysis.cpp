@@ -102,12 +102,6 @@ std::size_t count(const std::vector<Station>& stations, const Predicate& is) {
   return static_cast<std::size_t>(std::count_if(stations.begin(), stations.end(), is));
 }
 
-/// The widest arc without measured elevations round which a rule on the shape can pass [m].
-double widestGap(const std::vector<Station>& stations, double radius) {
-  const double step = kTwoPi * radius / static_cast<double>(stations.size());
-  return step > kSurveySpacing ? kWidestSpacing : kSurveySpacing;
-}
-
 /// A gap of many stations, or few stations too far apart.
 std::string gapNote(const std::vector<Station>& stations, double gap, double widest) {
   constexpr double kRounding = 1e-6;
@@ -121,7 +115,7 @@ std::string gapNote(const std::vector<Station>& stations, double gap, double wid
       gap, widest, widest / kMetresPerFoot);
 }
 
-std::vector<std::string> notesOf(const std::vector<Station>& stations, double radius, const Tilt& tilt,
+std::vector<std::string> notesOf(const std::vector<Station>& stations, const SurveyedRing& ring,
                                  const Analysis& analysis) {
   std::vector<std::string> notes = {
       "Screening for a storage-tank engineer, not a code evaluation. Bottom and edge settlement are not covered.",
@@ -129,16 +123,16 @@ std::vector<std::string> notesOf(const std::vector<Station>& stations, double ra
       "The levels of the instrument limit the tilt: an instrument out of level by some seconds of arc tilts every "
       "elevation alike. Out-of-plane settlement (n >= 2) is untouched by that.",
       "The antipodal inclination is an upper bound of the tilt: one station's error or bump counts in full."};
-  if (tilt.r2 < 0.9) {
+  if (ring.tilt.r2 < 0.9) {
     char text[240];
     snprintfPlain(
         text, sizeof text,
         "The tilt plane explains %.0f %% of the variance of the elevations; API 653 Annex B before 2024 asks for "
         "90 %%: its out-of-plane rule is not valid under that edition.",
-        100.0 * tilt.r2);
+        100.0 * ring.tilt.r2);
     notes.push_back(text);
   }
-  const std::string gap = gapNote(stations, analysis.longest_gap, widestGap(stations, radius));
+  const std::string gap = gapNote(stations, analysis.longest_gap, ring.widest_gap);
   if (!gap.empty()) notes.push_back(gap);
   if (const auto below = count(stations, hasShellBelow); below > 0) {
     char text[200];
@@ -186,15 +180,15 @@ Analysis analyse(const SurveyedRing& ring, const AnalysisOptions& options) {
   figures.addLevels(result);
   result.measures = figures.all();
   addTopOvality(radius, options.facts.height, result);
-  const bool whole = result.longest_gap <= widestGap(stations, radius) + 1e-6 && count(stations, hasShellBelow) == 0;
+  const bool whole = result.longest_gap <= ring.widest_gap + 1e-6 && count(stations, hasShellBelow) == 0;
   for (Measure& m : result.measures) m.whole_ring = whole;
   addTilt(ring.tilt, radius, result.measures);
   result.measures.insert(result.measures.end(), ring.shell.begin(), ring.shell.end());
   addAntipodal(stations, whole, result.measures);
-  result.checks = judge(options.limits, result.measures, options.facts, 2.0 * radius);
+  result.checks = judge(options.limits, result.measures, options.facts, {2.0 * radius, 2.0 * ring.sigma_radius});
   result.headline = headlineOf(result.checks, {surveys.model().dense(), whole && count(stations, isInDoubt) == 0});
   for (Measure& m : result.measures) m.share = nullptr;  // it refers to the simulated surveys
-  result.notes = notesOf(stations, radius, ring.tilt, result);
+  result.notes = notesOf(stations, ring, result);
   const std::string errors = errorsNote(surveys.model());
   if (!errors.empty()) result.notes.push_back(errors);
   return result;

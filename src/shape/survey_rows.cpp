@@ -5,11 +5,10 @@
 #include <functional>
 
 #include "core/units.h"
+#include "limits/survey_spacing.h"
 
 namespace tank_datum {
 namespace {
-
-constexpr double kWidestSpacing = 32.0 * kMetresPerFoot;  ///< the code's own [m]
 
 /// Three neighbouring survey points and the arcs between them [m].
 struct Triple {

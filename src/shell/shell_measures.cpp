@@ -137,7 +137,7 @@ std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& f
 }
 
 std::vector<LimitComparison> compareRoundness(const ShellSurvey& survey, const std::vector<Limit>& limits,
-                                              const TankFacts& facts, double diameter) {
+                                              const TankFacts& facts, const Diameter& diameter) {
   std::vector<LimitComparison> comparisons;
   for (const Roundness& r : survey.roundness) {
     comparisons.push_back(compare(limits, radiusMeasure(r), facts, diameter));

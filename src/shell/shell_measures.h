@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "limits/limit_tables.h"
 #include "tank_datum/limits/limits.h"
 #include "tank_datum/shell/shell_survey.h"
 
@@ -17,6 +18,6 @@ std::vector<Measure> shellMeasures(const ShellSurvey& survey, const TankFacts& f
 /// The radii at each height of the survey beside their tolerance, by the same limits and the same rule as the checks.
 /// @param diameter  of the tank [m]
 std::vector<LimitComparison> compareRoundness(const ShellSurvey& survey, const std::vector<Limit>& limits,
-                                              const TankFacts& facts, double diameter);
+                                              const TankFacts& facts, const Diameter& diameter);
 
 }  // namespace tank_datum

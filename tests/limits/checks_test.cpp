@@ -20,7 +20,7 @@ Measure measure(const char* quantity, double value, double sigma) {
 }
 
 Check one(const std::string& rows, const std::vector<Measure>& measures, const TankFacts& facts = {}, double d = 20) {
-  const auto checks = judge(limits(rows), measures, facts, d);
+  const auto checks = judge(limits(rows), measures, facts, {d});
   EXPECT_EQ(checks.size(), 1U);
   return checks.at(0);
 }
@@ -42,17 +42,18 @@ TEST(Judge, NoSizeIsBelowZero) {
   EXPECT_NEAR(check.interval.high, 0.001 + 1.96 * 0.002, 1e-5);
 }
 
-/// A rule for new tanks judges no old one: whoever shows its verdict says so.
+/// A rule for new tanks judges no old one.
 TEST(Compare, SaysForWhomTheRuleIs) {
   const std::vector<Limit> rule = parseLimits(
       "code,clause,name,quantity,use,formula,at_most,unit,diameter,roof,foundation,trust,citation,service\n"
       "A,1,tilt,tilt_slope,judge,0.01,,m/m,,,,verified,c,new\n",
       "test");
   TankFacts facts;
-  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, 20).service, "new");
-  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, 20).verdict, Verdict::Fail);
+  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, {20.0}).service, "new");
+  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, {20.0}).verdict, Verdict::NotApplicable);
   facts.service = Service::New;
-  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, 20).service, "");
+  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, {20.0}).service, "");
+  EXPECT_EQ(compare(rule, measure("tilt_slope", 0.02, 0.001), facts, {20.0}).verdict, Verdict::Fail);
 }
 
 TEST(Judge, AGapLeavesAPassUndecidedAndAFailAFail) {
@@ -159,12 +160,12 @@ TEST(Judge, ARuleOfAnotherServiceIsShownForComparison) {
   const auto rows = parseLimits(header + "A,1,tilt,tilt_slope,judge,0.01,,m/m,,,,verified,c,new\n", "test");
   TankFacts facts;
   const std::vector<Measure> measures = {measure("tilt_slope", 0.02, 0.001)};
-  const Check compared = judge(rows, measures, facts, 20).at(0);
+  const Check compared = judge(rows, measures, facts, {20.0}).at(0);
   EXPECT_EQ(compared.verdict, Verdict::NotApplicable);
   EXPECT_EQ(compared.role, "for comparison");
   EXPECT_EQ(compared.limit, 0.01);
   facts.service = Service::New;
-  EXPECT_EQ(judge(rows, measures, facts, 20).at(0).verdict, Verdict::Fail);
+  EXPECT_EQ(judge(rows, measures, facts, {20.0}).at(0).verdict, Verdict::Fail);
 }
 
 TEST(Judge, AFigureAboveItsIntervalSaysWhy) {

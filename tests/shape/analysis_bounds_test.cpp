@@ -46,6 +46,16 @@ TEST(Analyse, ASparseLevellingIsWholeUpToTheCodesOwnSpacing) {
   EXPECT_FALSE(whole(21.0, false));
 }
 
+TEST(Analyse, AScanOfSoFewStationsIsNot) {  // what lies between them was measured and is in no figure
+  const auto stations = survey(level(16), 16.0 * 21.0 * kFoot / kTwoPi, 0.001);
+  const Analysis analysis =
+      analyse({stations, fitTilt(stations, {0.0, 0.0}, {}), 16.0 * 21.0 * kFoot / kTwoPi}, AnalysisOptions());
+  EXPECT_TRUE(notes(analysis, "Neighbouring elevations are up to 6.4 m apart: beyond 6.10 m (20 ft)"));
+  EXPECT_EQ(std::count_if(analysis.checks.begin(), analysis.checks.end(),
+                          [](const Check& c) { return c.verdict == Verdict::Pass && c.quantity != "tilt_slope"; }),
+            0);
+}
+
 /// What was refused may be a heave: it passes no rule that the heave fails, and says no word on others.
 TEST(Analyse, IntervalsHoldWhatWasRefusedAndMayBeTheDatum) {
   const auto analysis = [](double refused, StationFlag flag) {

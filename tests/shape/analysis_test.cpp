@@ -25,7 +25,8 @@ constexpr double kLimit = 11.0 * 235.0 / 206000.0 / 16.0;
 Analysis analysed(const std::vector<double>& z, double sigma, const AnalysisOptions& options) {
   auto stations = survey(z, 30.0, sigma);
   const Tilt tilt = takeTilt(stations, {0.0, 0.0}, {});
-  return analyse({stations, tilt, 30.0}, options);
+  const double spacing = kTwoPi * 30.0 / static_cast<double>(z.size());
+  return analyse({stations, tilt, 30.0, {}, {}, widestLevelledGap(spacing)}, options);
 }
 
 const Check& named(const Analysis& analysis, const std::string& name) {

@@ -25,7 +25,9 @@ LimitComparison besideLimits(const Roundness& r, const std::vector<Limit>& limit
                              double diameter = 2.0 * kRadius) {
   ShellSurvey survey;
   survey.roundness = {r};
-  return compareRoundness(survey, limits, {}, diameter).at(0);
+  TankFacts facts;
+  facts.service = Service::Rebuilt;
+  return compareRoundness(survey, limits, facts, {diameter}).at(0);
 }
 
 Verdict verdictOf(const Roundness& r) { return besideLimits(r).verdict; }

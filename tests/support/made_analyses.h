@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/units.h"
 #include "shape/analysis.h"
 #include "shape/deformation.h"
 #include "support/made_surveys.h"
@@ -14,10 +15,12 @@ inline std::vector<double> level(std::size_t count) {
   return wave(count, [](double) { return 0.0; });
 }
 
+/// Of levelled points.
 inline Analysis analysed(const std::vector<double>& z, double radius, double sigma) {
   auto stations = survey(z, radius, sigma);
   const Tilt tilt = fitTilt(stations, {0.0, 0.0}, {});
-  return analyse({stations, tilt, radius}, AnalysisOptions());
+  const double spacing = kTwoPi * radius / static_cast<double>(z.size());
+  return analyse({stations, tilt, radius, {}, {}, widestLevelledGap(spacing)}, AnalysisOptions());
 }
 
 /// Whether one of the notes holds a text.

@@ -21,6 +21,9 @@ const figure = (value, digits) => (known(value) ? minus(rounded(value, digits)) 
 const withUnit = (value, digits, unit) => (known(value) ? `${figure(value, digits)}${unit === "\u2033" ? "" : "\u00a0"}${unit}` : kUnknown);
 const degrees = (value, digits = 0) => (known(value) ? `${figure(value, digits)}\u00b0` : kUnknown);
 
+/** An azimuth in whole degrees, 0 to 359. */
+const roundAzimuth = (azimuth) => (known(azimuth) ? degrees(Math.round(azimuth) % 360) : kUnknown);
+
 /** Figures of any size: as many digits as four significant ones take, small ones with an exponent. */
 function anyFigure(value) {
   if (!known(value)) return "\u2013";

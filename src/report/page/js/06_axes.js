@@ -113,6 +113,14 @@ function drawLevel(svg, axes, value, name, label) {
   if (label) svg.append("text").attr("x", right - 4).attr("y", axes.y(value) - 5).attr("text-anchor", "end").text(label);
 }
 
+/** The value on the line from station to station at an azimuth; the nearest station's where its neighbour's is unknown. */
+function valueAlong(rows, azimuth) {
+  const i = stationAt(azimuth), here = rows[i], ahead = ((azimuth - here.azimuth_deg + 540) % 360) - 180;
+  const next = rows[(i + (ahead < 0 ? rows.length - 1 : 1)) % rows.length], apart = angleApart(next.azimuth_deg, here.azimuth_deg);
+  if (!known(here.value) || !known(next.value) || apart === 0) return here.value;
+  return here.value + (Math.abs(ahead) / apart) * (next.value - here.value);
+}
+
 /** Vertical marks and a dot on value(azimuth) for the chosen and the hovered azimuth. */
 function azimuthMarks(svg, axes, height, value) {
   const place = (name) => {

@@ -123,7 +123,7 @@ function tiltWords({ direction_deg: high, sigma_slope: sigma, r2: share, p_value
   const error = known(sigma) ? `\u00b1 ${withUnit((Math.atan(2 * sigma) * 180 * 3600) / Math.PI, 1, "\u2033")} (2\u03c3), ` : "";
   const p = known(chance) ? `, ${chance < 0.001 ? "p < 0.001" : `p ${figure(chance, 3)}`}` : "", r2 = figure(share, 3);
   if (!isTilted({ ...tilt, sigma_slope: sigma })) return `${error}${say("movement.not_significant")}, R\u00b2 ${r2}${p}`;
-  return error + say("summary.high_side_low_side_r", { direction_deg: degrees(high), direction_deg_2: degrees((high + 180) % 360), r2, p_value: p });
+  return error + say("summary.high_side_low_side_r", { direction_deg: roundAzimuth(high), direction_deg_2: roundAzimuth(high + 180), r2, p_value: p });
 }
 
 /** The same of its datum. */

@@ -11,16 +11,26 @@ const kReasons = {
 /** The reason that most of the stations from one to another have. */
 function reasonOf(first, last) {
   const counts = {};
-  for (let i = first; i <= last; i += 1) counts[stations[i].reason] = (counts[stations[i].reason] || 0) + 1;
+  for (let i = first; i <= last; i += 1) {
+    const { reason } = stations[i % stations.length];
+    counts[reason] = (counts[reason] || 0) + 1;
+  }
   const [most] = Object.entries(counts).sort((a, b) => b[1] - a[1]);
   return kReasons[most[0]] || say("missing.the_datum_was_not_seen");
 }
 
-/** Stretches that were not seen, in degrees, by reason. */
+/** Stretches that were not seen, one across azimuth 0 as one: its last station counts from before. */
+function missingArcs() {
+  const runs = missingStretches(), [first, last] = [runs[0], runs[runs.length - 1]];
+  if (runs.length < 2 || first[0] !== 0 || last[1] !== stations.length - 1) return runs;
+  return [...runs.slice(1, -1), [last[0], first[1] + stations.length]];
+}
+
+/** They, in degrees, by reason. */
 function missingRanges() {
   const half = stepOfAzimuth() / 2, ranges = new Map();
-  for (const [first, last] of missingStretches()) {
-    const range = say("missing.to", { half: degrees((stations[first].azimuth_deg - half + 360) % 360, 1), half_2: degrees(stations[last].azimuth_deg + half, 1) });
+  for (const [first, last] of missingArcs()) {
+    const range = say("missing.to", { half: degrees((stations[first].azimuth_deg - half + 360) % 360, 1), half_2: degrees(stations[last % stations.length].azimuth_deg + half, 1) });
     const reason = reasonOf(first, last);
     ranges.set(reason, [...(ranges.get(reason) || []), range]);
   }

@@ -39,5 +39,5 @@ function drawElevation(svg, width, height, shown, rows) {
   rows.filter((r) => r.flag === "interpolated" && known(r.value)).forEach((r) => bridged.append("circle")
     .attr("class", "interpolated").attr("r", 2.5).attr("cx", axes.x(r.azimuth_deg)).attr("cy", axes.y(r.value)));
   followPointer(svg, azimuthUnder(axes), describeStation);
-  return azimuthMarks(svg, axes, height, (azimuth) => rows[stationAt(azimuth)].value);
+  return azimuthMarks(svg, axes, height, (azimuth) => valueAlong(rows, azimuth));
 }

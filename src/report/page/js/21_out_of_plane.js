@@ -45,7 +45,7 @@ function outOfPlaneFacts(found) {
   if (found === null) return [];
   const place = nearestRow(stations.filter((s) => known(s.u)), found.max_abs_u_azimuth_deg), down = place && place.u < 0 ? -1 : 1;
   const list = [], at = (azimuth) => say("movement.rest.where", { azimuth: degrees(azimuth, 1) });
-  if (known(found.max_abs_u)) list.push([say("out_of_plane.largest_settlement"), fineLength(down * found.max_abs_u), [between95(signedEnds(found.max_abs_u_95, down), fineFigure, fineLength), at(found.max_abs_u_azimuth_deg)].filter(Boolean).join(", ")]);
+  if (known(found.max_abs_u)) list.push([say("out_of_plane.largest_departure"), signed(fineLength(down * found.max_abs_u), down * found.max_abs_u), [between95(signedEnds(found.max_abs_u_95, down), fineFigure, fineLength), at(found.max_abs_u_azimuth_deg)].filter(Boolean).join(", ")]);
   if (known(found.max_curvature)) {
     list.push([say("out_of_plane.harmonic_fit_2"), say("out_of_plane.waves_2_to", { order: found.order }), say("out_of_plane.left_rms_adjusted_r", { rms: shortLength(found.rms, 2), adjusted_r2: figure(found.adjusted_r2, 4) })]);
     const interval = between95(found.max_curvature_95, (value) => figure(bend(value), 1), (value) => figure(bend(value), 1));
@@ -88,7 +88,7 @@ function drawOutOfPlane(svg, width, height, shown, rows) {
   drawFew(svg, axes, rows, (r) => r.value);
   if (shown.fit) drawLine(svg, axes, rows, (r) => r.fit, "fit");
   followPointer(svg, azimuthUnder(axes), (azimuth) => describeFit(azimuth));
-  return azimuthMarks(svg, axes, height, (azimuth) => rows[stationAt(azimuth)].value);
+  return azimuthMarks(svg, axes, height, (azimuth) => valueAlong(rows, azimuth));
 }
 
 /** The station with its harmonic fit and curvature. */

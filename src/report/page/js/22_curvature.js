@@ -25,7 +25,7 @@ function drawCurvature(svg, width, height, rows, limits) {
   drawLine(svg, axes, rows, (r) => r.value, "fit");
   for (const end of limits) drawLevel(svg, axes, end, "limit", say("curvature.limit"));
   followPointer(svg, azimuthUnder(axes), describeFit);
-  return azimuthMarks(svg, axes, height, (azimuth) => rows[stationAt(azimuth)].value);
+  return azimuthMarks(svg, axes, height, (azimuth) => valueAlong(rows, azimuth));
 }
 
 function addHarmonics(section) {

@@ -18,8 +18,6 @@ function movementParts(m) {
   return parts;
 }
 
-const roundAzimuth = (azimuth) => (known(azimuth) ? degrees(Math.round(azimuth) % 360) : kUnknown);
-
 /** The word of the verdict; of what was taken out of the differences nothing is said. */
 const movementWord = (m) => say(m.moved ? "movement.moved" : { mean: "movement.unmoved_mean", tilt: "movement.unmoved_tilt" }[m.removed] || "movement.unmoved");
 

@@ -16,7 +16,7 @@ function raisedText({ utilisation: share, utilisation_95: interval }) {
 /** A tilt, with its high side where it has one. */
 function tiltOf(tilt) {
   const angle = withUnit(tilt.angle_arcsec, 1, "\u2033");
-  return isTilted(tilt) ? say("index.high_side", { angle_arcsec: angle, direction_deg: degrees(tilt.direction_deg) }) : angle;
+  return isTilted(tilt) ? say("index.high_side", { angle_arcsec: angle, direction_deg: roundAzimuth(tilt.direction_deg) }) : angle;
 }
 
 const outcomeClass = (tank) => kVerdictClasses[outcomeOf(tank)] || "not_evaluated";
