@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/parts.h"
 #include "core/statistics.h"
 #include "foot/lowest_layer.h"
 #include "foot/overhang.h"
@@ -19,18 +20,18 @@ constexpr double kDeepest = 0.2;           // of the reach, what is seen below a
 /// The heights above their station's datum of all points, by bins of d, with several threads.
 std::vector<std::vector<double>> heightsByBin(const std::vector<std::vector<FootPoint>>& stations,
                                               const std::vector<double>& datum, double reach, double bin) {
-  constexpr std::size_t kParts = 16;
   const auto bins = static_cast<std::size_t>(std::ceil(reach / bin));
-  std::vector<std::vector<std::vector<double>>> parts(kParts, std::vector<std::vector<double>>(bins));
-  forEachIndex(kParts, 0, [&](std::size_t part) {
-    for (std::size_t s = stations.size() * part / kParts; s < stations.size() * (part + 1) / kParts; ++s) {
+  const auto parts = ofParts(stations.size(), 0, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::vector<double>> heights(bins);
+    for (std::size_t s = begin; s < end; ++s) {
       if (!std::isfinite(datum[s])) continue;
       for (const FootPoint& p : stations[s]) {
         if (p.d >= 0.0 && p.d < reach && std::abs(p.z - datum[s]) < reach) {
-          parts[part][std::min(bins - 1, static_cast<std::size_t>(p.d / bin))].push_back(p.z - datum[s]);
+          heights[std::min(bins - 1, static_cast<std::size_t>(p.d / bin))].push_back(p.z - datum[s]);
         }
       }
     }
+    return heights;
   });
   std::vector<std::vector<double>> heights(bins);
   forEachIndex(bins, 0, [&](std::size_t i) {

@@ -31,10 +31,10 @@ struct Place {
 using Places = std::vector<Place, DefaultInitAllocator<Place>>;
 
 Places sortedPlaces(const Points& points, double voxel, int threads) {
-  constexpr std::size_t kParts = 64, kBuckets = 4096;
+  constexpr std::size_t kBuckets = 4096;
   Places places(points.size());
-  forEachIndex(kParts, threads, [&](std::size_t part) {
-    for (std::size_t i = points.size() * part / kParts; i < points.size() * (part + 1) / kParts; ++i) {
+  forEachRun(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d& p = points[i];
       places[i] = {mortonCode(indexOf(p.x(), voxel), indexOf(p.y(), voxel), indexOf(p.z(), voxel)), pointHash(p),
                    static_cast<std::uint32_t>(i)};

@@ -74,10 +74,8 @@ std::vector<Setup> setupsOf(const Ring& ring, const Scan& scan, double radius, c
 
 /// Moves every point by its setup's correction.
 void move(Ring& ring, const std::vector<Setup>& setups, int threads) {
-  constexpr std::size_t kParts = 64;
-  const std::size_t count = ring.points.size();
-  forEachIndex(kParts, threads, [&](std::size_t part) {
-    for (std::size_t i = count * part / kParts; i < count * (part + 1) / kParts; ++i) {
+  forEachRun(ring.points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const Setup& setup = setups[ring.setupOf(i)];
       ring.points[i] = setup.correction(ring.points[i], setup.origin);
     }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "core/parts.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/two_levels.h"
@@ -48,17 +49,14 @@ void Surface::add(const Eigen::Vector3d& point, ArcPoints& arcs) const {
 
 /// The foundation's points in each arc, in the order of the ring.
 ArcPoints pointsOfArcs(const Points& points, const Surface& surface) {
-  constexpr std::size_t kShares = 16;
-  std::vector<ArcPoints> shares(kShares, ArcPoints(kArcs));
-  forEachIndex(kShares, 0, [&](std::size_t share) {
-    const std::size_t end = points.size() * (share + 1) / kShares;
-    for (std::size_t i = points.size() * share / kShares; i < end; ++i) surface.add(points[i], shares[share]);
+  const auto parts = ofParts(points.size(), 0, [&](std::size_t begin, std::size_t end) {
+    ArcPoints arcs(kArcs);
+    for (std::size_t i = begin; i < end; ++i) surface.add(points[i], arcs);
+    return arcs;
   });
-  ArcPoints arcs = std::move(shares.front());
-  for (std::size_t share = 1; share < kShares; ++share) {
-    for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
-      arcs[arc].insert(arcs[arc].end(), shares[share][arc].begin(), shares[share][arc].end());
-    }
+  ArcPoints arcs(kArcs);
+  for (const ArcPoints& part : parts) {
+    for (std::size_t arc = 0; arc < kArcs; ++arc) arcs[arc].insert(arcs[arc].end(), part[arc].begin(), part[arc].end());
   }
   return arcs;
 }

@@ -30,13 +30,10 @@ SetupRing::SetupRing(const Ring& ring, const Tank& tank, int threads) {
 }
 
 void SetupRing::sortIntoCells(const Ring& ring, const Eigen::Vector2d& center, int threads) {
-  constexpr std::size_t kParts = 32;
   const std::size_t count = ring.points.size();
   std::vector<float> turns(count);  // fine enough for a cell
-  forEachIndex(kParts, threads, [&](std::size_t part) {
-    for (std::size_t i = count * part / kParts; i < count * (part + 1) / kParts; ++i) {
-      turns[i] = static_cast<float>(turnOf(ring.points[i].head<2>() - center));
-    }
+  forEachRun(count, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) turns[i] = static_cast<float>(turnOf(ring.points[i].head<2>() - center));
   });
   starts_.assign(kCells + 1, 0);
   for (const float turn : turns) ++starts_[cellOf(static_cast<double>(turn)) + 1];
