@@ -23,6 +23,7 @@
 #include "foot/shell_fits.h"
 #include "foot/shell_line.h"
 #include "foot/station_section.h"
+#include "locate/side_sign.h"
 #include "stations/highest_wave.h"
 #include "stations/ring_series.h"
 #include "stations/stations.h"
@@ -53,11 +54,9 @@ std::vector<double> directionsOf(const StationOptions& options) {
 Foot lookAtFoot(PolarRing polar, const ShellFits& shell, const Tank& tank, const RefineOptions& options,
                 const StationOptions& station_options, double rounding) {
   const double reach = shell.heights.to;
-  const bool inside = tank.side == Side::Inside;
-  const double side = inside ? -1.0 : 1.0;
   const double weld = std::min(options.largest_weld, 0.05 * reach);
   const FootScales scales{std::min(options.widest_band, reach), shell.noise(), weld};
-  Foot foot{FootRing(std::move(polar), ShellModel(shell.lines, station_options.zero_azimuth), side, reach),
+  Foot foot{FootRing(std::move(polar), ShellModel(shell.lines, station_options.zero_azimuth), signOf(tank.side), reach),
             options,
             scales,
             reach,
@@ -67,7 +66,7 @@ Foot lookAtFoot(PolarRing polar, const ShellFits& shell, const Tank& tank, const
             directionsOf(station_options),
             {},
             {},
-            inside};
+            tank.side == Side::Inside};
   if (isResolved(foot)) foot.ring.leaveOutUprights(tank, scales.nearest(), reach);
   for (const ShellLine& line : shell.lines) foot.shell_seen.push_back(line.seen());
   foot.points.resize(foot.directions.size());
@@ -190,7 +189,7 @@ RefinedFoot refineStations(const Ring& ring, const Tank& tank, const RefineOptio
   found.refined.under_shell = pass.under_shell;
   found.refined.above_shell = shareAboveShell(foot, levels.fits);
   if (!pass.hasLiquid()) found.refined.raised = raisedAboveRest(foot, levels.fits);  // the floor under it is lower
-  const ProfileBand band{found.refined.profile.band_to, foot.inside ? -1.0 : 1.0};
+  const ProfileBand band{found.refined.profile.band_to, signOf(tank.side)};
   std::vector<bool> stand;
   for (const FootFit& fit : levels.fits) stand.push_back(fit.valid());
   const ShellCircle round =

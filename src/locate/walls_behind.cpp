@@ -7,6 +7,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "locate/arc_meter.h"
+#include "locate/side_sign.h"
 
 namespace tank_datum {
 namespace {
@@ -34,7 +35,7 @@ WallsBehind wallsBehind(const std::vector<WallCell>& walls, const Tank& tank) {
     const double azimuth = tank.azimuthOf(wall.position), foot = tank.foot(azimuth);
     SectorView& sector = sectors[static_cast<std::size_t>(azimuth / kTwoPi * kSectors) % kSectors];
     if (shell.holds(wall, circle)) sector.seen = true;
-    const double behind = tank.side == Side::Outside ? circle.radius - arm.norm() : arm.norm() - circle.radius;
+    const double behind = signOf(tank.side) * (circle.radius - arm.norm());
     const double shared = std::min(wall.top, foot + tank.height) - std::max(wall.bottom, foot);
     if (behind < clear || behind > circle.radius || shared < 3.0 * tank.resolution) continue;
     ++sector.walls;

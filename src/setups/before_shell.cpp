@@ -8,6 +8,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/ring_cells.h"
+#include "locate/side_sign.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -50,7 +51,7 @@ BeforeShell::BeforeShell(const SetupRing& ring, const Tank& tank, double reach, 
   constexpr double kBend = 0.01;      // of a shell, along it [m/m]
   constexpr double kClear = 0.01;     // plates, welds and noise [reach]
   const double length = kTwoPi * tank.circle.radius / static_cast<double>(kArcs);
-  const double side = tank.side == Side::Outside ? 1.0 : -1.0;
+  const double side = signOf(tank.side);
   const std::vector<ArcRadii> middles = middlesOf(ring, radius_of, threads);
   for (const ArcRadii& own : middles) {
     OfArcs& before = before_.emplace_back();

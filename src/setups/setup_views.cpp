@@ -12,6 +12,7 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/ring_cells.h"
+#include "locate/side_sign.h"
 #include "setups/before_shell.h"
 #include "stations/highest_wave.h"
 #include "tank_datum/core/unknown.h"
@@ -85,7 +86,7 @@ ArcPoints pointsOf(const Look& look, const BeforeShell* before, ArcWidth width, 
   ArcPoints all;
   if (begin == end || !seesSeveral(begin, end)) return all;
   const double middle = width.middleOf(arc), foot = tank.foot(middle);
-  const double side = tank.side == Side::Outside ? 1.0 : -1.0;
+  const double side = signOf(tank.side);
   const std::size_t every = static_cast<std::size_t>(end - begin) / scope.most_of_arc + 1;
   for (const SetupRing::Entry* at = begin; at < end;
        at += std::min<std::ptrdiff_t>(end - at, static_cast<std::ptrdiff_t>(every))) {

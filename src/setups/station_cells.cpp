@@ -4,6 +4,7 @@
 
 #include "core/portable_math.h"
 #include "core/units.h"
+#include "locate/side_sign.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -36,8 +37,7 @@ FootPlace StationCells::placeOf(const Eigen::Vector3d& point, const Eigen::Vecto
   const Eigen::Vector2d arm = point.head<2>() - center;
   const double azimuth = portable::atan2(arm.y(), arm.x());
   const std::size_t cell = cellOf(azimuth);
-  const double outwards = arm.norm() - levels_[cell].radius;
-  return {cell, azimuth, side == Side::Outside ? outwards : -outwards, point.z() - levels_[cell].z};
+  return {cell, azimuth, signOf(side) * (arm.norm() - levels_[cell].radius), point.z() - levels_[cell].z};
 }
 
 }  // namespace tank_datum

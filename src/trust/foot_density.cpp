@@ -10,6 +10,7 @@
 #include "core/plain_text.h"
 #include "core/units.h"
 #include "fit/ring_cells.h"
+#include "locate/side_sign.h"
 #include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
@@ -22,8 +23,7 @@ double footDensity(const Ring& ring, const Tank& tank) {
     Counts counts{};
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d& p = ring.points[i];
-      const double off = (p.head<2>() - tank.circle.center).norm() - tank.circle.radius;
-      const double d = tank.side == Side::Outside ? off : -off;
+      const double d = signOf(tank.side) * ((p.head<2>() - tank.circle.center).norm() - tank.circle.radius);
       if (d < kClear * ring.reach || d > ring.reach) continue;
       const double azimuth = tank.azimuthOf(p.head<2>());
       if (std::abs(p.z() - tank.foot(azimuth)) < kLevel * ring.reach) ++counts[ringCell(azimuth, kSectors)];
