@@ -21,38 +21,33 @@ constexpr double kSeen = 0.01;  // share of a station's points from which on a s
 /// Points of each setup in equal cells of azimuth, the stations standing in the middle of some of them.
 class CellCounts {
  public:
-  CellCounts(const Ring& ring, const Tank& tank, const std::vector<Station>& stations, const FoundationBand& band);
+  /// @param center  about which the stations stand [m]
+  CellCounts(const Ring& ring, Side side, const std::vector<Station>& stations, const Eigen::Vector2d& center,
+             const FoundationBand& band);
 
   /// Adds those within half a window of a cell's middle.
   void add(std::size_t cell, double half_window, Eigen::Ref<Eigen::RowVectorXd> foundation,
            Eigen::Ref<Eigen::RowVectorXd> shell) const;
   std::size_t cellOf(double direction) const { return cells_.cellOf(direction); }
-  void count(const Ring& ring, const Eigen::Vector2d& center);
 
  private:
   StationCells cells_;
-  Side side_;
-  double reach_;
-  FoundationBand band_;
   Eigen::MatrixXd foundation_, shell_;  // [cells x setups]
 };
 
-CellCounts::CellCounts(const Ring& ring, const Tank& tank, const std::vector<Station>& stations,
+CellCounts::CellCounts(const Ring& ring, Side side, const std::vector<Station>& stations, const Eigen::Vector2d& center,
                        const FoundationBand& band)
-    : cells_(stations), side_(tank.side), reach_(ring.reach), band_(band) {
+    : cells_(stations) {
+  constexpr double kShellFrom = 0.1;  // above the datum [reach]
+  const double near = band.tolerance(ring.reach);
   foundation_ = shell_ =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cells_.count()), static_cast<Eigen::Index>(ring.setupCount()));
-}
-
-void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
-  constexpr double kShellFrom = 0.1;  // above the datum [reach]
-  const double near = band_.tolerance(reach_);
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    const auto [cell, azimuth, d, h] = cells_.placeOf(ring.points[i], center, side_);
+    const auto [cell, azimuth, d, h] = cells_.placeOf(ring.points[i], center, side);
     const auto row = static_cast<Eigen::Index>(cell), column = static_cast<Eigen::Index>(ring.setupOf(i));
-    if (d >= band_.from && d <= band_.to && std::abs(h - band_.slope * d) < near) {
+    if (d >= band.from && d <= band.to && std::abs(h - band.slope * d) < near) {
       foundation_(row, column) += 1.0;
-    } else if (std::abs(d) < near && h > kShellFrom * reach_) {
+    } else if (std::abs(d) < near && h > kShellFrom * ring.reach) {
       shell_(row, column) += 1.0;
     }
   }
@@ -61,9 +56,10 @@ void CellCounts::count(const Ring& ring, const Eigen::Vector2d& center) {
 void CellCounts::add(std::size_t cell, double half_window, Eigen::Ref<Eigen::RowVectorXd> foundation,
                      Eigen::Ref<Eigen::RowVectorXd> shell) const {
   const std::size_t count = cells_.count();
-  const auto beside = static_cast<std::size_t>(std::max(0.0, std::floor(half_window / cells_.step() + 1e-9)));
-  for (std::size_t k = 0; k <= 2 * std::min(beside, count / 2 - 1); ++k) {
-    const auto row = static_cast<Eigen::Index>((cell + count + k - std::min(beside, count / 2 - 1)) % count);
+  const auto held = static_cast<std::size_t>(std::max(0.0, std::floor(half_window / cells_.step() + 1e-9)));
+  const std::size_t beside = std::min(held, count / 2 - 1);
+  for (std::size_t k = 0; k <= 2 * beside; ++k) {
+    const auto row = static_cast<Eigen::Index>((cell + count + k - beside) % count);
     foundation += foundation_.row(row);
     shell += shell_.row(row);
   }
@@ -100,8 +96,7 @@ SetupShares setupShares(const Ring& ring, const Tank& tank, const std::vector<St
   SetupShares shares;
   const auto rows = static_cast<Eigen::Index>(stations.size()), columns = static_cast<Eigen::Index>(ring.setupCount());
   shares.foundation = shares.shell = Eigen::MatrixXd::Zero(rows, columns);
-  CellCounts counts(ring, tank, stations, band);
-  counts.count(ring, center);
+  const CellCounts counts(ring, tank.side, stations, center, band);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Station& s = stations[static_cast<std::size_t>(i)];
     if (s.flag != StationFlag::Measured) continue;
