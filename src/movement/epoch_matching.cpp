@@ -117,6 +117,12 @@ Matching matchStations(const Epoch& baseline, const Epoch& current, double offse
   return at_baseline.stations.size() > at_current.stations.size() ? at_baseline : at_current;
 }
 
+Eigen::VectorXd dzOf(const std::vector<MatchedStation>& stations) {
+  Eigen::VectorXd dz(static_cast<Eigen::Index>(stations.size()));
+  for (std::size_t i = 0; i < stations.size(); ++i) dz[static_cast<Eigen::Index>(i)] = stations[i].dz;
+  return dz;
+}
+
 double medianWindow(const std::vector<MatchedStation>& stations) {
   std::vector<double> windows;
   for (const MatchedStation& m : stations) windows.push_back(m.window);
@@ -137,11 +143,12 @@ CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal remo
   const Eigen::Index terms = removal == Removal::Nothing ? 0 : removal == Removal::Mean ? 1 : 3;
   rows_.resize(count, terms);
   if (terms == 0) return;
-  Eigen::VectorXd weights(count), dz(count), sigmas(count);
+  const Eigen::VectorXd dz = dzOf(stations);
+  Eigen::VectorXd weights(count), sigmas(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const MatchedStation& m = stations[static_cast<std::size_t>(i)];
     rows_.row(i) = Eigen::RowVector3d(1.0, portable::cos(m.direction), portable::sin(m.direction)).head(terms);
-    dz[i] = m.dz, sigmas[i] = m.sigma;
+    sigmas[i] = m.sigma;
   }
   const Eigen::VectorXd plain = sigmas.array().square().inverse();
   weights = plain;
@@ -157,11 +164,13 @@ CommonPart::CommonPart(const std::vector<MatchedStation>& stations, Removal remo
   }
 }
 
+Eigen::VectorXd CommonPart::without(Eigen::VectorXd dz) const {
+  if (rows_.cols() > 0) dz -= rows_ * (fit_ * dz);
+  return dz;
+}
+
 void CommonPart::removeFrom(std::vector<MatchedStation>& stations) const {
-  if (rows_.cols() == 0) return;
-  Eigen::VectorXd dz(rows_.rows());
-  for (Eigen::Index i = 0; i < dz.size(); ++i) dz[i] = stations[static_cast<std::size_t>(i)].dz;
-  dz -= rows_ * (fit_ * dz);
+  const Eigen::VectorXd dz = without(dzOf(stations));
   for (Eigen::Index i = 0; i < dz.size(); ++i) stations[static_cast<std::size_t>(i)].dz = dz[i];
 }
 

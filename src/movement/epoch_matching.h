@@ -48,6 +48,9 @@ struct Matching {
 /// baseline's where that compares more of them.
 Matching matchStations(const Epoch& baseline, const Epoch& current, double offset);
 
+/// All dz [m].
+Eigen::VectorXd dzOf(const std::vector<MatchedStation>& stations);
+
 /// Of the arcs that elevations come from [rad].
 double medianWindow(const std::vector<MatchedStation>& stations);
 
@@ -57,6 +60,8 @@ class CommonPart {
   /// @param robust  stations that stand out from the rest do not count (Tukey's biweight from least absolute
   ///                deviations), so that a sector that moved does not move the others
   CommonPart(const std::vector<MatchedStation>& stations, Removal removal, bool robust);
+  /// The dz of its stations without it [m].
+  Eigen::VectorXd without(Eigen::VectorXd dz) const;
   /// From dz.
   void removeFrom(std::vector<MatchedStation>& stations) const;
   /// From what the stations share of their errors, and so from their sigmas.

@@ -91,7 +91,7 @@ LargestRest largestRest(const std::vector<MatchedStation>& stations, const std::
   }
   largest.dz = stations[largest.station].dz, largest.sigma = sigmas[largest.station];
   largest.threshold = quantile(drawn, 1.0 - kAlarmsPerTest);
-  largest.moved = largestOf(Steadied(stations).of(stations), sigmas) > largest.threshold;
+  largest.moved = largestOf(Steadied(stations).of(dzOf(stations)), sigmas) > largest.threshold;
   return largest;
 }
 
@@ -106,7 +106,8 @@ Significance findMoved(const std::vector<MatchedStation>& stations, const std::v
     scales.back().raise(maxima);
   }
   result.threshold = quantile(maxima, 1.0 - kAlarmsPerTest);
-  const std::vector<float> dz = dzOf(Steadied(stations).of(stations));
+  const Eigen::VectorXd steadied = Steadied(stations).of(dzOf(stations));
+  const std::vector<float> dz(steadied.begin(), steadied.end());
   for (std::size_t k = 0; k < scales.size(); ++k) {
     const std::vector<bool> before = result.moved, whole = scales[k].beyond(result.threshold, dz);
     if (std::find(whole.begin(), whole.end(), true) == whole.end()) continue;

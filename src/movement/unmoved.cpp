@@ -23,17 +23,17 @@ class Unmoved {
   /// @param correlation  arc within which stations share points; 0: their windows [rad]
   Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors& common, double correlation);
 
-  /// Draws the stations with errors alone for dz.
-  const std::vector<MatchedStation>& draw();
-  /// Adds the height and the tilt that the registration leaves, as they were drawn with them.
-  void addRegistration(std::vector<MatchedStation>& stations) const;
+  /// Draws the stations' dz of errors alone [m].
+  Eigen::VectorXd draw();
+  /// The height and the tilt that the registration leaves, as they were drawn with them, at each station [m].
+  Eigen::VectorXd registration() const;
 
  private:
   struct Share {
     std::size_t first, width;
     double scale;
   };
-  std::vector<MatchedStation> stations_;
+  const std::vector<MatchedStation>& stations_;
   CommonErrors common_;
   std::size_t cells_ = 0;
   std::vector<Share> shares_;
@@ -60,77 +60,78 @@ Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors
   }
 }
 
-const std::vector<MatchedStation>& Unmoved::draw() {
+Eigen::VectorXd Unmoved::draw() {
   std::vector<double> sums(2 * cells_ + 1, 0.0);
   for (std::size_t i = 0; i < cells_; ++i) sums[i + 1] = sums[i] + normal_();
   for (std::size_t i = 0; i < cells_; ++i) sums[cells_ + i + 1] = sums[cells_] + sums[i + 1];
   Eigen::VectorXd common(stations_.front().shared.size());
   for (double& error : common) error = normal_();
   const double turn = common_.turn * normal_(), width = studentWidth(normal_, common_.freedom);
+  Eigen::VectorXd dz(static_cast<Eigen::Index>(stations_.size()));
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const Share& s = shares_[i];
     const double error = (sums[s.first + s.width] - sums[s.first]) * s.scale;
-    stations_[i].dz = own_[i] * width * error + stations_[i].shared.dot(common) + stations_[i].slope * turn;
+    dz[static_cast<Eigen::Index>(i)] =
+        own_[i] * width * error + stations_[i].shared.dot(common) + stations_[i].slope * turn;
   }
   height_ = common_.height * normal_();
   rim_.x() = common_.rim * normal_(), rim_.y() = common_.rim * normal_();
-  return stations_;
+  return dz;
 }
 
-void Unmoved::addRegistration(std::vector<MatchedStation>& stations) const {
-  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].dz += height_ + rim_.dot(towards_[i]);
+Eigen::VectorXd Unmoved::registration() const {
+  Eigen::VectorXd heights(static_cast<Eigen::Index>(towards_.size()));
+  for (Eigen::Index i = 0; i < heights.size(); ++i)
+    heights[i] = height_ + rim_.dot(towards_[static_cast<std::size_t>(i)]);
+  return heights;
 }
 
 }  // namespace
 
 Steadied::Steadied(const std::vector<MatchedStation>& stations) {
   constexpr double kNear = 2.0 * kPi / 180.0 + 1e-6;
-  const std::size_t n = stations.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto near = [&](std::size_t j) {
-      return std::abs(std::remainder(stations[j].direction - stations[i].direction, kTwoPi)) <= kNear;
+  const auto n = static_cast<Eigen::Index>(stations.size());
+  const auto at = [&](Eigen::Index i) -> const MatchedStation& { return stations[static_cast<std::size_t>(i)]; };
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto near = [&](Eigen::Index j) {
+      return std::abs(std::remainder(at(j).direction - at(i).direction, kTwoPi)) <= kNear;
     };
-    std::vector<std::size_t> beside = {i};
-    for (std::size_t k = 1; k < n && near((i + k) % n); ++k) beside.push_back((i + k) % n);
-    for (std::size_t k = 1; k < n && near((i + n - k) % n); ++k) beside.push_back((i + n - k) % n);
+    std::vector<Eigen::Index> beside = {i};
+    for (Eigen::Index k = 1; k < n && near((i + k) % n); ++k) beside.push_back((i + k) % n);
+    for (Eigen::Index k = 1; k < n && near((i + n - k) % n); ++k) beside.push_back((i + n - k) % n);
     if (beside.size() < 5) beside.clear();
     beside_.push_back(std::move(beside));
-    reach_.push_back(kOutlier * stations[i].own());
+    reach_.push_back(kOutlier * at(i).own());
   }
 }
 
-const std::vector<MatchedStation>& Steadied::of(const std::vector<MatchedStation>& stations) {
-  steadied_ = stations;
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    const double reach = reach_[i];
+Eigen::VectorXd Steadied::of(const Eigen::VectorXd& dz) const {
+  Eigen::VectorXd steadied = dz;
+  std::vector<double> around;
+  for (std::size_t i = 0; i < beside_.size(); ++i) {
+    const double here = dz[static_cast<Eigen::Index>(i)], reach = reach_[i];
     std::size_t far = 0;  // the median is no further off than half of the stations are
-    for (const std::size_t j : beside_[i]) far += std::abs(stations[j].dz - stations[i].dz) > reach ? 1 : 0;
+    for (const Eigen::Index j : beside_[i]) far += std::abs(dz[j] - here) > reach ? 1 : 0;
     if (2 * far < beside_[i].size() || beside_[i].empty()) continue;
-    around_.clear();
-    for (const std::size_t j : beside_[i]) around_.push_back(stations[j].dz);
-    const auto middle = around_.begin() + static_cast<std::ptrdiff_t>(around_.size() / 2);
-    std::nth_element(around_.begin(), middle, around_.end());
-    if (std::abs(stations[i].dz - *middle) > reach) steadied_[i].dz = *middle;
+    around.clear();
+    for (const Eigen::Index j : beside_[i]) around.push_back(dz[j]);
+    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+    std::nth_element(around.begin(), middle, around.end());
+    if (std::abs(here - *middle) > reach) steadied[static_cast<Eigen::Index>(i)] = *middle;
   }
-  return steadied_;
+  return steadied;
 }
 
 UnmovedDraws drawUnmoved(const std::vector<MatchedStation>& stations, const Removed& rest, const Removed& left,
                          const CommonErrors& common, double correlation) {
   Unmoved unmoved(stations, common, correlation);
-  Steadied steadied_rest(rest.stations), steadied_left(left.stations);
+  const Steadied steadied_rest(rest.stations), steadied_left(left.stations);
   const std::vector<double> sigmas = sigmasOf(rest.stations, common.turn);
   UnmovedDraws draws;
-  std::vector<MatchedStation> drawn;
   for (std::size_t draw = 0; draw < kDraws; ++draw) {
-    const std::vector<MatchedStation>& errors = unmoved.draw();
-    drawn = errors;
-    rest.part.removeFrom(drawn);
-    draws.largest_rest.push_back(largestOf(steadied_rest.of(drawn), sigmas));
-    drawn = errors;
-    left.part.removeFrom(drawn);
-    unmoved.addRegistration(drawn);
-    const std::vector<float> dz = dzOf(steadied_left.of(drawn));
+    const Eigen::VectorXd errors = unmoved.draw();
+    draws.largest_rest.push_back(largestOf(steadied_rest.of(rest.part.without(errors)), sigmas));
+    const Eigen::VectorXd dz = steadied_left.of(left.part.without(errors) + unmoved.registration());
     draws.dz.insert(draws.dz.end(), dz.begin(), dz.end());
   }
   return draws;
@@ -142,16 +143,8 @@ std::vector<double> sigmasOf(const std::vector<MatchedStation>& stations, double
   return sigmas;
 }
 
-double largestOf(const std::vector<MatchedStation>& stations, const std::vector<double>& sigmas) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < stations.size(); ++i) largest = std::max(largest, std::abs(stations[i].dz) / sigmas[i]);
-  return largest;
-}
-
-std::vector<float> dzOf(const std::vector<MatchedStation>& stations) {
-  std::vector<float> dz;
-  for (const MatchedStation& m : stations) dz.push_back(static_cast<float>(m.dz));
-  return dz;
+double largestOf(const Eigen::VectorXd& dz, const std::vector<double>& sigmas) {
+  return dz.cwiseAbs().cwiseQuotient(Eigen::VectorXd::Map(sigmas.data(), dz.size())).maxCoeff();
 }
 
 }  // namespace tank_datum

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "movement/epoch_matching.h"
@@ -21,14 +22,12 @@ class Steadied {
  public:
   explicit Steadied(const std::vector<MatchedStation>& stations);
 
-  /// The stations with their dz so treated.
-  const std::vector<MatchedStation>& of(const std::vector<MatchedStation>& stations);
+  /// The stations' dz so treated [m].
+  Eigen::VectorXd of(const Eigen::VectorXd& dz) const;
 
  private:
-  std::vector<std::vector<std::size_t>> beside_;
+  std::vector<std::vector<Eigen::Index>> beside_;
   std::vector<double> reach_;  ///< of a station's own, in sigmas [m]
-  std::vector<MatchedStation> steadied_;
-  std::vector<double> around_;
 };
 
 /// 2000 comparisons of an unmoved tank that lose by the same fits what the differences lost.
@@ -49,9 +48,6 @@ UnmovedDraws drawUnmoved(const std::vector<MatchedStation>& stations, const Remo
 std::vector<double> sigmasOf(const std::vector<MatchedStation>& stations, double turn);
 
 /// The largest dz in its standard errors.
-double largestOf(const std::vector<MatchedStation>& stations, const std::vector<double>& sigmas);
-
-/// All dz, as draws have them [m].
-std::vector<float> dzOf(const std::vector<MatchedStation>& stations);
+double largestOf(const Eigen::VectorXd& dz, const std::vector<double>& sigmas);
 
 }  // namespace tank_datum
