@@ -101,13 +101,12 @@ void takeFound(const Significance& found, const std::vector<MatchedStation>& mat
   }
 }
 
-}  // namespace
-
-Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+/// @param removal  never Removal::Auto
+Movement compare(const Epoch& baseline, const Epoch& current, const MovementOptions& options, Removal removal) {
   requireValid(options);
   Movement movement;
   movement.baseline = baseline.name;
-  movement.removal = removalOf(baseline, current, options);
+  movement.removal = removal;
   movement.rod_taken_out = options.removal == Removal::Auto && movement.removal == Removal::Mean;
   movement.registration_error = options.registration_error;
   movement.registration_tilt = options.registration_tilt;
@@ -151,14 +150,17 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
   return movement;
 }
 
-std::vector<Movement> compareWithFirst(const std::vector<Epoch>& surveys, MovementOptions options) {
-  const Removal asked = options.removal;
-  options.removal = removalOf(surveys, options);
+}  // namespace
+
+Movement compareEpochs(const Epoch& baseline, const Epoch& current, const MovementOptions& options) {
+  return compare(baseline, current, options, removalOf(baseline, current, options));
+}
+
+std::vector<Movement> compareWithFirst(const std::vector<Epoch>& surveys, const MovementOptions& options) {
+  const Removal removal = removalOf(surveys, options);
   std::vector<Movement> movements;
-  for (std::size_t i = 1; i < surveys.size(); ++i) {
-    movements.push_back(compareEpochs(surveys.front(), surveys[i], options));
-    movements.back().rod_taken_out = asked == Removal::Auto && options.removal == Removal::Mean;
-  }
+  for (std::size_t i = 1; i < surveys.size(); ++i)
+    movements.push_back(compare(surveys.front(), surveys[i], options, removal));
   return movements;
 }
 

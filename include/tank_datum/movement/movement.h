@@ -143,7 +143,7 @@ Movement compareEpochs(const Epoch& baseline, const Epoch& current, const Moveme
 /// Each survey after the first compared with it, as compareEpochs does. What is taken out of the differences of one is
 /// taken out of all, so that they make one course.
 /// @throws Error (Option) as compareEpochs
-std::vector<Movement> compareWithFirst(const std::vector<Epoch>& surveys, MovementOptions options);
+std::vector<Movement> compareWithFirst(const std::vector<Epoch>& surveys, const MovementOptions& options);
 
 /// The same movement with its azimuths as another survey counts them, its stations in that order: movements since one
 /// baseline that are shown together.
