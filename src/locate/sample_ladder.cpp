@@ -22,10 +22,10 @@ Points lookAt(const Scan& scan, int threads) {
   return points;
 }
 
-double finestVoxel(const Points& points) {
+double finestVoxel(const Points& points, int threads) {
   constexpr double kRung = 0.008;                 // of this and of its halves and doubles are the edges [m]
   constexpr double kHalfRange = double(1 << 19);  // voxels
-  const double reach = std::max(1e-9, largestCoordinate(points, 0));
+  const double reach = std::max(1e-9, largestCoordinate(points, threads));
   return kRung * portable::exp2(std::ceil(portable::log2(reach / kHalfRange / kRung)));
 }
 
@@ -52,7 +52,7 @@ double coarsestVoxel(const Points& looked_at, const LocateOptions& options) {
 
 std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& options, int threads) {
   if (looked_at.empty()) return {};
-  const double finest = finestVoxel(looked_at);
+  const double finest = finestVoxel(looked_at, threads);
   VoxelSample sample(looked_at, options.sample_points, finest, threads);
   const bool strays = holdsStrays(sample);
   if (strays)
@@ -62,7 +62,7 @@ std::vector<Sample> samplesOf(const Points& looked_at, const LocateOptions& opti
 
 std::vector<Sample> samplesOfAll(const Points& looked_at, const LocateOptions& options, int threads) {
   if (looked_at.empty()) return {};
-  VoxelSample sample(looked_at, options.sample_points, finestVoxel(looked_at), threads);
+  VoxelSample sample(looked_at, options.sample_points, finestVoxel(looked_at, threads), threads);
   return ladderOf(std::move(sample), false, coarsestVoxel(looked_at, options));
 }
 

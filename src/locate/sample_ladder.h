@@ -23,7 +23,7 @@ Points lookAt(const Scan& scan, int threads);
 
 /// The edge of voxels as small as can be numbered on the way to the farthest point [m]; every smallest radius has the
 /// same ladder of voxels, and so the same tanks.
-double finestVoxel(const Points& points);
+double finestVoxel(const Points& points, int threads);
 
 /// The scan thinned to a ladder of voxels, from where the densest surfaces just close (a tenth of the voxels hold two
 /// points) to an eighth of the smallest diameter or, where a tank may be larger than it need be, to a small part of the

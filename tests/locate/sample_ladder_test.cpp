@@ -17,7 +17,7 @@ TEST(StrideOf, AboutTwoMillionPointsAreLookedAtEveryOddNth) {
 
 TEST(FinestVoxel, NumbersTheFarthestPointWithNineteenBits) {
   for (const double reach : {0.05, 1.0, 30.0, 500.0, 4000.0}) {
-    const double farthest = reach / finestVoxel(Points(1, {0.0, -reach, 0.0}));  // in voxels
+    const double farthest = reach / finestVoxel(Points(1, {0.0, -reach, 0.0}), 1);  // in voxels
     EXPECT_LE(farthest, 524'288.0) << reach;
     EXPECT_GT(farthest, 262'144.0) << reach;
   }
@@ -25,7 +25,7 @@ TEST(FinestVoxel, NumbersTheFarthestPointWithNineteenBits) {
 
 TEST(FinestVoxel, OfEveryScanIsOnOneLadder) {
   for (const double reach : {0.05, 1.0, 30.0, 500.0, 4000.0}) {
-    const double rung = std::log2(finestVoxel(Points(1, {reach, 0.0, 0.0})) / 0.008);
+    const double rung = std::log2(finestVoxel(Points(1, {reach, 0.0, 0.0}), 1) / 0.008);
     EXPECT_EQ(rung, std::round(rung)) << reach;
   }
 }
