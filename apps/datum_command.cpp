@@ -1,7 +1,6 @@
 #include "datum_command.h"
 
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -20,7 +19,7 @@
 #include "results/manifest.h"
 #include "results/output_file.h"
 #include "results/result_folder.h"
-#include "run_main.h"
+#include "run_with_results.h"
 #include "stage_clock.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/locate/tank.h"
@@ -177,16 +176,11 @@ int run(const Command& command, bool& written) {
 }  // namespace
 
 int datumCommand(int argc, char** argv, const OpenForeign& foreign) {
-  std::optional<Command> command;
-  bool written = false;
-  const auto work = [&] {
-    command.emplace();
-    command->reading.foreign = foreign;
-    int status = kUsable;
-    return parseCommandLine(argc, argv, *command, status) ? run(*command, written) : status;
+  const auto parse = [&](Command& command, int& status) {
+    command.reading.foreign = foreign;
+    return parseCommandLine(argc, argv, command, status);
   };
-  const auto left = [&] { return command ? resultsLeft(command->output, kProgram, written) : std::string(); };
-  return runMain(kProgram, std::cref(work), std::cref(left));
+  return runWithResults<Command>(kProgram, parse, run);
 }
 
 }  // namespace tank_datum

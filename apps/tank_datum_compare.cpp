@@ -1,9 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <iostream>
-#include <optional>
 
 #include "core/printable.h"
 #include "core/units.h"
@@ -25,7 +23,7 @@
 #include "report/words.h"
 #include "results/manifest.h"
 #include "results/output_guard.h"
-#include "run_main.h"
+#include "run_with_results.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
 
@@ -134,13 +132,6 @@ int run(const CompareCommand& command, bool& written) {
 
 int main(int argc, char** argv) {
   using namespace tank_datum;
-  std::optional<CompareCommand> command;
-  bool written = false;
-  const auto work = [&] {
-    command.emplace();
-    int status = kUsable;
-    return parseCommandLine(argc, argv, *command, status) ? run(*command, written) : status;
-  };
-  const auto left = [&] { return command ? resultsLeft(command->output, kProgram, written) : std::string(); };
-  return runMain(kProgram, std::cref(work), std::cref(left));
+  return runWithResults<CompareCommand>(
+      kProgram, [&](auto& command, int& status) { return parseCommandLine(argc, argv, command, status); }, run);
 }
