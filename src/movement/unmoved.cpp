@@ -48,11 +48,12 @@ Unmoved::Unmoved(const std::vector<MatchedStation>& stations, const CommonErrors
     : stations_(stations), common_(common) {
   cells_ = std::max<std::size_t>(360, stations.size());
   const double cell = kTwoPi / static_cast<double>(cells_);
+  constexpr double kRounding = 1e-6;  // of a cell: azimuths are as rounded as the file they come from
   for (const MatchedStation& m : stations) {
     const double window = correlation > 0.0 ? correlation : m.window;
     const double most = 0.5 * static_cast<double>(cells_);
-    const auto width = static_cast<std::size_t>(std::clamp(std::ceil(window / cell - 1e-6), 1.0, most));
-    const double start = std::round(m.direction / cell - 0.5 * static_cast<double>(width));
+    const auto width = static_cast<std::size_t>(std::clamp(std::ceil(window / cell - kRounding), 1.0, most));
+    const double start = std::round(m.direction / cell - 0.5 * static_cast<double>(width) - kRounding);
     const auto first = static_cast<std::size_t>(start < 0.0 ? start + static_cast<double>(cells_) : start);
     own_.push_back(m.own());
     towards_.emplace_back(portable::cos(m.direction), portable::sin(m.direction));

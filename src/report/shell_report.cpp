@@ -20,8 +20,9 @@ std::string roundnessLine(const ShellSurvey& survey, const std::vector<LimitComp
   std::string tolerance = "no tolerance for it";
   if (at < tolerances.size() && std::isfinite(tolerances[at].limit)) {
     const LimitComparison& it = tolerances[at];
-    tolerance = formatted("tolerance %.4g %s", display.shortFactor() * it.limit, display.shortUnit());
-    tolerance += it.service.empty() ? ": " + std::string(nameOf(it.verdict)) : " of " + it.service + " tanks";
+    const std::string whose = it.service.empty() ? "" : " of " + it.service + " tanks";  // else it judges nothing here
+    tolerance = formatted("tolerance%s %.4g %s", whose.c_str(), display.shortFactor() * it.limit, display.shortUnit());
+    if (it.service.empty()) tolerance += ": " + std::string(nameOf(it.verdict));
   }
   return line("roundness", "%s / %s %s at %s above the datum, worst at %.0f deg (%s)",
               display.signedShort(r->max_deviation).c_str(), display.signedShort(r->min_deviation).c_str(),

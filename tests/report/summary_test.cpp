@@ -45,12 +45,24 @@ TEST(Summary, ListsASecondOpinionAfterWhatGoverns) {
 TEST(Summary, NamesTheArcsInWhichAnotherWallStands) {
   Datum datum = octagon();
   EXPECT_EQ(summary(datum).find("another wall"), std::string::npos);
-  for (const std::size_t i : {2U, 3U}) datum.stations[i].reason = Unmeasured::OffCircle;
-  EXPECT_EQ(summary(datum).find("another wall"), std::string::npos) << "a station or two";
-  datum.stations[4].reason = Unmeasured::OffCircle;
+  for (const std::size_t i : {2U, 3U, 4U}) datum.stations[i].reason = Unmeasured::OffCircle;
   EXPECT_NE(summary(datum).find("another wall   at 90 to 180 deg what stands there is not the shell"),
             std::string::npos)
       << summary(datum);
+}
+
+TEST(Summary, NamesArcsOfThreeDegreesAndMore) {
+  Datum datum = octagon();
+  const auto named = [&](std::size_t stations, std::size_t count) {
+    datum.stations.assign(stations, octagon().stations.front());
+    for (std::size_t i = 0; i < count; ++i) datum.stations[i].reason = Unmeasured::OffCircle;
+    return summary(datum).find("another wall") != std::string::npos;
+  };
+  EXPECT_FALSE(named(360, 2));
+  EXPECT_TRUE(named(360, 3));
+  EXPECT_FALSE(named(3600, 29));
+  EXPECT_TRUE(named(3600, 30));
+  EXPECT_TRUE(named(36, 1)) << "ten degrees";
 }
 
 TEST(Summary, NamesTheArcsInWhichSomethingElseMeetsTheShell) {
