@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/plain_text.h"
 #include "core/units.h"
 #include "io/json_file.h"
 #include "tank_datum/core/error.h"
@@ -19,13 +20,16 @@ using Json = nlohmann::json;
 
 double numberOr(const Json& value, double otherwise) { return value.is_null() ? otherwise : value.get<double>(); }
 
-/// A length that a survey's errors may have [m]: what is beyond is a damaged file.
-double errorFrom(const Json& value) {
-  constexpr double kLargest = 1000.0;
-  const double error = numberOr(value, kUnknown);
-  if (std::abs(error) > kLargest) throw std::out_of_range("beyond 1000 m");
-  return error;
+constexpr double kFarthest = 1e8;         // coordinates in any frame [m]
+constexpr double kLargestError = 1000.0;  // [m]
+
+/// A length [m]: what is beyond is a damaged file.
+double within(double largest, double length) {
+  if (std::abs(length) > largest) throw std::out_of_range("beyond " + generalText(largest) + " m");
+  return length;
 }
+
+double errorFrom(const Json& value) { return within(kLargestError, numberOr(value, kUnknown)); }
 
 /// The columns of datum.json's `covariance.factors`, one a station; an unknown station's are zeros.
 std::vector<std::vector<double>> sharedErrors(const Json& json, std::size_t stations) {
@@ -82,8 +86,9 @@ Epoch epochFrom(const Json& json, const std::string& path, std::string& part) {
   epoch.levelled = json.value("input", Json::object()).value("kind", "scan") == "levelling";
   part = "tank";
   const Json& tank = json.at("tank");
-  epoch.circle.center = {tank.at("center").at(0).get<double>(), tank.at("center").at(1).get<double>()};
-  epoch.circle.radius = tank.at("radius").get<double>();
+  epoch.circle.center = {within(kFarthest, tank.at("center").at(0).get<double>()),
+                         within(kFarthest, tank.at("center").at(1).get<double>())};
+  epoch.circle.radius = within(kFarthest, tank.at("radius").get<double>());
   part = "about.survey_date";
   epoch.date = surveyDate(json);
   part = "checks";
@@ -99,7 +104,7 @@ Epoch epochFrom(const Json& json, const std::string& path, std::string& part) {
     e.azimuth = toRadians(station.at("azimuth_deg").get<double>());
     e.direction = toRadians(station.at("direction_deg").get<double>());
     if (station.at("flag") == nameOf(StationFlag::Measured)) {
-      e.z = numberOr(station.at("z"), kUnknown);
+      e.z = within(kFarthest, numberOr(station.at("z"), kUnknown));
       e.sigma_z = errorFrom(station.at("sigma_z"));
       e.window = toRadians(numberOr(station.value("window_deg", Json(nullptr)), kUnknown));
     }

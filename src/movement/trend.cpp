@@ -153,8 +153,9 @@ double yearOf(const std::string& date) {
   };
   int year = 0, month = 0, day = 0, read = 0;
   if (std::sscanf(date.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &read) == 3) {
+    const bool plain = date.find_first_not_of("0123456789-") == std::string::npos;  // no sign, no space
     const bool is_month = month >= 1 && month <= 12;
-    if (static_cast<std::size_t>(read) != date.size() || !is_month || day < 1 || day > daysOf(year, month))
+    if (static_cast<std::size_t>(read) != date.size() || !plain || !is_month || day < 1 || day > daysOf(year, month))
       throw refused();
     return yearOf(year, month, day);
   }

@@ -58,6 +58,11 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
             "stations[7] beyond 1000 m",
         ),
         (
+            lambda datum: datum["stations"][7].update(z=1e300),
+            3,
+            "stations[7] beyond 1e+08 m",
+        ),
+        (
             lambda datum: datum["stations"][7].update(azimuth_deg=None),
             3,
             "stations[7] missing, or of another type",
