@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -52,7 +53,18 @@ def test_roundness_is_the_truths(scan: Path, out: Path) -> None:
         assert a["radius"] == pytest.approx(b["radius"], abs=0.0002)
         assert 0 < a["sigma"] < 0.0003
     assert [r["tolerance"] for r in found] == pytest.approx([0.019] + [0.057] * 8)
+    assert {r["verdict"] for r in found} == {"not_applicable"}  # rules for tanks of another service
+
+
+def test_roundness_is_judged_by_the_rule_of_the_service(
+    scan: Path, run: Runner, tmp_path: Path
+) -> None:
+    result = run(scan, "-o", tmp_path / "out", "--service", "rebuilt", "--no-report")
+    assert result.returncode == 0, result.stderr
+    found = read_datum(tmp_path / "out")["shell"]["roundness"]
     assert {r["verdict"] for r in found[1:]} == {"pass"}
+    assert found[0]["verdict"] == "undecided"  # near to 19 mm
+    assert re.search(r"worst at \d+ deg \(tolerance 19 mm: undecided\)", result.stdout)
 
 
 def test_setups_beside_their_places_are_in_the_sigmas(
