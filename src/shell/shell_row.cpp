@@ -35,33 +35,55 @@ struct CellPlace {
   double radius;     ///< of the shell, roughly [m]
 };
 
-/// How far the shell runs on from a direction, one way, until its outline jumps or stops: at the edge of something
-/// before it, or of a plate upon it [rad]. Up to the middle of the last cell before that: beyond it the edge may be.
-/// @param way  1 counter-clockwise, -1 clockwise
-double runsOn(const ShellOutline& outline, double direction, int way, double widest, double cell_arc) {
-  const std::size_t count = outline.radius.size(), step = way > 0 ? 1 : count - 1;
-  std::size_t cell = ringCell(direction, count);
-  if (std::isnan(outline.radius[cell])) return widest;
-  double reach = way * std::remainder(middleOfCell(cell, count) - direction, kTwoPi);
-  while (reach < widest) {
-    std::size_t next = (cell + step) % count, passed = 1;
-    for (; std::isnan(outline.radius[next]); ++passed) next = (next + step) % count;
-    const double arc = static_cast<double>(passed) * cell_arc;
-    if (std::abs(outline.radius[next] - outline.radius[cell]) > mostTurn({{}, outline.noise, arc}, arc)) break;
-    reach += static_cast<double>(passed) * kTwoPi / static_cast<double>(count);
-    cell = next;
+/// The outline of a row with its edges: where something before the shell begins or ends, or a plate upon it.
+class OutlineEdges {
+ public:
+  OutlineEdges(const ShellOutline& outline, double radius) : outline_(outline), edge_(outline.radius.size()) {
+    std::vector<std::size_t> seen;
+    for (std::size_t i = 0; i < edge_.size(); ++i) {
+      if (std::isfinite(outline.radius[i])) seen.push_back(i);
+    }
+    const std::size_t count = seen.size();
+    const auto at = [&](std::size_t k) { return outline.radius[seen[k % count]]; };
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t cells = (seen[(k + 1) % count] + edge_.size() - seen[k]) % edge_.size();
+      const double arc = kTwoPi * radius * static_cast<double>(cells) / static_cast<double>(edge_.size());
+      const double most = mostTurn({{}, outline.noise, arc}, arc);
+      if (std::abs(at(k + 1) - at(k)) <= most) continue;
+      const double before = median({at(k + count - 2), at(k + count - 1), at(k)});  // a cell alone may be of strays
+      const double beyond = median({at(k + 1), at(k + 2), at(k + 3)});
+      edge_[seen[k]] = std::abs(beyond - before) > most ? 1 : 0;
+    }
   }
-  return std::clamp(reach, 0.0, widest);
-}
+
+  /// How far the shell runs on from a direction, one way, at most so far [rad]. Up to the middle of the last cell
+  /// before an edge, beyond which that may be seen.
+  /// @param way  1 counter-clockwise, -1 clockwise
+  double runsOn(double direction, int way, double widest) const {
+    const std::size_t count = edge_.size();
+    std::size_t cell = ringCell(direction, count);
+    if (std::isnan(outline_.radius[cell])) return widest;
+    double reach = way * std::remainder(middleOfCell(cell, count) - direction, kTwoPi), last = reach;
+    for (; reach < widest; reach += kTwoPi / static_cast<double>(count)) {
+      if (std::isfinite(outline_.radius[cell])) last = reach;
+      if (way > 0 && edge_[cell]) return std::clamp(last, 0.0, widest);
+      cell = (cell + (way > 0 ? 1 : count - 1)) % count;
+      if (way < 0 && edge_[cell]) return std::clamp(last, 0.0, widest);
+    }
+    return widest;
+  }
+
+ private:
+  const ShellOutline& outline_;
+  std::vector<char> edge_;  ///< after a cell, before the next that shows something
+};
 
 /// Coarse stations look at a degree of the shell as fine ones do.
 /// @param step  between stations [rad]
-ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const CellPlace& at, double step,
-                  double half_band) {
+ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const OutlineEdges& edges, const CellPlace& at,
+                  double step, double half_band) {
   const double own = std::min(step, kTwoPi / 360.0), widest = std::max(own, kWidestArc / at.radius);
-  const double arc = kTwoPi * at.radius / static_cast<double>(outline.radius.size());
-  const double back = runsOn(outline, at.direction, -1, widest, arc),
-               on = runsOn(outline, at.direction, 1, widest, arc);
+  const double back = edges.runsOn(at.direction, -1, widest), on = edges.runsOn(at.direction, 1, widest);
   const ShellHeights band{-half_band, half_band};
   const ShellLine wide = fitShellLine(ring, outline, {at.direction, widest, at.z, band, back, on});
   ShellCell cell;
@@ -186,11 +208,12 @@ std::vector<ShellCell> fitShellRow(const Points& points, const std::vector<Stati
   const double step = kTwoPi / static_cast<double>(count);
   const PolarRing ring(points, circle.center);
   const ShellOutline outline = outlineBand(ring, circle.radius);
+  const OutlineEdges edges(outline, circle.radius);
   std::vector<ShellCell> row(count);
   const auto isOtherWall = [&](std::size_t i) { return stations[i].reason == Unmeasured::OffCircle; };
   for (std::size_t i = 0; i < count; ++i) {
     if (isOtherWall(i)) continue;
-    row[i] = fitCell(ring, outline, {stations[i].direction, z[i], circle.radius}, step, options.half_band);
+    row[i] = fitCell(ring, outline, edges, {stations[i].direction, z[i], circle.radius}, step, options.half_band);
   }
   dropPoor(row);
   ShellArc arc{};
