@@ -35,7 +35,8 @@ constexpr double kRadius = 20.0;
 /// Whether plumbness is of the whole ring where so many degrees are seen over no more than so much of 8 m.
 bool isWhole(std::size_t degrees, double seen, double tank_height = kUnknown) {
   ShellSurvey shell = survey();
-  for (std::size_t i = 0; i < degrees; ++i) shell.plumbness[100 + i].top = seen, shell.plumbness[100 + i].height = seen - 0.3;
+  for (std::size_t i = 0; i < degrees; ++i)
+    shell.plumbness[100 + i].top = seen, shell.plumbness[100 + i].height = seen - 0.3;
   TankFacts facts;
   facts.height = tank_height;
   return shellMeasures(shell, facts, kRadius)[2].whole_ring;
