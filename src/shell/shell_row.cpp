@@ -14,10 +14,10 @@
 namespace tank_datum {
 namespace {
 
-constexpr std::size_t kPlenty = 40;       // points for four unknowns
-constexpr double kWantedSigma = 0.00025;  // a cell borrows points from its neighbours until it is this good [m]
-constexpr double kWidestArc = 0.4;        // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
-constexpr double kSteepest = 0.2;         // of a shell; a roof is flatter [m/m]
+constexpr std::size_t kPlenty = 40;                // points for four unknowns
+constexpr double kWantedSigma = 0.5 * kGoodSigma;  // a cell borrows points from its neighbours until it is this good
+constexpr double kWidestArc = 0.4;  // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
+constexpr double kSteepest = 0.2;   // of a shell; a roof is flatter [m/m]
 
 /// The standard error of a line's radius with its noise drawn towards that of a wider window: few points that happen
 /// to agree are not as good as they look, and a window must not stop growing on their word.

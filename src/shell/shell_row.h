@@ -24,8 +24,7 @@ struct ShellCell {
   bool seen() const { return points > 0; }
 };
 
-constexpr double kWantedSigma = 0.00025;           ///< a cell borrows points until it is this good [m]
-constexpr double kGoodSigma = 2.0 * kWantedSigma;  ///< good enough, whatever the others are [m]
+constexpr double kGoodSigma = 0.0005;  ///< of a cell: good enough, whatever the others are [m]
 
 /// How the shell is looked at, at one height.
 struct ShellRowOptions {

@@ -87,28 +87,33 @@ bool isStep(const std::vector<Column>& columns, std::size_t from, std::size_t to
       if (p.radius >= inner && p.radius <= outer) points.push_back(p);
     }
   }
-  return offStep(points) < offParabola(points);
+  return points.size() > 3 && offStep(points) < offParabola(points);
+}
+
+/// The points of an arc in its columns: the first and the last are about its ends.
+std::vector<Column> columnsOf(const PolarRing& ring, const ShellArc& arc, std::size_t last) {
+  const double span = arc.to - arc.from, width = span / static_cast<double>(last);
+  std::vector<Column> columns(last + 1);
+  ring.around(0.5 * (arc.from + arc.to), 0.5 * (span + width), [&](const PolarPoint& p, double turn) {
+    const double share = turn / span + 0.5;
+    if (std::abs(p.z - arc.z_from - share * (arc.z_to - arc.z_from)) > arc.half_band) return;
+    const double column = std::clamp(std::round(share * static_cast<double>(last)), 0.0, static_cast<double>(last));
+    columns[static_cast<std::size_t>(column)].push_back({turn * arc.radius, p.radius});
+  });
+  return columns;
 }
 
 }  // namespace
 
 ShellTrace traceShell(const PolarRing& ring, const ShellArc& arc) {
-  const double span = arc.to - arc.from;
-  const auto each =
-      static_cast<std::size_t>(std::max(1.0, span * arc.radius / kColumn / static_cast<double>(arc.steps)));
+  const double length = arc.radius * (arc.to - arc.from);
+  const auto each = static_cast<std::size_t>(std::max(1.0, length / kColumn / static_cast<double>(arc.steps)));
   const std::size_t last = each * arc.steps;  // column, of those about the stations and between them
-  const double width = span / static_cast<double>(last), turned = kSharpestTurn * width * arc.radius;
+  const double width = length / static_cast<double>(last), turned = kSharpestTurn * width;
   const double most_scatter = kScattered * arc.noise + turned;
   ShellTrace trace;
   if (kScattered * arc.noise > turned) return trace;  // which hides jumps
-  std::vector<Column> seen(last + 1);
-  ring.around(0.5 * (arc.from + arc.to), 0.5 * (span + width), [&](const PolarPoint& p, double turn) {
-    const double share = turn / span + 0.5;
-    if (std::abs(p.z - arc.z_from - share * (arc.z_to - arc.z_from)) > arc.half_band) return;
-    const double column = std::round(share * static_cast<double>(last));
-    seen[static_cast<std::size_t>(std::clamp(column, 0.0, static_cast<double>(last)))].push_back(
-        {turn * arc.radius, p.radius});
-  });
+  const std::vector<Column> seen = columnsOf(ring, arc, last);
   std::vector<ShellCell> columns;
   for (const Column& column : seen) columns.push_back(cellOf(column, most_scatter));
   for (std::size_t i = 1; i < last; ++i) {
@@ -121,7 +126,7 @@ ShellTrace traceShell(const PolarRing& ring, const ShellArc& arc) {
   };
   const auto steps = [&](std::size_t from, std::size_t to) {
     const auto [inner, outer] = std::minmax(columns[from].radius, columns[to].radius);
-    return outer - inner > bendAlong(static_cast<double>(to - from) * width * arc.radius) &&
+    return outer - inner > bendAlong(static_cast<double>(to - from) * width) &&
            isStep(seen, from, to, inner - most_scatter, outer + most_scatter);
   };
   const auto runsOn = [&](const ShellCell& a, const ShellCell& b) { return a.seen() && b.seen() && !jumps(a, b); };
