@@ -145,7 +145,9 @@ std::vector<double> sigmasOf(const std::vector<MatchedStation>& stations, double
 }
 
 double largestOf(const Eigen::VectorXd& dz, const std::vector<double>& sigmas) {
-  return dz.cwiseAbs().cwiseQuotient(Eigen::VectorXd::Map(sigmas.data(), dz.size())).maxCoeff();
+  if (dz.size() == 0) return 0.0;
+  const Eigen::VectorXd each = dz.cwiseAbs().cwiseQuotient(Eigen::VectorXd::Map(sigmas.data(), dz.size()));
+  return each.maxCoeff<Eigen::PropagateNumbers>();
 }
 
 }  // namespace tank_datum
