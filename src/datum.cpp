@@ -6,6 +6,7 @@
 #include "core/clauses.h"
 #include "core/parallel.h"
 #include "core/parts.h"
+#include "core/plain_text.h"
 #include "core/refusal.h"
 #include "datum_stages.h"
 #include "datum_status.h"
@@ -183,11 +184,26 @@ Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& optio
   return withSighting(std::move(datum), scan, options);
 }
 
+namespace {
+
+/// Refuses to turn coordinates that were rounded: their steps are not seen any more then, and sigma_z would not hold
+/// them.
+void requireFine(const Datum& datum) {
+  constexpr double kCoarsest = 0.0015;  // steps that do no harm [m]
+  const double step = datum.refined.rounding;
+  if (step < kCoarsest * footUnit(datum.tank.circle.radius, datum.tank.resolution)) return;
+  throw Error(Error::Kind::Option, "level", "elevations", formatted("rounded to %g mm", 1e3 * step),
+              "coordinates as they were measured, or no option level");
+}
+
+}  // namespace
+
 Datum extractDatum(const Scan& scan, const DatumOptions& options, const Callbacks& callbacks) {
   const std::vector<Tank> tanks = findTanks(scan, options, callbacks);
   if (callbacks.tanks) callbacks.tanks(tanks);
   Datum datum = extractPicked(tanks, scan, options, callbacks);
   if (!options.level || !datum.lean.known()) return datum;
+  requireFine(datum);
   DatumOptions upright = options;
   upright.level = false;
   const Scan turned = turnedUpright(scan, datum);

@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "sighting.h"
 #include "support/made_clouds.h"
+#include "tank_datum/core/error.h"
 #include "tank_datum/datum.h"
 
 namespace tank_datum::datum_pick_test {
@@ -54,6 +56,26 @@ TEST(ExtractDatum, ATankThatIsTurnedUprightIsTheOnePicked) {
   const Datum upright = extractDatum(scan, options);
   const Eigen::Vector2d there = leaning.tank.circle.center + leaning.origin.head<2>();
   EXPECT_NEAR((upright.tank.circle.center + upright.origin.head<2>() - there).norm(), 0.0, 0.1);
+}
+
+/// A leaning tank's points, rounded to a step [m], turned upright.
+Datum levelled(double step) {
+  Points points = twoTanks(1.0, 1.0);
+  for (Eigen::Vector3d& p : points) p = (p / step).array().round() * step;
+  DatumOptions options;
+  options.level = true;
+  return extractDatum(Scan::fromPoints(points), options);
+}
+
+TEST(ExtractDatum, WhatWasRoundedCoarselyIsNotTurnedUpright) {
+  EXPECT_NO_THROW(levelled(0.001));
+  try {
+    levelled(0.002);
+    ADD_FAILURE() << "taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::Option);
+    EXPECT_NE(std::string(error.what()).find("rounded to 2 mm"), std::string::npos) << error.what();
+  }
 }
 
 TEST(ExtractDatum, OfNoTankIsThatOfAScanWithoutOne) {
