@@ -6,6 +6,17 @@
 
 namespace tank_datum {
 
+namespace {
+
+/// CLI11 takes 010 for octal and 0x10 for hexadecimal: an integer is what it says, or refused.
+std::string refusalOfInteger(const std::string& typed) {
+  const std::size_t first = typed.find_first_not_of("+-");
+  const bool starts_with_zero = first != std::string::npos && typed[first] == '0' && first + 1 < typed.size();
+  return starts_with_zero ? typed + " is no decimal integer without leading zeros" : "";
+}
+
+}  // namespace
+
 /// How each kind of option is declared. What CLI11 cannot put where it belongs is put there after the parsing.
 struct OptionFlags::Declaration {
   OptionFlags& flags;
@@ -18,9 +29,9 @@ struct OptionFlags::Declaration {
   CLI::Option* operator()(bool* value) const {
     return app.add_flag(names + (option.negatable ? ",!--no" + flag.substr(1) : ""), *value, help);
   }
-  CLI::Option* operator()(int* value) const { return app.add_option(names, *value, help); }
+  CLI::Option* operator()(int* value) const { return app.add_option(names, *value, help)->check(refusalOfInteger, ""); }
   CLI::Option* operator()(std::size_t* value) const {
-    return app.add_option(names, *value, help)->check(CLI::PositiveNumber);
+    return app.add_option(names, *value, help)->check(refusalOfInteger, "")->check(CLI::PositiveNumber);
   }
   CLI::Option* operator()(double* value) const {
     if (option.unit != Unit::Degrees && option.unit != Unit::ArcSeconds) return app.add_option(names, *value, help);

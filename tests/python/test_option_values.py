@@ -46,3 +46,18 @@ def test_any_number_gives_a_result_or_a_line(tmp_path: Path, name: str, kind: st
         assert done.stderr.count("\n") == (done.returncode > 0), (value, done.stderr)
         if done.returncode == 2:
             assert name in done.stderr.replace("-", "_"), (value, done.stderr)
+
+
+@pytest.mark.parametrize("typed", ["0360", "0x168", "-010", "08"])
+def test_an_integer_is_decimal(tmp_path: Path, typed: str) -> None:
+    """0360 was taken for octal, and so were 240 stations."""
+    (tmp_path / "options.cfg").write_text(f"stations = {typed}\n")
+    for words in (
+        [f"--stations={typed}"],
+        [f"--k={typed}"],
+        ["--config", tmp_path / "options.cfg"],
+    ):
+        done = run_program("tank_datum", [SAMPLE, *words, "--no-report", "-o", tmp_path / "out"])
+        assert (done.returncode, done.stderr.count("\n")) == (2, 1), done.stderr
+        assert typed in done.stderr
+        assert not (tmp_path / "out").exists()
