@@ -33,6 +33,22 @@ void bridgeAlong(const RingProcess& process, const RingRun& gap, std::vector<Sta
   }
 }
 
+/// Lets no bridge be surer further in than it is on both sides: the process may have ended in between.
+void doubtInwards(const RingRun& gap, std::vector<StationDatum>& stations) {
+  std::vector<double> from_end(gap.last - gap.first + 1);
+  double most = 0.0;
+  for (std::size_t k = gap.last + 1; k-- > gap.first;) {
+    most = std::max(most, stations[k % stations.size()].sigma_z);
+    from_end[k - gap.first] = most;
+  }
+  most = 0.0;
+  for (std::size_t k = gap.first; k <= gap.last; ++k) {
+    double& sigma = stations[k % stations.size()].sigma_z;
+    most = std::max(most, sigma);
+    sigma = std::min(most, from_end[k - gap.first]);
+  }
+}
+
 /// The stations with the short gaps among them bridged.
 std::vector<StationDatum> bridged(std::vector<StationDatum> stations, const RingProcess& process,
                                   const BridgeScales& scales) {
@@ -46,7 +62,10 @@ std::vector<StationDatum> bridged(std::vector<StationDatum> stations, const Ring
   }
   stations = bridgeGaps(stations, scales.circle.center, scales.sigma_bend);
   if (!process.valid()) return stations;
-  for (const RingRun& gap : runsRound(gaps)) bridgeAlong(process, gap, stations);
+  for (const RingRun& gap : runsRound(gaps)) {
+    bridgeAlong(process, gap, stations);
+    doubtInwards(gap, stations);
+  }
   return stations;
 }
 

@@ -76,6 +76,23 @@ TEST(WithGapsBridged, FollowTheProcessUnlessTheStationsBesideDoNot) {
   EXPECT_LT(bridgeBetween(0.0006).sigma_z, 0.0005);
 }
 
+TEST(WithGapsBridged, NoneIsSurerFurtherInThanOnBothSides) {
+  MadeFoot made;
+  const Foot& foot = made.foot();
+  std::vector<StationDatum> stations = bridgedOver({}, 0.0, 1);
+  for (std::size_t i = 100; i < 105; ++i) stations[i] = {};
+  RingProcess process;
+  process.amplitude = 0.001, process.length = 0.1;
+  process.value.assign(360, 0.0), process.sigma.assign(360, 0.0001);
+  process.sigma[100] = 0.003, process.sigma[101] = 0.020, process.sigma[103] = 0.010;
+  const auto bridged = withGapsBridged(stations, process, foot, {{{0.0, 0.0}, kRadius}, 1e-9, {}});
+  EXPECT_NEAR(bridged[100].sigma_z, 0.003, 1e-5);
+  EXPECT_NEAR(bridged[101].sigma_z, 0.020, 1e-5);
+  EXPECT_NEAR(bridged[102].sigma_z, 0.010, 1e-5);
+  EXPECT_NEAR(bridged[103].sigma_z, 0.010, 1e-5);
+  EXPECT_LT(bridged[104].sigma_z, 0.0005);
+}
+
 TEST(WithGapsBridged, ThreeNeighboursTellTogether) {
   const auto below = [](const std::vector<int>& gap, int count) {
     return bridgedOver(gap, 0.02, count)[100].reason == Unmeasured::ShellBelow;
