@@ -93,14 +93,14 @@ std::size_t findExtremes(const std::vector<ShellCell>& row, const std::vector<do
   return worst;
 }
 
-/// How far what may be the shell lies off a circle, at most: a dent beside something that hides the rest of it. What is
-/// farther off stands before the shell.
+/// How far what may be the shell lies off a circle, at most: a dent beside something that hides the rest of it, or
+/// between coarse stations. What is farther off stands before the shell.
 double doubtedOf(const Circle& circle, const std::vector<ShellCell>& row, const std::vector<Station>& stations,
                  const Circle& datum_circle) {
   constexpr double kDeepest = 0.1;  // of a dent [m]
   double largest = 0.0;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (row[i].seen() || !std::isfinite(row[i].doubted)) continue;
+    if (!std::isfinite(row[i].doubted)) continue;
     const double off = std::abs(circle.residual(placeOf(datum_circle, stations[i], row[i].doubted)));
     if (off <= kDeepest) largest = std::max(largest, off);
   }

@@ -8,7 +8,7 @@
 #include "fit/ring_cells.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
-#include "foot/shell_objects.h"
+#include "shell/shell_edges.h"
 #include "shell/shell_trace.h"
 
 namespace tank_datum {
@@ -18,6 +18,8 @@ constexpr std::size_t kPlenty = 40;                // points for four unknowns
 constexpr double kWantedSigma = 0.5 * kGoodSigma;  // a cell borrows points from its neighbours until it is this good
 constexpr double kWidestArc = 0.4;  // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
 constexpr double kSteepest = 0.2;   // of a shell; a roof is flatter [m/m]
+constexpr double kOneDegree = kTwoPi / 360.0;
+constexpr double kBesideEdge = 0.1;  // a horizontal edge is looked for as far on either side [m]
 
 /// The standard error of a line's radius with its noise drawn towards that of a wider window: few points that happen
 /// to agree are not as good as they look, and a window must not stop growing on their word.
@@ -35,54 +37,11 @@ struct CellPlace {
   double radius;     ///< of the shell, roughly [m]
 };
 
-/// The outline of a row with its edges: where something before the shell begins or ends, or a plate upon it.
-class OutlineEdges {
- public:
-  OutlineEdges(const ShellOutline& outline, double radius) : outline_(outline), edge_(outline.radius.size()) {
-    std::vector<std::size_t> seen;
-    for (std::size_t i = 0; i < edge_.size(); ++i) {
-      if (std::isfinite(outline.radius[i])) seen.push_back(i);
-    }
-    const std::size_t count = seen.size();
-    const auto at = [&](std::size_t k) { return outline.radius[seen[k % count]]; };
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t cells = (seen[(k + 1) % count] + edge_.size() - seen[k]) % edge_.size();
-      const double arc = kTwoPi * radius * static_cast<double>(cells) / static_cast<double>(edge_.size());
-      const double most = mostTurn({{}, outline.noise, arc}, arc);
-      if (std::abs(at(k + 1) - at(k)) <= most) continue;
-      const double before = median({at(k + count - 2), at(k + count - 1), at(k)});  // a cell alone may be of strays
-      const double beyond = median({at(k + 1), at(k + 2), at(k + 3)});
-      edge_[seen[k]] = std::abs(beyond - before) > most ? 1 : 0;
-    }
-  }
-
-  /// How far the shell runs on from a direction, one way, at most so far [rad]. Up to the middle of the last cell
-  /// before an edge, beyond which that may be seen.
-  /// @param way  1 counter-clockwise, -1 clockwise
-  double runsOn(double direction, int way, double widest) const {
-    const std::size_t count = edge_.size();
-    std::size_t cell = ringCell(direction, count);
-    if (std::isnan(outline_.radius[cell])) return widest;
-    double reach = way * std::remainder(middleOfCell(cell, count) - direction, kTwoPi), last = reach;
-    for (; reach < widest; reach += kTwoPi / static_cast<double>(count)) {
-      if (std::isfinite(outline_.radius[cell])) last = reach;
-      if (way > 0 && edge_[cell]) return std::clamp(last, 0.0, widest);
-      cell = (cell + (way > 0 ? 1 : count - 1)) % count;
-      if (way < 0 && edge_[cell]) return std::clamp(last, 0.0, widest);
-    }
-    return widest;
-  }
-
- private:
-  const ShellOutline& outline_;
-  std::vector<char> edge_;  ///< after a cell, before the next that shows something
-};
-
 /// Coarse stations look at a degree of the shell as fine ones do.
 /// @param step  between stations [rad]
-ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const OutlineEdges& edges, const CellPlace& at,
+ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const ShellEdges& edges, const CellPlace& at,
                   double step, double half_band) {
-  const double own = std::min(step, kTwoPi / 360.0), widest = std::max(own, kWidestArc / at.radius);
+  const double own = std::min(step, kOneDegree), widest = std::max(own, kWidestArc / at.radius);
   const double back = edges.runsOn(at.direction, -1, widest), on = edges.runsOn(at.direction, 1, widest);
   const ShellHeights band{-half_band, half_band};
   const ShellLine wide = fitShellLine(ring, outline, {at.direction, widest, at.z, band, back, on});
@@ -98,6 +57,25 @@ ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const Outl
   }
 }
 
+/// The radius farthest off a cell's that the shell is seen to have between it and the middles to the stations beside:
+/// of a dent that coarse stations pass over. A cell of the outline alone may be of strays.
+/// @param step  between stations [rad]
+double farthestBeside(const ShellOutline& outline, const ShellEdges& edges, double direction, double step,
+                      double radius) {
+  const std::size_t count = outline.radius.size();
+  const double width = kTwoPi / static_cast<double>(count);
+  const double on = edges.runsToStep(direction, 1, 0.5 * step);
+  double farthest = radius;
+  for (double turn = -edges.runsToStep(direction, -1, 0.5 * step); turn <= on; turn += width) {
+    const std::size_t cell = ringCell(direction + turn, count);
+    const auto at = [&](std::size_t ahead) { return outline.radius[(cell + ahead) % count]; };
+    if (std::isnan(at(count - 1) + at(0) + at(1))) continue;
+    const double seen = median({at(count - 1), at(0), at(1)});
+    if (std::abs(seen - radius) > std::abs(farthest - radius)) farthest = seen;
+  }
+  return farthest;
+}
+
 /// Takes out the cells whose points do not agree on a surface as the others' do: seen past the edge of something.
 void dropPoor(std::vector<ShellCell>& row) {
   constexpr double kPoor = 4.0;  // times the usual standard error
@@ -107,28 +85,45 @@ void dropPoor(std::vector<ShellCell>& row) {
   }
 }
 
+/// Stations at a horizontal edge, where less than an eighth of the ring has one: of something put upon the shell, and
+/// not of its courses.
+std::vector<std::size_t> horizontalEdges(const PolarRing& ring, const std::vector<CellPlace>& places, double half_band,
+                                         double noise) {
+  const double step = kTwoPi / static_cast<double>(places.size());
+  std::vector<std::size_t> at_edge;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double half = std::max(0.5 * step, kBesideEdge / places[i].radius);
+    if (stepsUpwards(ring, {places[i].direction, half, places[i].z, half_band}, noise)) at_edge.push_back(i);
+  }
+  if (8 * at_edge.size() >= places.size()) at_edge.clear();
+  return at_edge;
+}
+
 /// Whether two stations of a row, so many steps apart, may be one shell by their radii.
 bool isNear(const ShellCell& a, const ShellCell& b, double arc) { return mayBeOne(a, b, bendAlong(arc)); }
 
 /// Traces the shell from station to station where lines cannot be fitted to it, or lie apart: over a dent or a peaked
 /// weld narrower than they are.
 /// @param z  of the row at every station [m]
-void traceRow(const PolarRing& ring, const std::vector<double>& z, const ShellArc& usual, std::vector<ShellCell>& row) {
+void traceRow(const PolarRing& ring, const ShellEdges& edges, const std::vector<double>& z, const ShellArc& usual,
+              std::vector<ShellCell>& row) {
   const std::size_t count = row.size();
   const double step = kTwoPi / static_cast<double>(count);
   const std::vector<ShellCell> fitted = row;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = nextSeen(fitted, i), steps = next - i;
     if (!fitted[i].seen() || steps == count) continue;
-    const double arc = static_cast<double>(steps) * step;
+    const double arc = static_cast<double>(steps) * step, from = usual.from + static_cast<double>(i) * step;
+    row[i].stepped = edges.stepsBetween(from, from + arc);
     if (steps == 1 && isNear(fitted[i], fitted[next % count], arc * usual.radius)) continue;
     ShellArc at = usual;
-    at.from = usual.from + static_cast<double>(i) * step, at.to = at.from + arc;
+    at.from = from, at.to = from + arc;
     at.z_from = z[i], at.z_to = z[next % count], at.steps = steps;
     at.first = fitted[i], at.last = fitted[next % count];
     const ShellTrace trace = traceShell(ring, at);
-    row[i].stepped = trace.stepped;
-    for (std::size_t k = i; trace.runs_on && k < next; ++k) {
+    const bool runs_on = trace.runs_on && row[i].stepped == 0.0;
+    if (trace.stepped != 0.0) row[i].stepped = trace.stepped;
+    for (std::size_t k = i; runs_on && k < next; ++k) {
       if (k > i) row[k % count] = trace.stations[k - i - 1];
       row[k % count].runs_on = true;
     }
@@ -138,7 +133,8 @@ void traceRow(const PolarRing& ring, const std::vector<double>& z, const ShellAr
 /// Takes out what stands before the shell or is put upon it: between two edges at which the radius jumps towards where
 /// the shell is seen from and back, and not as wide as an eighth of the ring. What is put upon that is taken out first.
 bool dropObjects(std::vector<ShellCell>& row, double step, Side side) {
-  const std::size_t count = row.size();
+  constexpr double kThickest = 0.025, kWidestPad = 3.0;  // of the shell's own plates and what is welded upon them [m]
+  const std::size_t count = row.size(), pad = static_cast<std::size_t>(kWidestPad / step);
   const std::vector<ShellCell> all = row;
   bool dropped = false;
   std::size_t first = 2 * count;  // of what may be an object; none yet
@@ -148,7 +144,8 @@ bool dropObjects(std::vector<ShellCell>& row, double step, Side side) {
     if (!cell.seen() || runsToNext(all, i % count, steps, step)) continue;
     const double jump = all[(i + steps) % count].radius - cell.radius;
     const bool towards = side == Side::Inside ? jump < 0.0 : jump > 0.0;
-    if (!towards && first <= i && 8 * (i - first) < count) {
+    const std::size_t widest = std::abs(jump) < kThickest ? std::min(count / 8, pad) : count / 8;
+    if (!towards && first <= i && i - first < widest) {
       for (std::size_t k = first; k <= i; ++k) row[k % count] = {};
       dropped = true;
     }
@@ -171,6 +168,19 @@ void dropJumps(std::vector<ShellCell>& row, double arc) {
     row[i].doubted = all[i].radius;
     row[(i + count - 1) % count].runs_on = false;
   }
+}
+
+/// The points of a row that are about its height at the stations [m].
+PolarRing atHeight(const PolarRing& ring, const std::vector<Station>& stations, const std::vector<double>& z,
+                   double half_band) {
+  const double step = kTwoPi / static_cast<double>(stations.size());
+  PolarPoints near;
+  for (const PolarPoint& p : ring.points()) {
+    const double ahead = std::remainder(p.azimuth - stations.front().direction, kTwoPi);
+    const auto station = static_cast<std::size_t>(std::round((ahead < 0.0 ? ahead + kTwoPi : ahead) / step));
+    if (std::abs(p.z - z[station % stations.size()]) <= half_band) near.push_back(p);
+  }
+  return PolarRing(std::move(near));
 }
 
 }  // namespace
@@ -203,28 +213,38 @@ bool runsToNext(const std::vector<ShellCell>& row, std::size_t i, std::size_t st
 
 std::vector<ShellCell> fitShellRow(const Points& points, const std::vector<Station>& stations, const Circle& circle,
                                    const std::vector<double>& z, const ShellRowOptions& options) {
-  if (points.size() < kPlenty) return {};
   const std::size_t count = stations.size();
   const double step = kTwoPi / static_cast<double>(count);
-  const PolarRing ring(points, circle.center);
+  const PolarRing ring = atHeight(PolarRing(points, circle.center), stations, z, options.half_band);
+  if (ring.points().size() < kPlenty) return {};
   const ShellOutline outline = outlineBand(ring, circle.radius);
-  const OutlineEdges edges(outline, circle.radius);
+  const ShellEdges edges(ring, outline, circle.radius);
   std::vector<ShellCell> row(count);
+  std::vector<CellPlace> places;
+  for (std::size_t i = 0; i < count; ++i) places.push_back({stations[i].direction, z[i], circle.radius});
   const auto isOtherWall = [&](std::size_t i) { return stations[i].reason == Unmeasured::OffCircle; };
   for (std::size_t i = 0; i < count; ++i) {
     if (isOtherWall(i)) continue;
-    row[i] = fitCell(ring, outline, edges, {stations[i].direction, z[i], circle.radius}, step, options.half_band);
+    row[i] = fitCell(ring, outline, edges, places[i], step, options.half_band);
   }
+  const std::vector<std::size_t> at_edge = horizontalEdges(ring, places, options.half_band, outline.noise);
+  const auto dropEdges = [&] {
+    for (const std::size_t i : at_edge) row[i] = {};
+  };
+  dropEdges();
   dropPoor(row);
   ShellArc arc{};
   arc.from = stations.front().direction, arc.half_band = options.half_band;
   arc.radius = circle.radius, arc.noise = outline.noise;
-  traceRow(ring, z, arc, row);
+  traceRow(ring, edges, z, arc, row);
+  dropEdges();
   while (dropObjects(row, step * circle.radius, options.side)) {
   }
   dropJumps(row, step * circle.radius);
   for (std::size_t i = 0; i < count; ++i) {
     if (isOtherWall(i)) row[i] = {};
+    if (row[i].seen() && step > kOneDegree)
+      row[i].doubted = farthestBeside(outline, edges, stations[i].direction, step, row[i].radius);
   }
   return row;
 }

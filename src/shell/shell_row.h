@@ -19,7 +19,7 @@ struct ShellCell {
   std::size_t points = 0;     ///< 0 when the shell is not seen here
   bool runs_on = false;       ///< traced to the next station that is seen
   double stepped = 0.0;       ///< by how much the radius is seen to step up to there [m]
-  double doubted = kUnknown;  ///< radius of what was not taken for the shell, though it may be it [m]
+  double doubted = kUnknown;  ///< radius of what was not taken for the shell, or lies between coarse stations [m]
 
   bool seen() const { return points > 0; }
 };

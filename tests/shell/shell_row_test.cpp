@@ -53,12 +53,12 @@ TEST(FitShellRow, NothingIsFittedOverAnEdge) {  // a cell of few points borrows 
   EXPECT_LT(worstOf(rowOf(shell)), 0.004);
 }
 
-/// Of 35 points a degree, which have to borrow, with strays before one degree of 3.5.
+/// Of 70 points a degree, which have to borrow, with strays before 0.1 m of 0.6.
 TEST(FitShellRow, StraysInOneCellAreNoEdge) {
   MadeShell shell;
-  shell.noise = 0.001, shell.count = 25'000;
+  shell.noise = 0.001, shell.count = 50'000;
   shell.radius = [](double a, double h) {
-    const bool before = std::fmod(a, 3.5 * kDegree) < kDegree && std::fmod(1000.0 * h, 1.0) < 0.9;
+    const bool before = std::fmod(a, 3.5 * kDegree) < 0.6 * kDegree && std::fmod(1000.0 * h, 1.0) < 0.9;
     return kRadius + (before ? 0.06 : 0.0);
   };
   const auto row = rowOf(shell);
@@ -69,6 +69,63 @@ TEST(FitShellRow, StraysInOneCellAreNoEdge) {
 TEST(FitShellRow, AnObjectIsLessThanAnEighthOfTheRingWide) {
   EXPECT_LT(worstOf(rowOf(with(0.06, 100.5, 144.5))), 0.003);
   EXPECT_GT(worstOf(rowOf(with(0.06, 100.5, 146.5))), 0.05);
+}
+
+TEST(FitShellRow, APadUponTheShellIsNotTheShell) {
+  for (const double thick : {0.008, 0.012, 0.02}) {
+    const auto row = rowOf(with(thick, 100.3, 106.7));
+    EXPECT_NEAR(static_cast<double>(seenIn(row)), 353.0, 2.0) << thick;
+    EXPECT_LT(worstOf(row), 0.003) << thick;
+  }
+}
+
+TEST(FitShellRow, PlatesOfTheShellAreLongerThanPads) {
+  EXPECT_LT(worstOf(rowOf(with(0.02, 100.5, 115.5))), 0.003);  // 2.6 m
+  EXPECT_GT(worstOf(rowOf(with(0.02, 100.5, 120.5))), 0.018);  // 3.5 m
+  EXPECT_LT(worstOf(rowOf(with(0.03, 100.5, 120.5))), 0.003) << "thicker than plates are";
+}
+
+/// Of a plate whose upper edge is in the row.
+MadeShell withUpperEdge(double from, double to) {
+  MadeShell shell = with(0.0, 0.0, 0.0);
+  shell.radius = [=](double a, double h) {
+    return kRadius + (a > from * kDegree && a < to * kDegree && h < 0.3 ? 0.012 : 0.0);
+  };
+  return shell;
+}
+
+TEST(FitShellRow, NothingIsSeenAtAHorizontalEdge) {
+  const auto row = rowOf(withUpperEdge(100.5, 110.5));
+  EXPECT_NEAR(static_cast<double>(seenIn(row)), 350.0, 2.0);
+  EXPECT_LT(worstOf(row), 0.003);
+}
+
+TEST(FitShellRow, ButOfCourses) { EXPECT_GT(seenIn(rowOf(withUpperEdge(0.0, 360.0))), 355U); }
+
+TEST(FitShellRow, AHorizontalEdgeIsLookedForOnBothSidesOfAStation) {
+  MadeShell coarse = withUpperEdge(100.5, 110.5);
+  coarse.count = 60'000;  // 12 of a layer within 0.1 m
+  EXPECT_NEAR(static_cast<double>(seenIn(rowOf(coarse))), 350.0, 3.0);
+  const auto narrow = rowOf(withUpperEdge(103.3, 104.7));  // 0.24 m
+  EXPECT_LT(seenIn(narrow), 360U);
+}
+
+TEST(FitShellRow, WhatLiesBetweenCoarseStationsIsDoubted) {
+  MadeShell shell;
+  shell.noise = 0.001, shell.from = 0.1, shell.to = 0.5;
+  shell.radius = [](double a, double) {
+    const double t = kRadius * (a - 102.5 * kDegree);
+    return kRadius - (std::abs(t) < 0.4 ? 0.05 * (0.5 + 0.5 * std::cos(kTurn * t / 0.8)) : 0.0);
+  };
+  const auto of = [&](int count) {
+    StationOptions options;
+    options.count = count;
+    const std::vector<double> z(static_cast<std::size_t>(count), kFoot + 0.3);
+    return fitShellRow(shell.points(), stations(options), tank10().circle, z, {0.1, Side::Outside});
+  };
+  EXPECT_NEAR(of(72)[20].doubted, kRadius - 0.05, 0.006);
+  EXPECT_NEAR(of(72)[50].doubted, kRadius, 0.002);
+  EXPECT_TRUE(std::isnan(of(360)[100].doubted));
 }
 
 TEST(FitShellRow, FromInsideAPlateStandsInwards) {
