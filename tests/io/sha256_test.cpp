@@ -1,6 +1,9 @@
 #include "io/sha256.h"
 
 #include <gtest/gtest.h>
+#include <openssl/crypto.h>
+
+#include <cstdlib>
 
 #include "support/pcd_files.h"
 
@@ -34,6 +37,20 @@ TEST(Sha256, FileThatCannotBeRead) {
   const pcd_files::Folder folder;
   EXPECT_NE(pcd_files::errorOf([&] { sha256OfFile(folder.path("none")); }).find("No such file"), std::string::npos);
   EXPECT_NE(pcd_files::errorOf([&] { sha256OfFile(folder.path("")); }).find("a folder"), std::string::npos);
+}
+
+/// Where memory ends libcrypto would end the process by SIGSEGV.
+TEST(Sha256, AsksLibcryptoForNoMemory) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process that has not used libcrypto yet
+  const pcd_files::Folder folder;
+  const std::string path = folder.file("abc", "abc");
+  const auto hash_without_memory = [&path] {
+    const bool none = CRYPTO_set_mem_functions([](std::size_t, const char*, int) -> void* { return nullptr; },
+                                               [](void*, std::size_t, const char*, int) -> void* { return nullptr; },
+                                               [](void*, const char*, int) {}) == 1;
+    std::exit(none && sha256OfFile(path).substr(0, 8) == "ba7816bf" ? 0 : 1);
+  };
+  EXPECT_EXIT(hash_without_memory(), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace tank_datum::sha256_test
