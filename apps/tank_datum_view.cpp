@@ -16,6 +16,7 @@
 #include "run_main.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/version.h"
+#include "view/apart.h"
 #include "view/display.h"
 #include "view/window.h"
 
@@ -73,6 +74,9 @@ std::unique_ptr<VirtualDisplay> displayFor(const ViewCommand& command) {
   if (displayAnswers()) return nullptr;
   auto display = command.screenshot.empty() ? nullptr : std::make_unique<VirtualDisplay>();
   if (!displayAnswers()) {
+    if (display && display->runs()) {
+      throw Error(Error::Kind::File, "view", "the display of Xvfb", "no answer", kRoomToDraw);
+    }
     const char* name = std::getenv("DISPLAY");
     throw Error(Error::Kind::Option, "view", "DISPLAY", name == nullptr ? "not set" : name,
                 "an X display that answers (without a screen: --screenshot, and Xvfb in PATH)");
@@ -85,6 +89,18 @@ void requireScansUntouched(const ViewCommand& command) {
   std::vector<NamedPath> inputs = inputsOf("result or scan", command.path);
   for (const std::string& scan : command.scans) inputs.push_back({"scan", scan});
   requireApart(inputs, {{"--screenshot", command.screenshot}});
+}
+
+/// @param picture  where to write the picture; empty: a window is shown
+void show(const ViewCommand& command, const ViewedResult& result, const Points& cloud, const std::string& picture) {
+  Window window(result, cloud, command.scene, picture.empty());
+  window.pick(command.station);
+  for (const char key : command.keys) {
+    if (!window.press(key)) throw refused("--keys", std::string(1, key), "keys that h lists");
+  }
+  if (picture.empty()) return window.run();
+  if (command.paper) window.whiten();
+  window.screenshot(picture);
 }
 
 int run(const ViewCommand& command) {
@@ -109,16 +125,11 @@ int run(const ViewCommand& command) {
   }
   const Points thinned = thinnedCloud(result, command.scene.points);
   const Points cloud = command.paper ? nearTank(thinned, result) : thinned;
-  Window window(result, cloud, command.scene, command.screenshot.empty());
-  window.pick(command.station);
-  for (const char key : command.keys) {
-    if (!window.press(key)) throw refused("--keys", std::string(1, key), "keys that h lists");
-  }
-  if (command.screenshot.empty()) {
-    window.run();
+  const auto draw = [&] { show(command, result, cloud, picture ? picture->place() : ""); };
+  if (!picture) {
+    draw();
   } else {
-    if (command.paper) window.whiten();
-    window.screenshot(picture->place());
+    drawApart(draw);
     picture->commit();
   }
   return kUsable;

@@ -6,20 +6,27 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
+#include "core/refusal.h"
 #include "results/stop_signals.h"
+#include "tank_datum/core/error.h"
+#include "view/apart.h"
 
 namespace tank_datum::view {
 namespace {
+
+constexpr int kNotFound = 127;
 
 /// Becomes Xvfb, which writes its number into a pipe. It ends with the process that asks.
 [[noreturn]] void serve(int number) {
   results::settleChild();
   const std::string pipe = std::to_string(number);
   execlp("Xvfb", "Xvfb", "-displayfd", pipe.c_str(), "-nolisten", "tcp", "-screen", "0", "1280x800x24", nullptr);
-  _exit(127);
+  _exit(errno == ENOENT ? kNotFound : 1);
 }
 
 /// What the pipe says up to the line's end; empty when nobody writes.
@@ -40,16 +47,25 @@ bool displayAnswers() {
 
 VirtualDisplay::VirtualDisplay() {
   int ends[2];
-  if (pipe2(ends, 0) != 0) return;
+  if (pipe2(ends, 0) != 0) throw refusedBySystem("view", "Xvfb", "", errno, kRoomToDraw);
   server_ = fork();
   if (server_ == 0) {
     close(ends[0]);
     serve(ends[1]);
   }
+  const int reason = errno;
   close(ends[1]);
-  const std::string number = lineOf(ends[0]);
+  const std::string number = server_ > 0 ? lineOf(ends[0]) : "";
   close(ends[0]);
-  if (!number.empty()) setenv("DISPLAY", (":" + number).c_str(), 1);
+  if (server_ < 0) throw refusedBySystem("view", "Xvfb", "", reason, kRoomToDraw);
+  if (!number.empty()) {
+    setenv("DISPLAY", (":" + number).c_str(), 1);
+    return;
+  }
+  int status = 0;
+  waitpid(std::exchange(server_, -1), &status, 0);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kNotFound) return;
+  throw Error(Error::Kind::File, "view", "Xvfb", "ended before it had a display", kRoomToDraw);
 }
 
 VirtualDisplay::~VirtualDisplay() {
