@@ -8,21 +8,28 @@
 #include "core/portable_math.h"
 #include "core/units.h"
 #include "locate/crop.h"
+#include "locate/foot_unit.h"
 #include "locate/ring_shape.h"
 
 namespace tank_datum {
 namespace {
 
 constexpr std::size_t kSectors = 720;
-constexpr double kPerMetre = 100.0, kMostPlaces = 1e5;  // looked up by height: centimetres, coarser over kilometres
-constexpr double kOneFoot = 0.3;   // API 650 7.5.3: radii are measured 1 ft above the bottom's weld [m]
-constexpr double kTallest = 60.0;  // no storage tank's shell is as high [m]
-constexpr double kUneven = 0.1;    // of a datum about the coarse plane of its foot [m]
+constexpr double kPerMetre = 100.0,
+                 kMostPlaces = 1e5;  // looked up by height: centimetres [1/footUnit], coarser over kilometres
+constexpr double kOneFoot = 0.3;     // API 650 7.5.3: radii are measured 1 ft above the bottom's weld [footUnit]
+constexpr double kTallest = 60.0;    // no storage tank's shell is as high [footUnit]
+constexpr double kUneven = 0.1;      // of a datum about the coarse plane of its foot [footUnit]
 
-std::vector<double> heightsOf(const ShellOptions& options) {
+double unitOf(const Tank& tank) { return footUnit(tank.circle.radius, tank.resolution); }
+
+std::vector<double> heightsOf(const ShellOptions& options, double unit) {
   if (!options.heights.empty()) return options.heights;
   std::vector<double> heights;
-  for (int i = 0; kOneFoot + i * options.step < kTallest; ++i) heights.push_back(kOneFoot + i * options.step);
+  for (double height = unit * kOneFoot; height < unit * kTallest;) {
+    heights.push_back(height);
+    height = unit * kOneFoot + static_cast<double>(heights.size()) * options.step;
+  }
   return heights;
 }
 
@@ -34,17 +41,17 @@ ShellBands::ShellBands(const Tank& tank, const ShellOptions& options, std::uint6
       slope_(tank.foot.coefficients[1] / tank.circle.radius, tank.foot.coefficients[2] / tank.circle.radius),
       radius_(tank.circle.radius),
       reach_(reachOf(tank, options.reach) + 2.0 * tank.resolution),
-      half_(options.half_band + kUneven + 2.0 * tank.resolution),
+      half_(options.half_band + unitOf(tank) * kUneven + 2.0 * tank.resolution),
       capacity_(static_cast<std::size_t>(static_cast<double>(options.cell_points) * half_ / options.half_band)),
       stride_(points / kPointsLookedAt | 1U),
-      heights_(heightsOf(options)),
+      heights_(heightsOf(options, unitOf(tank))),
       bands_(heights_.size()) {
   const double widest = reach_ + kSteepestShell * heights_.back();
   inner_ = square(std::max(0.0, radius_ - widest));
   outer_ = square(radius_ + widest);
   const double lowest = heights_.front() - half_;
   const double span = heights_.back() + half_ - lowest;
-  per_metre_ = std::min(kPerMetre, kMostPlaces / span);
+  per_metre_ = std::min(kPerMetre / unitOf(tank), kMostPlaces / span);
   for (double i = 0.0; i <= std::ceil(span * per_metre_); i += 1.0) {
     const auto band = std::lower_bound(heights_.begin(), heights_.end(), lowest + i / per_metre_ - half_);
     first_band_.push_back(static_cast<std::size_t>(band - heights_.begin()));

@@ -41,7 +41,8 @@ struct CellPlace {
 /// @param step  between stations [rad]
 ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const ShellEdges& edges, const CellPlace& at,
                   double step, double half_band) {
-  const double own = std::min(step, kOneDegree), widest = std::max(own, kWidestArc / at.radius);
+  const double own = std::min(step, kOneDegree);
+  const double widest = std::max(own, std::min(kWidestArc / at.radius, kPi));  // no more than the ring either way
   const double back = edges.runsOn(at.direction, -1, widest), on = edges.runsOn(at.direction, 1, widest);
   const ShellHeights band{-half_band, half_band};
   const ShellLine wide = fitShellLine(ring, outline, {at.direction, widest, at.z, band, back, on});
@@ -92,7 +93,7 @@ std::vector<std::size_t> horizontalEdges(const PolarRing& ring, const std::vecto
   const double step = kTwoPi / static_cast<double>(places.size());
   std::vector<std::size_t> at_edge;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const double half = std::max(0.5 * step, kBesideEdge / places[i].radius);
+    const double half = std::max(0.5 * step, std::min(kBesideEdge / places[i].radius, kPi));
     if (stepsUpwards(ring, {places[i].direction, half, places[i].z, half_band}, noise)) at_edge.push_back(i);
   }
   if (8 * at_edge.size() >= places.size()) at_edge.clear();

@@ -63,12 +63,17 @@ def plain(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[float, in
     return {tank: measured(scan, folder / "out", tank) for tank in ("", "0,0,5")}
 
 
-def measured(scan: Path, out: Path, tank: str) -> tuple[float, int]:
-    words = [str(executable("tank_datum")), str(scan), "-o", str(out), "--quiet"]
+def within_limits() -> None:
+    resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+
+
+def measured(scan: Path, out: Path, tank: str, *more: str) -> tuple[float, int]:
+    words = [str(executable("tank_datum")), str(scan), "-o", str(out), "--quiet", *more]
     process = subprocess.Popen(
         [*words, *(["--tank", tank] if tank else [])],
         stderr=subprocess.PIPE,
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (60, 60)),
+        preexec_fn=within_limits,
     )
     assert process.stderr
     said = process.stderr.read()
@@ -90,6 +95,18 @@ def test_neither_datum_nor_memory_follows(
     expected, least = plain[tank]
     assert mean - shift[2] == pytest.approx(expected, abs=max(apart, 1e-12))
     assert peak < 1.1 * least + 4096  # kB; what the allocator rounds up
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+def test_memory_does_not_follow_the_unit(
+    plain: dict[str, tuple[float, int]], tmp_path: Path, scale: float
+) -> None:
+    """The sample as if its unit were another one than it says."""
+    scan = write_xyz(tmp_path / "scan.pcd", scale * points())
+    mean, peak = measured(scan, tmp_path / "out", "", "--min-radius", str(scale))
+    expected, least = plain[""]
+    assert mean == pytest.approx(scale * expected, abs=1e-3 * scale)
+    assert peak < 1.5 * least
 
 
 @pytest.mark.parametrize(

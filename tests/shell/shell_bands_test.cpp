@@ -31,6 +31,19 @@ TEST(ShellBands, HeightsAreAFootAboveTheDatumAndEveryStep) {
   EXPECT_EQ(bandsOf({}, options).heights(), (std::vector<double>{0.5, 3.0}));
 }
 
+/// A scan in other units than it says: as many heights as in metres, however small or large its tank.
+TEST(ShellBands, HeightsAreInProportionToATankThatNoneCanBe) {
+  for (const double unit : {1e-7, 1e4}) {
+    Tank tank = tank10();
+    tank.circle.radius *= unit;
+    ShellOptions options = everyMetre();
+    for (double* length : {&options.step, &options.half_band, &options.reach}) *length *= unit;
+    const ShellBands bands(tank, options);
+    ASSERT_EQ(bands.heights().size(), bandsOf({}).heights().size());
+    EXPECT_NEAR(bands.heights()[2], 2.3 * unit, 1e-9 * unit);
+  }
+}
+
 TEST(ShellBands, KeepsPointsNearTheShellAtTheHeights) {
   EXPECT_EQ(kept(place(1.0, 0.0, 1.3), 1), 1U);
   EXPECT_EQ(kept(place(1.0, 0.0, 1.3), 0), 0U);
