@@ -104,7 +104,8 @@ bool parse(CLI::App& app, int argc, char** argv, const Command& command, int& st
     status = kFileFailed;
   } catch (const CLI::ParseError& error) {
     for (const std::string& config : app.get_config_ptr()->results()) requireConfigLines(config);
-    std::cerr << "tank_datum: command line: " << printable(error.what()) << ", expected what tank_datum --help lists\n";
+    std::cerr << "tank_datum: command line: " << printable(withShortWords(error.what()))
+              << ", expected what tank_datum --help lists\n";
     status = kWrongUse;
   }
   return false;
@@ -132,10 +133,7 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   if (command.print_limits) std::cout << standardLimitsText();
   if (command.print_options) std::cout << optionsListed();
   if (command.print_limits || command.print_options) return false;
-  if (command.output == "-") {
-    throw Error(Error::Kind::Option, "command line", "--output", "-",
-                "a folder, or ./- for one of that name; --json - prints datum.json");
-  }
+  refuseDash(command.output, "; --json - prints datum.json");
   if (command.output.empty() && !command.inputs().empty()) command.output = stemOf(command.inputs().front());
   requireInputsUntouched(command);
   readFilesOf(command);

@@ -23,6 +23,13 @@ inline void refuseEmptyValues(int argc, char** argv) {
   }
 }
 
+/// Elsewhere - is standard output, which no folder can be.
+/// @param instead  what else may be meant, behind "; "
+inline void refuseDash(const std::string& output, const std::string& instead = "") {
+  if (output != "-") return;
+  throw Error(Error::Kind::Option, "command line", "--output", "-", "a folder, or ./- for one of that name" + instead);
+}
+
 /// Parses the command line of a program that has a name. Help and version are printed, a wrong line is refused in one.
 /// @return false with `status` the exit status to leave with
 inline bool parsed(CLI::App& app, int argc, char** argv, int& status) {
@@ -33,8 +40,8 @@ inline bool parsed(CLI::App& app, int argc, char** argv, int& status) {
   } catch (const CLI::Success& asked) {  // --help, --version
     status = app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::cerr << app.get_name() << ": command line: " << printable(error.what()) << ", expected what " << app.get_name()
-              << " --help lists\n";
+    std::cerr << app.get_name() << ": command line: " << printable(withShortWords(error.what())) << ", expected what "
+              << app.get_name() << " --help lists\n";
     status = kWrongUse;
   }
   return false;

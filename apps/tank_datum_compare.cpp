@@ -59,6 +59,7 @@ bool parseCommandLine(int argc, char** argv, CompareCommand& command, int& statu
   const OptionFlags flags(app, options);
   app.set_version_flag("--version", std::string("tank_datum_compare ") + kVersion);
   if (!parsed(app, argc, argv, status)) return false;
+  refuseDash(command.output);
   flags.putTyped();
   readIdentity(command.told);
   return true;

@@ -19,6 +19,9 @@ using namespace results;
 
 /// Where a file will be, its links followed; empty when that is a device or a pipe.
 fs::path targetOf(const std::string& path) {
+  if (path == "-") {  // elsewhere standard output
+    throw Error(Error::Kind::Option, "command line", "an output file", "-", "its name, or ./- for one of that name");
+  }
   std::error_code unknown;
   const fs::file_status status = fs::status(path, unknown);
   if (fs::is_directory(status)) throw Error(Error::Kind::File, "report", path, "a folder", "the name of a file");

@@ -25,7 +25,7 @@ IsOwn isReportPage();
 /// link is followed; a device or a pipe is written to as it is.
 class OutputFile {
  public:
-  /// @throws Error (File) when the folder of the file cannot be written to or listed
+  /// @throws Error (File) when the folder of the file cannot be written to or listed; Error (Option) for "-"
   OutputFile(const std::string& path, IsOwn own, std::string program);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;

@@ -10,7 +10,9 @@
 namespace tank_datum::results {
 namespace {
 
-std::string parentOf(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
+namespace fs = std::filesystem;
+
+std::string parentOf(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 /// Builds a plan; its members are the steps.
 class Planner {
@@ -87,12 +89,19 @@ class Planner {
   void giveWay(const std::string& path) { plan_.journal.displaced.emplace_back(path, oldPlace(path)); }
 
   void keep(const std::string& path) {
-    const std::string kept = keptName(folder_ + "/" + path).substr(folder_.size() + 1);
-    plan_.journal.displaced.emplace_back(path, kept);
-    const bool ours = before_.files.count(path) > 0;
-    plan_.said.push_back(folder_ + "/" + path +
-                         (ours ? " was changed since it was written" : " is not of this program") + ": kept as " +
-                         folder_ + "/" + kept);
+    const fs::path place = fs::path(folder_) / path;
+    const std::string name = fs::path(keptName(place.string())).filename().string();
+    plan_.journal.displaced.emplace_back(path, (fs::path(path).parent_path() / name).string());
+    plan_.said.push_back(place.string() + whyKept(path) + ": kept as " + (place.parent_path() / name).string());
+  }
+
+  std::string whyKept(const std::string& path) const {
+    const auto before = before_.files.find(path);
+    if (before == before_.files.end()) return " is not of this program";
+    const auto& [hash, program] = before->second;
+    const std::string place = folder_ + "/" + path;
+    const bool is_of_other = program != program_ && kindOf(place) == Kind::File && sha256OfFile(place) == hash;
+    return is_of_other ? " is of " + program : " was changed since it was written";
   }
 
   void findEmptied() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 namespace tank_datum {
@@ -24,6 +25,24 @@ inline std::string printableLines(const std::string& text) {
     lines += printable(text.substr(begin, end - begin)) + "\n";
   }
   return lines + printable(text.substr(begin));
+}
+
+/// A message with its overlong words cut, such as a number of thousands of digits; paths stay.
+inline std::string withShortWords(const std::string& text) {
+  constexpr std::size_t kLongest = 60;
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size() - 1) + 1;
+    const std::string word = text.substr(begin, end - begin);
+    std::size_t length = word.size();
+    if (length > kLongest && word.find('/') == std::string::npos) {
+      length = kLongest;
+      while (length > 0 && (static_cast<unsigned char>(word[length]) & 0xc0U) == 0x80U) --length;  // inside a character
+    }
+    result += length < word.size() ? word.substr(0, length) + (word.back() == ' ' ? "... " : "...") : word;
+    begin = end;
+  }
+  return result;
 }
 
 /// Whether a text holds characters that turn the direction of what follows (U+202A to U+202E, U+2066 to U+2069): a

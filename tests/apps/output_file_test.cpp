@@ -72,4 +72,9 @@ TEST_F(OutputFileTest, FilesAreKnownByTheirHead) {
   for (const char* other : {"b.pcd", "c.pcd", "d.pcd"}) EXPECT_FALSE(own(path(other))) << other;
   EXPECT_THROW(own(path("none")), Error);  // what cannot be read is not taken for anything
 }
+TEST_F(OutputFileTest, ADashIsNoFile) {
+  EXPECT_EQ(refusalOf(Error::Kind::Option, [] { const OutputFile file("-", isReportPage(), "tank_datum"); }),
+            "command line: an output file, -, expected its name, or ./- for one of that name");
+}
+
 }  // namespace tank_datum::output_file_test

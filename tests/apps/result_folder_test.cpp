@@ -8,6 +8,7 @@
 #include "apps/result_folder_fixture.h"
 #include "io/sha256.h"
 #include "results/manifest.h"
+#include "results/plan.h"
 
 namespace tank_datum::result_folder_test {
 
@@ -103,10 +104,20 @@ TEST_F(ResultFolderTest, ProgramsShareAFolder) {
   run({{"movement.json", "1"}, {"report.html", "of the movement"}}, "tank_datum_compare");
   EXPECT_EQ(read("out/datum.json"), "1");
   EXPECT_EQ(read("out/report.kept.html"), "of the datum");
+  EXPECT_NE(said_.find("out/report.html is of tank_datum: kept as"), std::string::npos) << said_;
   run({{"datum.json", "2"}});
   EXPECT_EQ(read("out/movement.json"), "1");
   EXPECT_EQ(read("out/report.html"), "of the movement");
   EXPECT_EQ(results::Manifest::of(path("out"))->files.size(), 3U);
+}
+
+TEST_F(ResultFolderTest, TheRootIsAFolderToo) {
+  write("report.html", "mine");
+  const std::string name = path("report.html").substr(1), kept = path("report.kept.html");
+  const results::Plan plan = results::planOf("/", "tank_datum", {{name, ""}});
+  ASSERT_EQ(plan.journal.displaced.size(), 1U);
+  EXPECT_EQ(plan.journal.displaced[0].second, kept.substr(1));
+  EXPECT_EQ(plan.said[0], "/" + name + " is not of this program: kept as " + kept);
 }
 
 TEST_F(ResultFolderTest, AManifestLeadsNowhereElse) {

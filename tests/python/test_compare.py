@@ -182,3 +182,24 @@ def test_what_is_no_comparison_is_refused(tmp_path: Path) -> None:
     assert compare(survey, epoch(tmp_path / "c.json", stations=3)).returncode == 3
     assert compare(survey, epoch(tmp_path / "d.json", status="no_tank")).returncode == 1
     assert compare(survey).returncode == 2
+
+
+def test_a_dash_is_no_folder(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [
+            executable("tank_datum_compare"),
+            epoch(tmp_path / "0.json"),
+            tmp_path / "0.json",
+            "-o",
+            "-",
+        ],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr == (
+        "tank_datum_compare: command line: --output, -, expected a folder, or ./- for one of that name\n"
+    )
+    assert not (tmp_path / "-").exists()
