@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "core/printable.h"
 #include "options/option_table.h"
 
 namespace tank_datum {
@@ -13,6 +14,13 @@ bool isFlag(const std::string& name) {
   const std::vector<Option> options = optionsOf(run);
   return std::any_of(options.begin(), options.end(),
                      [&](const Option& o) { return o.name == name && o.giver != Giver::Library; });
+}
+
+/// A line about a file that is being written names it where it will be, not where it waits for that.
+std::string withoutStaging(const std::string& line) {
+  static const std::regex kWaiting(
+      R"(/\.tank_datum-(commit|[0-9]+-[0-9]+)(/(new|old|lock|done\.json|journal\.json(\.part)?))?)");
+  return std::regex_replace(line, kWaiting, "");
 }
 
 }  // namespace
@@ -37,11 +45,14 @@ std::string withFlags(const std::string& text) {
 }
 
 std::string lineOf(const Error& error) {
-  if (error.kind() == Error::Kind::File) return error.what();
   const Refusal& refused = error.refused();
+  const auto line = [&](const std::string& name, const std::string& expected) {
+    return error.stage() + ": " + name + ", " + withShortWords(refused.value) + ", expected " + expected;
+  };
+  if (error.kind() == Error::Kind::File) return withoutStaging(line(refused.name, refused.expected));
   const std::string name = isFlag(refused.name) ? flagOf(refused.name) : withFlags(refused.name);
   // the value is the user's own, a file's name perhaps: it stays as it is
-  return error.stage() + ": " + name + ", " + refused.value + ", expected " + withFlags(refused.expected);
+  return line(name, withFlags(refused.expected));
 }
 
 }  // namespace tank_datum

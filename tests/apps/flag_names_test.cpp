@@ -30,4 +30,28 @@ TEST(FlagNames, WhatTheUserTypedStaysAsItIs) {
   EXPECT_EQ(lineOf(option), "movement: --baseline, " + name + ", expected a result");
 }
 
+TEST(FlagNames, AFileIsNamedWhereItWillBe) {
+  const auto line = [](const std::string& name) {
+    return lineOf(Error(Error::Kind::File, "report", {name, "No space left on device", "room"}));
+  };
+  EXPECT_EQ(line("out/.tank_datum-12-0/new/datum.json"),
+            "report: out/datum.json, No space left on device, expected room");
+  EXPECT_EQ(line("writing of /a/.tank_datum-12-1/new/c.pcd"),
+            "report: writing of /a/c.pcd, No space left on device, expected room");
+  EXPECT_EQ(line("out/.tank_datum-commit/journal.json.part"), "report: out, No space left on device, expected room");
+  EXPECT_EQ(line("out/.tank_datum-commit"), "report: out, No space left on device, expected room");
+}
+
+TEST(FlagNames, AnOverlongValueIsCut) {
+  const auto line = [](const std::string& value) {
+    return lineOf(Error(Error::Kind::Option, "options", {"k", value, ">= 3"}));
+  };
+  EXPECT_EQ(line(std::string(5000, '7')), "options: --k, " + std::string(60, '7') + "..., expected >= 3");
+  EXPECT_EQ(line("in " + std::string(61, '7') + " m"),
+            "options: --k, in " + std::string(60, '7') + "... m, expected >= 3");
+  EXPECT_EQ(line(std::string(59, '7') + "\xc3\xa9"), "options: --k, " + std::string(59, '7') + "..., expected >= 3");
+  const std::string path = "/" + std::string(200, 'p') + "/scan.pcd", words = "a value of many words, " + path;
+  EXPECT_EQ(line(words), "options: --k, " + words + ", expected >= 3");
+}
+
 }  // namespace tank_datum::flag_names_test

@@ -75,6 +75,7 @@ def test_full_disk(run: Runner, scan: Path, small_disk: Path) -> None:
     assert result.returncode == FILE_FAILED
     assert result.stdout == ""
     one_line(result, "No space", "expected")
+    assert ".tank_datum-" not in result.stderr
     assert names(small_disk) == []
 
 
