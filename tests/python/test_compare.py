@@ -199,7 +199,6 @@ def test_a_dash_is_no_folder(tmp_path: Path) -> None:
         check=False,
     )
     assert done.returncode == 2
-    assert done.stderr == (
-        "tank_datum_compare: command line: --output, -, expected a folder, or ./- for one of that name\n"
-    )
+    expected = "--output, -, expected a folder, or ./- for one of that name"
+    assert done.stderr == f"tank_datum_compare: command line: {expected}\n"
     assert not (tmp_path / "-").exists()

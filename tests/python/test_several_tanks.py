@@ -99,6 +99,8 @@ def test_the_index_leads_to_every_tank(
             assert row[1].strip() == datum["verdict"]["word"]
             assert row[2].strip() == datum["verdict"]["sentence"]
             assert f"{datum['tank']['radius']:.3f}" in row[5]
+            kinds = ("measured", "interpolated", "missing")
+            assert row[7].strip() == ", ".join(f"{datum['datum'][k]} {k}" for k in kinds)
         assert len(rows) == 2
         circles = page.page.locator("#index-chart circle")
         assert circles.count() == 2

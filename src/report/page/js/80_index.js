@@ -36,7 +36,7 @@ function addIndex() {
       tank.tank ? longLength(tank.tank.center[0]) : "\u2013", tank.tank ? longLength(tank.tank.center[1]) : "\u2013",
       tank.tank ? longLength(tank.tank.radius) : "\u2013",
       tank.tilt && known(tank.tilt.angle_arcsec) ? tiltOf(tank.tilt) : "\u2013",
-      tank.datum ? say("index.measured_missing", { measured: tank.datum.measured, missing: tank.datum.missing }) : "\u2013"])));
+      tank.datum ? say("summary.measured_interpolated_missing", tank.datum) : "\u2013"])));
 }
 
 /** The tanks to scale, each a link to its page. */
