@@ -26,10 +26,10 @@ volatile sig_atomic_t came_meanwhile = 0;  // the latest signal, for SignalsWait
 
 void keepForLater(int number) { came_meanwhile = number; }
 
-/// Those that would end the process by default.
+/// Those from outside that would end the process by default.
 std::vector<int> endingSignals() {
   std::vector<int> ending;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM}) {
     struct sigaction action {};
     if (sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_DFL) ending.push_back(number);
   }

@@ -7,8 +7,9 @@
 
 namespace tank_datum::results {
 
-/// Makes SIGINT, SIGTERM and SIGHUP clean up before the process ends by them. To be called before there are threads:
-/// the signals are taken by a thread of their own. One that the caller ignores stays ignored.
+/// Makes the signals that come from outside - SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXCPU at a limit of time -
+/// clean up before the process ends by them. To be called before there are threads: they are taken by a thread of their
+/// own. One that the caller ignores stays ignored.
 /// @param program  the name that begins the line on stderr
 void stopCleanly(const std::string& program);
 
@@ -43,7 +44,7 @@ class NoStop {
   std::unique_lock<std::recursive_mutex> held_;
 };
 
-/// As long as this lives, a SIGINT, SIGTERM or SIGHUP that would end the process at once waits, and ends it behind; for
+/// As long as this lives, such a signal that would end the process at once waits, and ends it behind; for
 /// a process that is not the program's own, whose other handlers stay. One at a time.
 class SignalsWait {
  public:

@@ -23,6 +23,7 @@ from conftest import ROOT, executable
 
 TABLE = ROOT / "tests" / "data" / "levelling" / "fourteen_stations.csv"
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+OTHERS = (signal.SIGQUIT, signal.SIGALRM, signal.SIGXCPU)
 MOMENTS = 8
 
 
@@ -136,6 +137,27 @@ def test_a_program_leaves_nothing(
     result |= {"convert": "copy.pcd", "synth": "scan.pcd", "qa": "tmp"}
     stopped = stop_at_random(place, words[name], (place.folder / result[name]).exists)
     assert stopped > 0
+
+
+@pytest.mark.parametrize("number", OTHERS, ids=[number.name for number in OTHERS])
+def test_signals_that_are_rarer_leave_nothing(
+    words: dict[str, list[object]], tmp_path: Path, number: signal.Signals
+) -> None:
+    place = Place(tmp_path / "run")
+    for _ in range(3):
+        place.fresh()
+        process = place.start(words["extract"])
+        until = time.monotonic() + 60
+        while not place.left() and process.poll() is None and time.monotonic() < until:
+            time.sleep(0.001)
+        process.send_signal(number)
+        _, said = process.communicate(timeout=300)
+        assert process.returncode in (-number, 0)
+        assert place.left() == []
+        if process.returncode != 0:
+            assert said.startswith("tank_datum: stopped by ") and said.count("\n") == 1
+            return
+    pytest.fail("no run was stopped")
 
 
 def test_what_a_killed_run_left_goes_with_the_next(
