@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
+#include <vector>
 
 #include "core/plain_text.h"
 #include "core/units.h"
+#include "io/io_error.h"
 #include "io/json_file.h"
+#include "movement/epoch_values.h"
+#include "movement/trend.h"
 #include "tank_datum/core/error.h"
 #include "tank_datum/core/unknown.h"
 #include "tank_datum/datum.h"
@@ -18,26 +21,26 @@ namespace {
 
 using Json = nlohmann::json;
 
-double numberOr(const Json& value, double otherwise) { return value.is_null() ? otherwise : value.get<double>(); }
-
-constexpr double kFarthest = 1e8;         // coordinates in any frame [m]
-constexpr double kLargestError = 1000.0;  // [m]
-
-/// A length [m]: what is beyond is a damaged file.
-double within(double largest, double length) {
-  if (std::abs(length) > largest) throw std::out_of_range("beyond " + generalText(largest) + " m");
-  return length;
-}
-
-double errorFrom(const Json& value) { return within(kLargestError, numberOr(value, kUnknown)); }
+constexpr std::size_t kMostStations = 36'000;  // that --stations gives
+constexpr std::size_t kMostChecks = 1000, kMostFactors = 1000;
 
 /// The columns of datum.json's `covariance.factors`, one a station; an unknown station's are zeros.
 std::vector<std::vector<double>> sharedErrors(const Json& json, std::size_t stations) {
   std::vector<std::vector<double>> columns(stations);
   const auto covariance = json.find("covariance");
   if (covariance == json.end() || covariance->is_null()) return columns;
-  for (const Json& factor : covariance->at("factors").get_ref<const Json::array_t&>()) {
-    if (factor.size() != stations) throw std::out_of_range("not one of each station");
+  const auto own = covariance->find("independent");
+  const auto& factors = covariance->at("factors").get_ref<const Json::array_t&>();
+  requireCount(factors.size(), kMostFactors);
+  const auto require_one_each = [stations](const Json& errors) {
+    if (errors.size() != stations) {
+      throw OddValue{std::to_string(errors.size()) + " errors",
+                     "one of each of the " + std::to_string(stations) + " stations"};
+    }
+  };
+  if (own != covariance->end()) require_one_each(*own);
+  for (const Json& factor : factors) {
+    require_one_each(factor);
     for (std::size_t i = 0; i < stations; ++i) {
       const double error = errorFrom(factor.at(i));
       columns[i].push_back(std::isfinite(error) ? error : 0.0);
@@ -51,7 +54,9 @@ double numberAt(const Json& object, const char* key) { return numberOr(object.va
 /// What was judged, as far as surveys are compared by it.
 std::vector<Check> checksFrom(const Json& json) {
   std::vector<Check> checks;
-  for (const Json& entry : json.value("checks", Json::array())) {
+  const Json entries = json.value("checks", Json::array());
+  requireCount(entries.size(), kMostChecks);
+  for (const Json& entry : entries) {
     Check check;
     check.code = entry.value("code", "");
     check.clause = entry.value("clause", "");
@@ -65,9 +70,52 @@ std::vector<Check> checksFrom(const Json& json) {
   return checks;
 }
 
+/// Free words, or a day that there is.
 std::string surveyDate(const Json& json) {
   const Json about = json.value("about", Json::object());
-  return about.is_object() ? about.value("survey_date", "") : "";
+  const std::string date = about.is_object() ? about.value("survey_date", "") : "";
+  const bool is_plain = date.find_first_not_of("0123456789-") == std::string::npos;
+  if (!is_plain || std::count(date.begin(), date.end(), '-') != 2) return date;
+  try {
+    yearOf(date);
+  } catch (const Error&) {
+    throw OddValue{"\"" + echo(date) + "\"", "a day that there is, as 2024-05-31"};
+  }
+  return date;
+}
+
+std::string flagFrom(const Json& station) {
+  try {
+    return oneOfWords(station.at("flag").get<std::string>(),
+                      {nameOf(StationFlag::Measured), nameOf(StationFlag::Interpolated), nameOf(StationFlag::Missing)});
+  } catch (OddValue& odd) {
+    throw OddValue{"flag " + odd.value, odd.expected};
+  }
+}
+
+/// What is known of a station that was measured.
+void readMeasured(const Json& station, Elevation& e, std::string& part) {
+  const std::string place = part;
+  part = place + ".z";
+  e.z = within(kFarthestPlace, numberOr(station.at("z"), kUnknown));
+  part = place + ".sigma_z";
+  e.sigma_z = errorFrom(station.at("sigma_z"));
+  if (e.sigma_z < kLeastSigma) throw OddValue{shortestText(e.sigma_z), ">= 1e-15 m, or null"};
+  part = place + ".window_deg";
+  const double window = numberOr(station.value("window_deg", Json(nullptr)), kUnknown);
+  if (window < 0.0 || window > 360.0) throw OddValue{shortestText(window), "0 to 360 deg, or null"};
+  e.window = toRadians(window);
+}
+
+/// Refuses stations that are not round anything.
+void requireRound(const std::vector<Elevation>& stations) {
+  constexpr double kLeast = 1e-6;  // [rad]
+  const auto apart = [&](const Elevation& e) {
+    return std::abs(std::remainder(e.direction - stations.front().direction, kTwoPi)) > kLeast;
+  };
+  if (stations.size() > 1 && std::none_of(stations.begin(), stations.end(), apart)) {
+    throw OddValue{generalText(toDegrees(stations.front().direction)) + " of all", "directions round the tank"};
+  }
 }
 
 /// @param part  of the file that is being read, for messages
@@ -83,18 +131,20 @@ Epoch epochFrom(const Json& json, const std::string& path, std::string& part) {
   const Json& surface = json.at("datum").at("surface");
   if (!surface.is_null()) epoch.surface = surface.get<std::string>();
   part = "input.kind";
-  epoch.levelled = json.value("input", Json::object()).value("kind", "scan") == "levelling";
+  const Json input = json.value("input", Json::object());
+  epoch.levelled = oneOfWords(input.value("kind", "scan"), {"scan", "levelling"}) == "levelling";
   part = "tank";
   const Json& tank = json.at("tank");
-  epoch.circle.center = {within(kFarthest, tank.at("center").at(0).get<double>()),
-                         within(kFarthest, tank.at("center").at(1).get<double>())};
-  epoch.circle.radius = within(kFarthest, tank.at("radius").get<double>());
+  epoch.circle.center = {within(kFarthestPlace, tank.at("center").at(0).get<double>()),
+                         within(kFarthestPlace, tank.at("center").at(1).get<double>())};
+  epoch.circle.radius = within(kFarthestPlace, tank.at("radius").get<double>());
   part = "about.survey_date";
   epoch.date = surveyDate(json);
   part = "checks";
   epoch.checks = checksFrom(json);
   part = "stations";
   const auto& stations = json.at("stations").get_ref<const Json::array_t&>();
+  requireCount(stations.size(), kMostStations);
   part = "covariance";
   const auto shared = sharedErrors(json, stations.size());
   for (const Json& station : stations) {
@@ -103,28 +153,26 @@ Epoch epochFrom(const Json& json, const std::string& path, std::string& part) {
     e.shared = shared[epoch.stations.size()];
     e.azimuth = toRadians(station.at("azimuth_deg").get<double>());
     e.direction = toRadians(station.at("direction_deg").get<double>());
-    if (station.at("flag") == nameOf(StationFlag::Measured)) {
-      e.z = within(kFarthest, numberOr(station.at("z"), kUnknown));
-      e.sigma_z = errorFrom(station.at("sigma_z"));
-      e.window = toRadians(numberOr(station.value("window_deg", Json(nullptr)), kUnknown));
-    }
+    if (flagFrom(station) == nameOf(StationFlag::Measured)) readMeasured(station, e, part);
     epoch.stations.push_back(e);
   }
+  part = "stations.direction_deg";
+  requireRound(epoch.stations);
   return epoch;
 }
 
 /// The same; refuses a file of which a part is missing or no such thing.
 Epoch epochOfFile(const Json& json, const std::string& name, const std::string& file) {
   std::string part;
-  const auto refused = [&](const std::string& what) {
-    return Error(Error::Kind::File, "epoch", file, part + " " + what, "a datum.json with its stations");
+  const auto refused = [&](const std::string& what, const std::string& expected) {
+    return Error(Error::Kind::File, "epoch", file, part + " " + what, expected);
   };
   try {
     return epochFrom(json, name, part);
   } catch (const Json::exception&) {
-    throw refused("missing, or of another type");
-  } catch (const std::out_of_range& beyond) {
-    throw refused(beyond.what());
+    throw refused("missing, or of another type", "a datum.json with its stations");
+  } catch (const OddValue& odd) {
+    throw refused(odd.value, odd.expected);
   }
 }
 

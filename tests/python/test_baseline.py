@@ -39,6 +39,52 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
     return json.loads((out / "datum.json").read_text())
 
 
+def station(**values: object) -> Callable[[dict], Any]:
+    return lambda datum: datum["stations"][7].update(**values)
+
+
+def every_direction_zero(datum: dict) -> None:
+    for one in datum["stations"]:
+        one["direction_deg"] = 0
+
+
+DAMAGES: list[tuple[dict | Callable[[dict], Any], str]] = [
+    (every_direction_zero, "stations.direction_deg 0 of all, expected directions round the tank"),
+    (station(sigma_z=0), "stations[7].sigma_z 0, expected >= 1e-15 m, or null"),
+    (station(sigma_z=-1), "stations[7].sigma_z -1, expected >= 1e-15 m, or null"),
+    (station(sigma_z=1e-320), "stations[7].sigma_z 1e-320, expected >= 1e-15 m, or null"),
+    (station(flag="seen"), 'stations[7] flag "seen", expected one of measured, interpolated'),
+    (station(window_deg=-3), "stations[7].window_deg -3, expected 0 to 360 deg, or null"),
+    ({"input": {"kind": "photo"}}, 'input.kind "photo", expected one of scan, levelling'),
+    ({"covariance": {"independent": [], "factors": []}}, "covariance 0 errors, expected one of"),
+    ({"about": {"survey_date": "2024-02-30"}}, 'about.survey_date "2024-02-30", expected a day'),
+    ({"checks": 20_000 * [{}]}, "checks 20000 entries, expected at most 1000"),
+    ({"stations": 36_001 * [{}]}, "stations 36001 entries, expected at most 36000"),
+]
+
+
+@pytest.mark.parametrize(
+    ("changes", "reason"), DAMAGES, ids=[reason.split(",")[0] for _, reason in DAMAGES]
+)
+def test_a_damaged_survey_is_refused_by_its_key(
+    tmp_path: Path, of_the_sample: dict, changes: dict | Callable[[dict], Any], reason: str
+) -> None:
+    whole, damaged = tmp_path / "a.json", tmp_path / "b.json"
+    whole.write_text(json.dumps(of_the_sample))
+    datum = copy.deepcopy(of_the_sample)
+    if callable(changes):
+        changes(datum)
+    else:
+        datum |= changes
+    damaged.write_text(json.dumps(datum))
+    words = [executable("tank_datum_compare"), whole, damaged, "-o", tmp_path / "out"]
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert done.returncode == 3, done.stderr
+    assert done.stderr.startswith(f"tank_datum_compare: epoch: {damaged}, {reason}")
+    assert done.stderr.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.parametrize(
     ("changes", "status", "reason"),
     [
@@ -51,16 +97,20 @@ def of_the_sample(tmp_path_factory: pytest.TempPathFactory) -> dict:
         ({"tank": {"center": [0, 0], "radius": "5"}}, 3, "tank missing, or of another type"),
         ({"options": {}}, 3, "options.method missing, or of another type"),
         ({"checks": 3}, 3, "checks missing, or of another type"),
-        (lambda datum: datum["stations"].pop(), 3, "covariance not one of each station"),
+        (
+            lambda datum: datum["stations"].pop(),
+            3,
+            "covariance 360 errors, expected one of each of the 359 stations",
+        ),
         (
             lambda datum: datum["stations"][7].update(sigma_z=1e300),
             3,
-            "stations[7] beyond 1000 m",
+            "stations[7].sigma_z 1e+300, expected at most 1000 m",
         ),
         (
             lambda datum: datum["stations"][7].update(z=1e300),
             3,
-            "stations[7] beyond 1e+08 m",
+            "stations[7].z 1e+300, expected at most 1e+08 m",
         ),
         (
             lambda datum: datum["stations"][7].update(azimuth_deg=None),
