@@ -21,11 +21,28 @@ std::optional<Refusal> firstOfPart(const Part& options, Part DatumOptions::*part
   return firstError(datum);
 }
 
+/// Options of which one has no effect beside the other. A file of options holds all: those at their defaults are not
+/// meant.
+std::optional<Refusal> firstContradiction(const RunOptions& run) {
+  const ShellOptions& shell = run.datum.shell;
+  if (run.all && run.datum.pick != DatumOptions().pick) {
+    return Refusal{"pick", std::to_string(run.datum.pick), "no such option beside option all, which takes every tank"};
+  }
+  if (run.no_checksum && run.checksum == Checksum::Sha256) {
+    return Refusal{"checksum", "sha256", "no such option beside option no_checksum"};
+  }
+  if (!shell.heights.empty() && shell.step != ShellOptions().step) {
+    return Refusal{"height_step", generalText(shell.step), "no such option beside option heights"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Refusal> firstError(const RunOptions& given) {
   RunOptions run = given;
   if (auto refused = firstOf(optionsOf(run))) return refused;
+  if (auto refused = firstContradiction(run)) return refused;
   return firstError(run.movement);
 }
 

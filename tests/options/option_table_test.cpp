@@ -62,6 +62,21 @@ TEST(OptionTable, WhatIsBeyondTheBoundsIsRefusedByName) {
   EXPECT_GT(refused, 35);
 }
 
+TEST(OptionTable, OptionsThatContradictEachOtherAreRefused) {
+  RunOptions run;
+  run.all = true, run.datum.pick = 2;
+  EXPECT_EQ(said(firstError(run)), "pick, 2, expected no such option beside option all, which takes every tank");
+  run = {};
+  run.no_checksum = true, run.checksum = Checksum::Sha256;
+  EXPECT_EQ(said(firstError(run)), "checksum, sha256, expected no such option beside option no_checksum");
+  run = {};
+  run.datum.shell.heights = {1.0, 2.0}, run.datum.shell.step = 0.25;
+  EXPECT_EQ(said(firstError(run)), "height_step, 0.25, expected no such option beside option heights");
+  run.datum.shell.step = ShellOptions().step;
+  run.all = run.no_checksum = true, run.checksum = Checksum::None;
+  EXPECT_EQ(said(firstError(run)), "");
+}
+
 TEST(OptionTable, RefusalsSayNameValueAndWhatIsExpected) {
   DatumOptions options;
   options.normals.k = 2;
