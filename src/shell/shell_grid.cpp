@@ -8,6 +8,8 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "fit/circular_series.h"
+#include "locate/side_sign.h"
+#include "tank_datum/core/unknown.h"
 
 namespace tank_datum {
 namespace {
@@ -68,12 +70,30 @@ void joinUp(const ShellGrid& grid, std::size_t station, Parts& parts) {
   }
 }
 
+/// The part that the shell is.
+std::size_t shellOf(const ShellGrid& grid, Parts& parts) {
+  const std::size_t count = grid.cells.front().size();
+  std::size_t from = 0, to = grid.cells.size() * count;  // cells that are looked at
+  for (std::size_t k = 0; k < grid.cells.size(); ++k) {
+    const std::vector<ShellCell>& row = grid.cells[k];
+    if (2 * std::count_if(row.begin(), row.end(), [](const ShellCell& c) { return c.seen(); }) <
+        static_cast<std::ptrdiff_t>(count))
+      continue;
+    from = k * count, to = from + count;
+    break;
+  }
+  std::vector<std::size_t> sizes(grid.cells.size() * count, 0);
+  for (std::size_t c = from; c < to; ++c) sizes[parts.of(c)] += grid.cells[c / count][c % count].seen() ? 1 : 0;
+  return static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+}
+
 }  // namespace
 
 ShellGrid fitShellGrid(const ShellBands& bands, const std::vector<Station>& stations, const Circle& circle,
                        const ShellOptions& options) {
   ShellGrid grid;
   grid.step = kTwoPi / static_cast<double>(stations.size()) * circle.radius;
+  grid.side = bands.side();
   std::vector<double> elevations;
   for (const Station& s : stations) elevations.push_back(s.z);
   elevations = filledUp(elevations);
@@ -98,12 +118,21 @@ void keepConnected(ShellGrid& grid) {
   Parts parts(grid.cells.size() * count);
   for (std::size_t k = 0; k < grid.cells.size(); ++k) joinAlong(grid, k, parts);
   for (std::size_t i = 0; i < count; ++i) joinUp(grid, i, parts);
-  std::vector<std::size_t> sizes(grid.cells.size() * count, 0);
-  for (std::size_t c = 0; c < sizes.size(); ++c) sizes[parts.of(c)] += grid.cells[c / count][c % count].seen();
-  const auto largest = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  for (std::size_t c = 0; c < sizes.size(); ++c) {
-    ShellCell& cell = grid.cells[c / count][c % count];
-    if (cell.seen() && parts.of(c) != largest) cell = {};
+  const std::size_t shell = shellOf(grid, parts);
+  for (std::size_t k = 0; k < grid.cells.size(); ++k) {
+    const std::vector<ShellCell> row = grid.cells[k];
+    double radius = kUnknown;  // of the shell, as seen last round the ring
+    for (std::size_t i = 0; i < 2 * count; ++i) {
+      const ShellCell& cell = row[i % count];
+      if (!cell.seen()) continue;
+      if (parts.of(k * count + i % count) == shell) {
+        radius = cell.radius;
+        continue;
+      }
+      const bool behind = signOf(grid.side) * (cell.radius - radius) < 0.0;  // not where no shell is seen: NaN
+      grid.cells[k][i % count] = {};
+      if (behind) grid.cells[k][i % count].doubted = cell.radius;
+    }
   }
 }
 

@@ -17,8 +17,9 @@
 namespace tank_datum {
 namespace {
 
-constexpr double kNearlyAll = 0.9;  // of the shell's height
-constexpr double kCourse = 3.0;     // plates are no higher [m]
+constexpr double kNearlyAll = 0.9;   // of the shell's height
+constexpr double kNextHeight = 0.5;  // that the shell is looked at, at most [m]
+constexpr double kCourse = 3.0;      // plates are no higher [m]
 
 /// What the largest deviation at a height may be: surely no less than at a place that was looked at, and more between
 /// those.
@@ -43,10 +44,13 @@ struct ShellSpan {
   double from, height;  ///< the lowest height that is seen, and the tank's own
 };
 
+/// Whether a height is nearly that of the shell: up to where the next one is above its rim, of a low tank.
+bool isNearlyTop(double top, double height) { return top >= std::min(kNearlyAll * height, height - kNextHeight); }
+
 /// Whether the shell is seen here from nearly its foot up to nearly its top: the offset of a place in a dent from one
 /// above or below it is not the shell's.
 bool isSeenWhole(const Plumbness& p, const ShellSpan& span) {
-  return p.top >= kNearlyAll * span.height && p.height >= kNearlyAll * (p.top - span.from);
+  return isNearlyTop(p.top, span.height) && p.height >= kNearlyAll * (p.top - span.from);
 }
 
 /// The widest arc in which the shell is nowhere seen over nearly all of its height [m].
@@ -93,8 +97,8 @@ Measure radiusAbove(const ShellSurvey& survey, const Roundness& worst, double he
   }
   const double top = seenAllRoundTo(survey.roundness);
   const bool is_arc = std::any_of(survey.arcs.begin(), survey.arcs.end(), [&](const auto& r) { return &r == &worst; });
-  measure.whole_ring = (measure.whole_ring || is_arc) && top >= kNearlyAll * height;
-  if (top < kNearlyAll * height) addClause(measure.note, formatted("seen all round up to %.1f m", top));
+  measure.whole_ring = (measure.whole_ring || is_arc) && isNearlyTop(top, height);
+  if (!isNearlyTop(top, height)) addClause(measure.note, formatted("seen all round up to %.1f m", top));
   return measure;
 }
 

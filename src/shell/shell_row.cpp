@@ -243,7 +243,7 @@ std::vector<ShellCell> fitShellRow(const Points& points, const std::vector<Stati
   }
   dropJumps(row, step * circle.radius);
   for (std::size_t i = 0; i < count; ++i) {
-    if (isOtherWall(i)) row[i] = {};
+    if (isOtherWall(i)) row[i] = {}, row[i].doubted = outline.at(stations[i].direction);  // or a dent of the shell
     if (row[i].seen() && step > kOneDegree)
       row[i].doubted = farthestBeside(outline, edges, stations[i].direction, step, row[i].radius);
   }

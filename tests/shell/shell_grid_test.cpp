@@ -208,6 +208,39 @@ TEST(KeepConnected, ABuckleIsPartOfTheShell) {
   EXPECT_NEAR(grid.cells[2][station].radius, kRadius - 0.08, 0.003);
 }
 
+TEST(KeepConnected, TheShellIsWhatIsSeenLowest) {  // and not cladding of more of it
+  MadeShell shell;
+  shell.radius = [](double, double h) { return kRadius + (h > 1.0 ? 0.08 : 0.0); };
+  ShellGrid grid = gridOf(shell.points());
+  keepConnected(grid);
+  EXPECT_EQ(seenIn(grid.cells[0]), 360U);
+  for (std::size_t k = 1; k < grid.cells.size(); ++k) EXPECT_EQ(seenIn(grid.cells[k]), 0U) << grid.heights[k];
+}
+
+TEST(KeepConnected, ButNotWhatIsSeenOfHalfTheRingOrLessThere) {
+  MadeShell shell;
+  shell.radius = [](double, double h) { return kRadius + (h < 1.0 ? 0.08 : 0.0); };
+  shell.seen = [](double a, double h) { return h > 1.0 || a < 3.0; };
+  ShellGrid grid = gridOf(shell.points());
+  keepConnected(grid);
+  EXPECT_EQ(seenIn(grid.cells[0]), 0U);
+  EXPECT_EQ(seenIn(grid.cells[1]), 360U);
+}
+
+TEST(KeepConnected, WhatIsLeftOutBehindTheShellIsDoubted) {
+  for (const double off : {-0.06, 0.06}) {
+    MadeShell shell;
+    shell.noise = 0.001;
+    shell.radius = [=](double a, double h) { return kRadius + (a > 1.0 && a < 1.2 && h > 1.0 && h < 3.0 ? off : 0.0); };
+    ShellGrid grid = gridOf(shell.points());
+    keepConnected(grid);
+    const ShellCell& cell = grid.cells[1][63];
+    ASSERT_FALSE(cell.seen()) << off;
+    EXPECT_EQ(std::isfinite(cell.doubted), off < 0.0);
+    EXPECT_TRUE(off > 0.0 || std::abs(cell.doubted - kRadius - off) < 0.003);
+  }
+}
+
 TEST(KeepConnected, NothingStaysNothing) {
   ShellGrid grid = gridOf({});
   EXPECT_TRUE(grid.heights.empty());

@@ -91,6 +91,24 @@ TEST(ShellMeasures, RadiiAboveAreOfTheRingThatIsSeenUpToNearlyItsHeight) {
   EXPECT_FALSE(above().whole_ring) << "the ring is seen up to 4.4 m alone";
 }
 
+/// Of a tank so high, seen all round up to so far.
+std::vector<Measure> ofLowTank(double height, double top) {
+  ShellSurvey shell = survey();
+  shell.roundness = {at(0.3, 0.010, 1.0), at(top, 0.015, 1.0)};
+  for (Plumbness& p : shell.plumbness) p.top = top, p.height = top - 0.3;
+  TankFacts facts;
+  facts.height = height;
+  return shellMeasures(shell, facts, kRadius);
+}
+
+TEST(ShellMeasures, ALowTankIsSeenUpToItsTopWhereTheNextHeightIsAboveIt) {
+  for (const std::size_t k : {1U, 2U}) {
+    EXPECT_TRUE(ofLowTank(3.25, 2.8)[k].whole_ring) << k;
+    EXPECT_FALSE(ofLowTank(3.35, 2.8)[k].whole_ring) << k;
+    EXPECT_FALSE(ofLowTank(8.0, 7.1)[k].whole_ring) << "a tenth is more";
+  }
+}
+
 TEST(ShellMeasures, AnArcThatIsFarthestOffIsTheFigureAbove) {
   ShellSurvey shell = survey();
   shell.roundness[1].widest_gap = 1.0;

@@ -65,10 +65,17 @@ TEST(RaisePeaks, APeakBetweenTwoHeightsToo) {
 TEST(RaisePeaks, ANarrowPeakMayRiseByWhatLiesBesideIt) {
   Made made;
   made.at(1, 0) = 0.030, made.at(1, 1) = 0.012;  // of one of 42 mm that is two steps wide
-  EXPECT_NEAR(made.raised().may_rise, 0.006, 1e-9);
+  EXPECT_NEAR(made.raised().may_rise, 0.012, 1e-9);
   made.at(2, 0) = 0.030;
-  EXPECT_NEAR(made.raised().may_rise, 0.006 + 0.015, 1e-9);
+  EXPECT_NEAR(made.raised().may_rise, 0.012 + 0.015, 1e-9);
   EXPECT_NEAR(made.raised().rise, 0.006 * 0.006 / (4.0 * 0.024) + 0.015 / 4.0, 1e-9);
+}
+
+TEST(RaisePeaks, APeakedWeldIsMoreThanItsMeanOverAStation) {
+  Made made;
+  made.at(1, 0) = 0.020, made.at(1, 1) = made.at(1, -1) = 0.006;
+  EXPECT_NEAR(made.raised().may_rise, 0.5 * 0.014, 1e-9);
+  EXPECT_EQ(made.raised().rise, 0.0);
 }
 
 TEST(RaisePeaks, ChanceMakesNoPeak) {
