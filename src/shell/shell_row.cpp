@@ -5,9 +5,9 @@
 
 #include "core/statistics.h"
 #include "core/units.h"
-#include "fit/ring_cells.h"
 #include "foot/polar_ring.h"
 #include "foot/shell_line.h"
+#include "shell/shell_doubts.h"
 #include "shell/shell_edges.h"
 #include "shell/shell_trace.h"
 
@@ -16,9 +16,8 @@ namespace {
 
 constexpr std::size_t kPlenty = 40;                // points for four unknowns
 constexpr double kWantedSigma = 0.5 * kGoodSigma;  // a cell borrows points from its neighbours until it is this good
-constexpr double kWidestArc = 0.4;  // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
-constexpr double kSteepest = 0.2;   // of a shell; a roof is flatter [m/m]
-constexpr double kOneDegree = kTwoPi / 360.0;
+constexpr double kWidestArc = 0.4;   // but no further: a wave of 3 m is a parabola over twice that to 0.2 % [m]
+constexpr double kSteepest = 0.2;    // of a shell; a roof is flatter [m/m]
 constexpr double kBesideEdge = 0.1;  // a horizontal edge is looked for as far on either side [m]
 
 /// The standard error of a line's radius with its noise drawn towards that of a wider window: few points that happen
@@ -56,25 +55,6 @@ ShellCell fitCell(const PolarRing& ring, const ShellOutline& outline, const Shel
     }
     if (cell.sigma < kWantedSigma || 1.5 * half > widest) return cell;
   }
-}
-
-/// The radius farthest off a cell's that the shell is seen to have between it and the middles to the stations beside:
-/// of a dent that coarse stations pass over. A cell of the outline alone may be of strays.
-/// @param step  between stations [rad]
-double farthestBeside(const ShellOutline& outline, const ShellEdges& edges, double direction, double step,
-                      double radius) {
-  const std::size_t count = outline.radius.size();
-  const double width = kTwoPi / static_cast<double>(count);
-  const double on = edges.runsToStep(direction, 1, 0.5 * step);
-  double farthest = radius;
-  for (double turn = -edges.runsToStep(direction, -1, 0.5 * step); turn <= on; turn += width) {
-    const std::size_t cell = ringCell(direction + turn, count);
-    const auto at = [&](std::size_t ahead) { return outline.radius[(cell + ahead) % count]; };
-    if (std::isnan(at(count - 1) + at(0) + at(1))) continue;
-    const double seen = median({at(count - 1), at(0), at(1)});
-    if (std::abs(seen - radius) > std::abs(farthest - radius)) farthest = seen;
-  }
-  return farthest;
 }
 
 /// Takes out the cells whose points do not agree on a surface as the others' do: seen past the edge of something.
@@ -244,9 +224,8 @@ std::vector<ShellCell> fitShellRow(const Points& points, const std::vector<Stati
   dropJumps(row, step * circle.radius);
   for (std::size_t i = 0; i < count; ++i) {
     if (isOtherWall(i)) row[i] = {}, row[i].doubted = outline.at(stations[i].direction);  // or a dent of the shell
-    if (row[i].seen() && step > kOneDegree)
-      row[i].doubted = farthestBeside(outline, edges, stations[i].direction, step, row[i].radius);
   }
+  doubtBetween(outline, edges, stations, row);
   return row;
 }
 
