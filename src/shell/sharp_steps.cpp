@@ -16,7 +16,7 @@ namespace {
 constexpr double kNarrowest = 0.025, kWidest = 0.1;  // columns of points [m]: the scan may be coarse in places
 constexpr std::size_t kParts = 4;                    // of a column, which may begin with any
 constexpr std::size_t kGap = 2;                      // parts between the columns before a step and those beyond
-constexpr std::size_t kUsual = 8, kFewest = 5;       // points of a column
+constexpr std::size_t kFewest = 5;                   // points of a column
 constexpr std::size_t kBeside = 5;                   // columns looked at on either side of a step
 constexpr double kLowest = 0.006;                    // step: setups disagree by less, plates are thicker [m]
 constexpr double kErrors = 5.0;                      // standard errors
@@ -55,15 +55,6 @@ std::vector<StepColumn> columnsOf(const PolarRing& ring, std::size_t count, doub
   std::vector<StepColumn> columns;
   for (std::size_t k = 0; k < count; ++k) columns.push_back(columnFrom(k, parts, noise));
   return columns;
-}
-
-/// Points of a usual column of those that hold any.
-double usualPoints(const std::vector<StepColumn>& columns) {
-  std::vector<double> points;
-  for (const StepColumn& column : columns) {
-    if (column.points > 0) points.push_back(static_cast<double>(column.points));
-  }
-  return points.empty() ? 0.0 : median(std::move(points));
 }
 
 /// What columns side by side show: two levels with a slope in common, or a parabola.
@@ -159,7 +150,6 @@ std::vector<SharpStep> sharpSteps(const PolarRing& ring, double radius, double n
     if (count < 3 * kBefore) break;
     if (count > kParts * ring.points().size()) continue;  // however large a tank is
     const std::vector<StepColumn> columns = columnsOf(ring, count, noise);
-    if (usualPoints(columns) < kUsual) continue;
     std::vector<double> heights(count);
     for (std::size_t k = 0; k < count; ++k) heights[k] = model.stepIn(columns, (k + count - kBefore) % count, noise);
     for (const SharpStep& step : stepsOf(heights)) {

@@ -107,7 +107,7 @@ TEST(SharpSteps, ColumnsAreAsNarrowAsTheirPointsAllow) {
   EXPECT_EQ(plateOf(0.012, 0.14).steps().size(), 2U) << "not seen with columns of 50 mm";
   EXPECT_EQ(stepOf(0.016, 0.005, 700).steps().size(), 2U) << "nor out of the noise with columns of 12 mm";
   EXPECT_EQ(stepOf(0.02, 0.001, 150).steps().size(), 2U) << "columns of 0.1 m";
-  EXPECT_TRUE(stepOf(0.02, 0.001, 55).steps().empty()) << "which would have to be of 0.2 m";
+  EXPECT_TRUE(stepOf(0.02, 0.001, 45).steps().empty()) << "which would have to be of 0.2 m";
 }
 
 TEST(SharpSteps, AColumnNeedsFivePoints) {
@@ -119,7 +119,7 @@ TEST(SharpSteps, AColumnNeedsFivePoints) {
   };
   EXPECT_TRUE(thinned(0.5));
   EXPECT_TRUE(thinned(0.12)) << "columns of 0.1 m";
-  EXPECT_FALSE(thinned(0.035));
+  EXPECT_FALSE(thinned(0.06));
 }
 
 TEST(SharpSteps, AColumnOfTwoLevelsIsNotSeen) {
@@ -145,6 +145,8 @@ TEST(StepsUpwards, NotWhereTheShellTurns) {
   EXPECT_FALSE(row.stepsUpwardsAt());
   row.off = [](double, double h) { return 0.1 * h; };
   EXPECT_FALSE(row.stepsUpwardsAt());
+  row.off = [](double, double h) { return h > 0.377 ? 0.012 : 0.0; };
+  EXPECT_FALSE(row.stepsUpwardsAt()) << "a layer alone tells no step";
 }
 
 }  // namespace tank_datum::sharp_steps_test

@@ -104,8 +104,12 @@ TEST(FitShellRow, ButOfCourses) { EXPECT_GT(seenIn(rowOf(withUpperEdge(0.0, 360.
 
 TEST(FitShellRow, AHorizontalEdgeIsLookedForOnBothSidesOfAStation) {
   MadeShell coarse = withUpperEdge(100.5, 110.5);
-  coarse.count = 60'000;  // 12 of a layer within 0.1 m
-  EXPECT_NEAR(static_cast<double>(seenIn(rowOf(coarse))), 350.0, 3.0);
+  coarse.count = 60'000, coarse.from = 0.1, coarse.to = 0.5;  // 11 of a layer within 0.1 m
+  StationOptions fine;
+  fine.count = 720;
+  const std::vector<double> z(720, kFoot + 0.3);
+  const auto row = fitShellRow(coarse.points(), stations(fine), tank10().circle, z, {0.1, Side::Outside});
+  EXPECT_NEAR(static_cast<double>(seenIn(row)), 700.0, 4.0);
   const auto narrow = rowOf(withUpperEdge(103.3, 104.7));  // 0.24 m
   EXPECT_LT(seenIn(narrow), 360U);
 }
