@@ -56,8 +56,10 @@ bool parseCommandLine(int argc, char** argv, Command& command, int& status) {
   app.add_option("file", command.files, "scan(s), which are setups of one tank in one frame, and the PCD to write")
       ->required()
       ->expected(2, -1);
-  app.add_flag("--ring", command.ring, "only the points near the tank's foot, which its stations are measured from");
+  CLI::Option* ring = app.add_flag("--ring", command.ring,
+                                   "only the points near the tank's foot, which its stations are measured from");
   const OptionFlags flags(app, optionsOfCopy(command));
+  for (const char* of_tank : {"--tank", "--pick", "--min-radius"}) app.get_option(of_tank)->needs(ring);
   app.set_version_flag("--version", std::string(kProgram) + " " + kVersion);
   if (!parsed(app, argc, argv, status)) return false;
   flags.putTyped();

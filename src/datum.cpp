@@ -32,6 +32,7 @@
 #include "trust/tank_tests.h"
 #include "trust/tests_of_tank.h"
 #include "upper_foot.h"
+#include "wall_above.h"
 
 namespace tank_datum {
 namespace {
@@ -120,10 +121,15 @@ Datum measureDatum(const Tank& tank, const Scan& scan, const DatumOptions& given
   datum.tank = tank;
   if (!tank.has_foundation) return withoutFoundation(std::move(datum), scan, options);
   tell(callbacks, "crop");
-  ShellBands bands(tank, options.shell, scan.size() / rowStride(scan, tank, options.crop));
-  const auto also = [&bands](std::uint64_t n, const Points& block) { bands.gather(n, block); };
+  const std::uint64_t looked_at = scan.size() / rowStride(scan, tank, options.crop);
+  ShellBands bands(tank, options.shell, looked_at);
+  WallAbove wall(tank, options.crop.reach, looked_at);
+  const auto also = [&](std::uint64_t n, const Points& block) {
+    bands.gather(n, block);
+    wall.gather(n, block);
+  };
   Ring ring = cropRing(scan, tank, options.crop, also, options.threads);
-  upon = onNarrowRingwall(ring, tank);
+  upon = onNarrowRingwall(ring, wall.points(), tank);
   datum.counts = ring.counts;
   tell(callbacks, "setups");
   datum.agreement = adjustSetups(ring, scan, tank, options);

@@ -35,12 +35,17 @@ void addOptions(CLI::App& app, Command& command, double& angle_deg) {
   app.add_option("--checksum", command.checksum, "of the scan, by the command")
       ->transform(CLI::CheckedTransformer(checksums))
       ->default_str("xxh3");
-  app.add_flag("--scale", command.scale, "make scans of 1, 10, 100 million points of this one, and run the command");
-  app.add_option("--smallest", command.smallest, "scan that --scale makes [million points]")->check(positive);
+  CLI::Option* scale = app.add_flag("--scale", command.scale,
+                                    "make scans of 1, 10, 100 million points of this one, and run the command");
+  app.add_option("--smallest", command.smallest, "scan that --scale makes [million points]")
+      ->check(positive)
+      ->needs(scale);
   app.add_option("--largest", command.largest, "scan that --scale makes [million points]; 1000 needs 12 GB of disk")
-      ->check(positive);
+      ->check(positive)
+      ->needs(scale);
   app.add_option("--folder", command.folder, "for the scans that --scale makes, each removed after its run")
-      ->check(CLI::ExistingDirectory);
+      ->check(CLI::ExistingDirectory)
+      ->needs(scale);
   app.set_version_flag("--version", std::string("tank_datum_bench ") + kVersion);
 }
 

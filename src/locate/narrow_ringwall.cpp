@@ -18,21 +18,19 @@ namespace tank_datum {
 namespace {
 
 constexpr std::size_t kSectors = 120;
-constexpr double kLayer = 0.02;      // heights that are looked at together [footUnit]
-constexpr double kNarrowest = 0.02;  // that a face stands out by: more than plates and welds do [footUnit]
-constexpr double kWidest = 0.11;     // wider ones are told in the sample [footUnit]
+constexpr double kLayer = 0.02;  // heights that are looked at together [footUnit]
 
-/// What stands at the shell in each sector, by its height above the foot [footUnit].
-std::vector<std::vector<Hit>> hitsOf(const Ring& ring, const Tank& tank, double unit) {
-  std::vector<std::vector<Hit>> hits(kSectors);
-  for (const Eigen::Vector3d& p : ring.points) {
+using SectorHits = std::vector<std::vector<Hit>>;
+
+/// Adds what stands at the shell to its sector, by its height above the foot [footUnit].
+void addHits(const Points& points, const Tank& tank, double unit, SectorHits& hits) {
+  for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector2d arm = p.head<2>() - tank.circle.center;
     const double off = (arm.norm() - tank.circle.radius) / unit;
-    if (std::abs(off) > kWidest + kNarrowest) continue;
+    if (std::abs(off) > kWidestFace + kNarrowestFace) continue;
     const double azimuth = tank.azimuthOf(p.head<2>());
     hits[ringCell(azimuth, kSectors)].push_back({(p.z() - tank.foot(azimuth)) / unit, off});
   }
-  return hits;
 }
 
 /// How far the middle third of the face under a step stands out of the lowest and the highest.
@@ -51,8 +49,8 @@ double bulgeOf(const std::vector<Hit>& hits, const StepBack& step) {
 StepBack narrowStep(const std::vector<Hit>& hits) {
   constexpr double kScatter = 0.1;  // of its width
   constexpr double kBulge = 0.03;   // a pipe along the foot is round, and bulges by twice as much and more
-  const StepBack step = findStepBack(hits, kLayer, kNarrowest);
-  const bool is_narrow = step.found() && step.width <= kWidest && step.scatter <= kScatter * step.width;
+  const StepBack step = findStepBack(hits, kLayer, kNarrowestFace);
+  const bool is_narrow = step.found() && step.width <= kWidestFace && step.scatter <= kScatter * step.width;
   return is_narrow && !(bulgeOf(hits, step) > kBulge * step.width) ? step : StepBack{};
 }
 
@@ -65,16 +63,18 @@ bool goesPast(const std::vector<Hit>& hits, double height) {
     if (hit.z > height + kPiece && hit.z < height + 2.0 * kPiece) above.push_back(hit.off);
   }
   if (below.empty() || above.empty()) return false;
-  return std::abs(median(std::move(below)) - median(std::move(above))) < kNarrowest;
+  return std::abs(median(std::move(below)) - median(std::move(above))) < kNarrowestFace;
 }
 
 }  // namespace
 
-std::optional<Tank> onNarrowRingwall(const Ring& ring, const Tank& tank) {
+std::optional<Tank> onNarrowRingwall(const Ring& ring, const Points& above, const Tank& tank) {
   constexpr double kFewest = 0.25;  // of the sectors in which a wall is seen: fewer may be things that stand about
-  if (tank.side != Side::Outside || tank.standsOnRingwall()) return {};
+  if (!mayStandOnNarrowRingwall(tank)) return {};
   const double unit = footUnit(tank.circle.radius, tank.resolution);
-  const auto hits = hitsOf(ring, tank, unit);
+  SectorHits hits(kSectors);
+  addHits(ring.points, tank, unit, hits);
+  addHits(above, tank, unit, hits);
   std::vector<StepBack> steps;
   for (const std::vector<Hit>& sector : hits) steps.push_back(narrowStep(sector));
   const double usual = medianOf(steps, [](const StepBack& step) { return step.height; });

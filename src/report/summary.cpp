@@ -44,6 +44,15 @@ std::string tankLine(const Datum& datum, const Display& display) {
               display.longFigure(datum.circle.center.y() + datum.origin.y()).c_str(), toDegrees(datum.tank.coverage));
 }
 
+/// What the shell stands upon, where that stands out of the ground and of the shell. Cladding of a lowest part looks
+/// the same, so that a reader has to know.
+std::string ringwallLine(const Datum& datum, const Display& display) {
+  if (!datum.tank.standsOnRingwall()) return {};
+  return line("ringwall", "the shell begins %s above the ground, upon what stands out by %s",
+              display.longText(datum.tank.ringwall_height, 1).c_str(),
+              display.longText(datum.tank.ringwall_width, 2).c_str());
+}
+
 /// How the azimuths below are counted, where it is not counter-clockwise from +x.
 std::string azimuthsLine(const StationOptions& options) {
   if (!options.clockwise && options.zero_azimuth == 0.0) return {};
@@ -197,7 +206,7 @@ std::string summary(const Datum& datum, const Provenance& provenance, bool block
   if (!datum.hasStations()) return text;
   const Level& level = datum.level;
   const double z = datum.origin.z();
-  text += tankLine(datum, display);
+  text += tankLine(datum, display) + ringwallLine(datum, display);
   text += azimuthsLine(provenance.options.stations) + passedOverLine(datum.counts) + stationsLine(datum) +
           unmeasuredLines(datum);
   const auto length = [&](double metres) { return display.shortText(metres); };

@@ -16,7 +16,7 @@ namespace {
 constexpr double kNarrowest = 0.025, kWidest = 0.1;  // columns of points [m]: the scan may be coarse in places
 constexpr std::size_t kParts = 4;                    // of a column, which may begin with any
 constexpr std::size_t kGap = 2;                      // parts between the columns before a step and those beyond
-constexpr std::size_t kFewest = 5;                   // points of a column
+constexpr std::size_t kFewestInColumn = 5;           // points of a column
 constexpr std::size_t kBeside = 5;                   // columns looked at on either side of a step
 constexpr double kLowest = 0.006;                    // step: setups disagree by less, plates are thicker [m]
 constexpr double kErrors = 5.0;                      // standard errors
@@ -40,7 +40,7 @@ StepColumn columnFrom(std::size_t part, const ColumnParts& parts, double noise) 
     const std::vector<double>& more = parts[(part + i) % parts.size()];
     radii.insert(radii.end(), more.begin(), more.end());
   }
-  if (radii.size() < kFewest) return {kUnknown, radii.size()};
+  if (radii.size() < kFewestInColumn) return {kUnknown, radii.size()};
   const double spread = (quantile(radii, 1.0 - kMiddle) - quantile(radii, kMiddle)) / kOfMiddle;
   return {spread < kScattered * noise ? median(radii) : kUnknown, radii.size()};
 }
@@ -86,7 +86,7 @@ class StepModel {
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     double height = 0.0;
     for (Eigen::Index i = 0; i < to_height_.size(); ++i) {
-      if (column(i).points < kFewest) return kUnknown;
+      if (column(i).points < kFewestInColumn) return kUnknown;
       fewest = std::min(fewest, column(i).points);
       height += to_height_[i] * column(i).radius;
     }

@@ -52,7 +52,7 @@ Ring ringOf(const Scene& scene) {
   return ring;
 }
 
-std::optional<Tank> upon(const Scene& scene) { return onNarrowRingwall(ringOf(scene), foundTank(scene)); }
+std::optional<Tank> upon(const Scene& scene) { return onNarrowRingwall(ringOf(scene), {}, foundTank(scene)); }
 
 TEST(NarrowRingwall, TheShellBeginsWhereItStepsBack) {
   const std::optional<Tank> tank = upon({});
@@ -61,7 +61,7 @@ TEST(NarrowRingwall, TheShellBeginsWhereItStepsBack) {
   EXPECT_NEAR(tank->circle.radius, kRadius, 0.001);
   EXPECT_NEAR(tank->ringwall_width, 0.05, 0.002);
   EXPECT_NEAR(tank->ringwall_height, 0.15, 0.015);
-  EXPECT_FALSE(onNarrowRingwall(ringOf({}), *tank));  // which is known now
+  EXPECT_FALSE(onNarrowRingwall(ringOf({}), {}, *tank));  // which is known now
 }
 
 TEST(NarrowRingwall, IsNarrowerThanTheSampleTellsAndWiderThanPlatesAndWelds) {
@@ -101,7 +101,7 @@ TEST(NarrowRingwall, IsSeenUnderAQuarterOfTheShell) {
 TEST(NarrowRingwall, IsLookedForFromOutsideAlone) {
   Tank tank = foundTank({});
   tank.side = Side::Inside;
-  EXPECT_FALSE(onNarrowRingwall(ringOf({}), tank));
+  EXPECT_FALSE(onNarrowRingwall(ringOf({}), {}, tank));
 }
 
 TEST(NarrowRingwall, OfThingsInOtherUnitsIsInProportion) {
@@ -111,7 +111,7 @@ TEST(NarrowRingwall, OfThingsInOtherUnitsIsInProportion) {
   ring.reach *= 1000.0;
   Tank tank = foundTank(scene);
   tank.circle.radius *= 1000.0, tank.resolution *= 1000.0, tank.foot.coefficients *= 1000.0;
-  const std::optional<Tank> found = onNarrowRingwall(ring, tank);
+  const std::optional<Tank> found = onNarrowRingwall(ring, {}, tank);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->ringwall_width, 50.0, 2.0);
   EXPECT_NEAR(found->foot(1.0), 0.0, 6.0);

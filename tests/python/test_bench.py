@@ -129,6 +129,7 @@ def test_tables() -> None:
         ([SAMPLE, "--repeats=0"], 2, "--repeats"),
         ([SAMPLE, "--angle-deg=90"], 2, "--angle-deg"),
         ([SAMPLE, "--scale", "--smallest=0"], 2, "--smallest"),
+        ([SAMPLE, "--smallest=1"], 2, "--smallest requires --scale"),
         ([SAMPLE, "--json=/none/figures.json"], 2, "/none is no folder"),
         ([SAMPLE, "--scale", "--folder=/none"], 2, "/none"),
     ],

@@ -121,6 +121,14 @@ def test_ring_of_no_tank(run: Runner, tmp_path: Path) -> None:
     assert [p.name for p in tmp_path.iterdir()] == ["scan.xyz"]
 
 
+def test_options_of_the_tank_without_its_ring(tmp_path: Path) -> None:
+    """A copy of all points knows no tank."""
+    for option, value in (("--tank", "0,0,5"), ("--pick", "1"), ("--min-radius", "2")):
+        made = convert(tmp_path / "scan.xyz", tmp_path / "copy.pcd", option, value)
+        assert made.returncode == 2
+        assert made.stderr == f"tank_datum_convert: {option} requires --ring\n"
+
+
 # ---- nothing half-written ----
 
 

@@ -42,6 +42,16 @@ TEST(Summary, ListsASecondOpinionAfterWhatGoverns) {
   EXPECT_NE(text.find("30.0 mm, limit 10.0 mm (a second opinion)\n"), std::string::npos) << text;
 }
 
+TEST(Summary, SaysWhatTheShellStandsUpon) {
+  Datum datum = octagon();
+  EXPECT_EQ(summary(datum).find("ringwall  "), std::string::npos);
+  datum.tank.ringwall_height = 0.9, datum.tank.ringwall_width = 0.06;
+  EXPECT_NE(
+      summary(datum).find("ringwall       the shell begins 0.9 m above the ground, upon what stands out by 0.06 m\n"),
+      std::string::npos)
+      << summary(datum);
+}
+
 TEST(Summary, NamesTheArcsInWhichAnotherWallStands) {
   Datum datum = octagon();
   EXPECT_EQ(summary(datum).find("another wall"), std::string::npos);
