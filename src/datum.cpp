@@ -17,6 +17,7 @@
 #include "locate/foot_unit.h"
 #include "locate/locate.h"
 #include "locate/narrow_ringwall.h"
+#include "locate/ring_shape.h"
 #include "refusals.h"
 #include "setups/agreement.h"
 #include "setups/merged_scans.h"
@@ -186,7 +187,13 @@ Datum extractDatum(const Tank& tank, const Scan& scan, const DatumOptions& optio
   requireValid(options);
   std::optional<Tank> upon, none;
   Datum datum = measureDatum(tank, scan, options, callbacks, upon);
-  if (upon) datum = upperOrLower(measureDatum(*upon, scan, options, callbacks, none), std::move(datum));
+  if (upon && !(options.tank && isOfFace(options.tank->radius, *upon)))
+    datum = upperOrLower(measureDatum(*upon, scan, options, callbacks, none), std::move(datum));
+  if (!options.tank) {  // else the user has said which wall is the shell
+    const double reach = reachOf(tank, options.crop.reach * footUnit(tank.circle.radius, tank.resolution));
+    const WallStep step = stepInDoubt(datum, upon);
+    datum = judgeMoreTests(std::move(datum), testsOfStep(step.width, step.height, reach), options);
+  }
   return withSighting(std::move(datum), scan, options);
 }
 

@@ -155,6 +155,13 @@ Datum judgeTests(Datum datum, const DatumOptions& options) {
   return datum;
 }
 
+Datum judgeMoreTests(Datum datum, std::vector<TankTest> tests, const DatumOptions& options) {
+  std::swap(datum.tests, tests);
+  datum = judgeTests(std::move(datum), options);
+  datum.tests.insert(datum.tests.begin(), tests.begin(), tests.end());
+  return datum;
+}
+
 Datum finishDatum(Datum datum, const DatumOptions& options) {
   datum.tilt = fitTilt(datum.stations, datum.circle.center, options.stations, datum.covariance);
   const auto standings = standingsTo(datum.tilt, datum.stations, datum.circle.center);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tank_datum/datum.h"
 
@@ -28,6 +29,9 @@ Datum describeStations(Datum datum, const DatumOptions& options);
 
 /// A datum whose shell, or whose stations, fail a test of whether this is a tank: refused, or doubtful.
 Datum judgeTests(Datum datum, const DatumOptions& options);
+
+/// The same of tests that come after those that were judged.
+Datum judgeMoreTests(Datum datum, std::vector<TankTest> tests, const DatumOptions& options);
 
 /// Tilt and antipodal inclination of a datum whose level is known, and the status and message that go with them.
 Datum finishDatum(Datum datum, const DatumOptions& options);

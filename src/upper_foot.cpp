@@ -30,4 +30,18 @@ Datum upperOrLower(Datum upper, Datum lower) {
   return is_on_plate && heightBelow(upper.tank, lower.stations) > kWell * unit ? lower : upper;
 }
 
+WallStep stepInDoubt(const Datum& datum, const std::optional<Tank>& upon) {
+  constexpr double kThickest = 0.15;  // of what clads a shell, wool and sheet [footUnit]
+  constexpr double kApart = 0.02;     // of a lip's edge and the step's, at least [footUnit]
+  const bool is_upon = datum.tank.standsOnRingwall();
+  if (!datum.usable() || (!is_upon && !upon)) return {};
+  const Tank& stepped = is_upon ? datum.tank : *upon;
+  const double unit = footUnit(datum.tank.circle.radius, datum.tank.resolution);
+  const FootProfile& profile = datum.refined.profile;
+  const bool is_lip =
+      profile.surface == Surface::AnnularPlate && (!is_upon || profile.edge + kApart * unit < stepped.ringwall_width);
+  if (is_lip || stepped.ringwall_width > kThickest * unit) return {};
+  return {stepped.ringwall_width, stepped.ringwall_height};
+}
+
 }  // namespace tank_datum

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "tank_datum/datum.h"
 
 namespace tank_datum {
@@ -10,5 +12,21 @@ namespace tank_datum {
 /// @param upper  above the step
 /// @param lower  where the wall ends
 Datum upperOrLower(Datum upper, Datum lower);
+
+/// Whether a radius is that of the face on which a tank may stand, rather than of its shell [m].
+inline bool isOfFace(double radius, const Tank& upon) {
+  return radius > upon.circle.radius + 0.5 * upon.ringwall_width;
+}
+
+/// A wall that stands out of the one above it [m].
+struct WallStep {
+  double width = 0, height = 0;
+};
+
+/// A step of which nothing says whether the shell begins there, or goes on behind what clads its lowest part; of no
+/// height where there is none or something says so: a lip of which the step is no edge, a plate below it, or that no
+/// cladding is as thick.
+/// @param upon  the tank on a narrow ringwall, if it may stand on one
+WallStep stepInDoubt(const Datum& datum, const std::optional<Tank>& upon);
 
 }  // namespace tank_datum

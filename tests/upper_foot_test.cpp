@@ -50,4 +50,42 @@ TEST(UpperOrLower, OfTwoThatAreNoneTheOneWithStationsIsShownElseTheLower) {
   EXPECT_EQ(chosen(Status::NoCrease, Status::NoCrease, 0.4, Surface::Foundation), -0.4);
 }
 
+/// A datum upon a step that stands out by so much, a metre above the ground.
+Datum datumUpon(double width, Surface surface = Surface::Foundation, double edge = 0.0) {
+  Datum datum = datumAt(0.0, Status::Ok, surface);
+  datum.tank.ringwall_width = width, datum.tank.ringwall_height = 1.0;
+  datum.refined.profile.edge = edge;
+  return datum;
+}
+
+TEST(StepInDoubt, IsOneThatMayBeTheEdgeOfWhatCladsAShell) {
+  EXPECT_EQ(stepInDoubt(datumAt(0.0, Status::Ok), {}).height, 0.0);
+  EXPECT_EQ(stepInDoubt(datumUpon(0.1), {}).height, 1.0);
+  EXPECT_EQ(stepInDoubt(datumUpon(0.1), {}).width, 0.1);
+  EXPECT_EQ(stepInDoubt(datumUpon(0.14), {}).height, 1.0);
+  EXPECT_EQ(stepInDoubt(datumUpon(0.16), {}).height, 0.0) << "no cladding is as thick";
+}
+
+TEST(StepInDoubt, IsNoneBeyondALip) {
+  EXPECT_EQ(stepInDoubt(datumUpon(0.1, Surface::AnnularPlate, 0.075), {}).height, 0.0);
+  EXPECT_EQ(stepInDoubt(datumUpon(0.1, Surface::AnnularPlate, 0.085), {}).height, 1.0)
+      << "the lip's edge is the step's";
+  EXPECT_EQ(stepInDoubt(datumUpon(0.1, Surface::Ringwall, 0.05), {}).height, 1.0);
+}
+
+TEST(StepInDoubt, OfALowerWallIsTheStepAboveItUnlessThatStandsOnAPlate) {
+  const Tank upon = datumUpon(0.05).tank;
+  EXPECT_EQ(stepInDoubt(datumAt(0.0, Status::Partial), upon).height, 1.0);
+  EXPECT_EQ(stepInDoubt(datumAt(0.0, Status::Partial), upon).width, 0.05);
+  EXPECT_EQ(stepInDoubt(datumAt(0.0, Status::Ok, Surface::AnnularPlate), upon).height, 0.0);
+  EXPECT_EQ(stepInDoubt(datumAt(0.0, Status::NoCrease), upon).height, 0.0) << "refused for another reason";
+}
+
+TEST(IsOfFace, WhatIsNearerToIt) {
+  Tank upon;
+  upon.circle = {{0.0, 0.0}, 10.0}, upon.ringwall_width = 0.1;
+  EXPECT_FALSE(isOfFace(10.04, upon));
+  EXPECT_TRUE(isOfFace(10.06, upon));
+}
+
 }  // namespace tank_datum::upper_foot_test

@@ -77,17 +77,31 @@ TEST(WallAbove, IsNoneOfATankWhoseRingwallIsKnownOrThatIsSeenFromInside) {
   EXPECT_TRUE(seenOf(inside, wall(0.0, 720)).empty());
 }
 
-TEST(WallAbove, ShowsThePlinthThatIsHigherThanTheRing) {
+TEST(WallAbove, ShowsAPlinthHigherThanTheRingWhichMayBeCladding) {
   SceneOptions scene = yard();
   scene.tanks[0].foundation.kind = "annular_plate";
   scene.tanks[0].foundation.plate_width = 0.05, scene.tanks[0].foundation.ringwall_width = 0.06;
   scene.ground.drop = 0.9;
   scene.scanner.field = "tank";
   scene.scanner.step = radians(0.25), scene.scanner.row_step = radians(0.08);
-  const Datum datum = extractDatum(Scan::fromPoints(pointsOf(scene)), {});
-  ASSERT_TRUE(datum.usable()) << datum.message;
-  EXPECT_NEAR(datum.circle.radius, kRadius, 0.002);  // 10.06 upon the plinth's face, whose foot lies 0.9 m lower
-  EXPECT_NEAR(datum.level.mean + datum.origin.z(), 0.0, 0.003);
+  const Scan scan = Scan::fromPoints(pointsOf(scene));
+  const auto datumWith = [&](bool accept, std::optional<Circle> tank) {
+    DatumOptions options;
+    options.accept = accept, options.tank = tank;
+    return extractDatum(scan, options);
+  };
+  const Datum asked = datumWith(false, {}), accepted = datumWith(true, {});
+  EXPECT_EQ(asked.status, Status::Doubtful) << asked.message;
+  EXPECT_NE(asked.message.find("its wall steps back by 0.06 m, 0.9 m above the ground"), std::string::npos);
+  for (const Datum& datum : {asked, accepted, datumWith(false, Circle{{0.0, 0.0}, kRadius})}) {
+    EXPECT_NEAR(datum.circle.radius, kRadius, 0.002);
+    EXPECT_NEAR(datum.level.mean + datum.origin.z(), 0.0, 0.003);
+    EXPECT_EQ(datum.usable(), datum.status != Status::Doubtful) << datum.message;
+  }
+  const Datum lower = datumWith(false, Circle{{0.0, 0.0}, kRadius + 0.06});
+  EXPECT_TRUE(lower.usable()) << lower.message;
+  EXPECT_NEAR(lower.circle.radius, kRadius + 0.06, 0.002);
+  EXPECT_NEAR(lower.level.mean + lower.origin.z(), -0.9, 0.02);
 }
 
 }  // namespace tank_datum::wall_above_test

@@ -61,6 +61,9 @@ struct Bounds {
 //            lies inside too: no such thing makes a tank none.
 // raised     How far the stations stand above where the shell is seen elsewhere, over how far that scatters about its
 //            plane: a datum is nowhere above what is seen of its shell.
+// step       Height of a face that stands out of the wall above it by 20 to 150 mm, all round, over the reach of the
+//            section: kerbs and ringwalls that narrow are up to 0.3 m high; plinths, and what clads the lowest part of
+//            a shell against fire or hands, a metre and more.
 // low_wall   Of a wall up to two metres high, share of what is seen behind whose top something lies. Of a shell in a
 //            scan that was cut, or that looks no higher, it is 0; of a ringwall's face, with its top or the lowest
 //            centimetres of the shell in view, 0.3 to 1.
@@ -70,7 +73,8 @@ constexpr Bounds kBehind{"behind", "1", 0.10, 0.25}, kRound{"round", "1", 1.6, 3
     kSigma{"sigma", "1", 1.0, HUGE_VAL}, kShellGap{"shell_gap", "1", 0.2, HUGE_VAL},
     kLowWall{"low_wall", "1", 0.1, HUGE_VAL}, kUnderShell{"under_shell", "1", 0.2, HUGE_VAL},
     kAboveShell{"above_shell", "1", 0.03, HUGE_VAL}, kRaised{"raised", "1", 3.0, HUGE_VAL},
-    kWall{"wall", "1", kFewestSectors, -HUGE_VAL}, kSeeThrough{"see_through", "1", 0.25, HUGE_VAL};
+    kStep{"step", "1", 0.8, HUGE_VAL}, kWall{"wall", "1", kFewestSectors, -HUGE_VAL},
+    kSeeThrough{"see_through", "1", 0.25, HUGE_VAL};
 
 constexpr double kThinnestPlate = 0.006;  // [footUnit]
 
@@ -140,6 +144,15 @@ std::vector<TankTest> testsOfRaised(double raised) {
                  "what it is measured on stands above where its shell is seen elsewhere, by %.1f times how far that "
                  "scatters, as soil against it does",
                  raised)};
+}
+
+std::vector<TankTest> testsOfStep(double width, double height, double reach) {
+  if (!(height > 0.0)) return {};
+  return {
+      judged(kStep, height / reach,
+             "its wall steps back by %.2g m, %.1f m above the ground, as a shell upon a plinth does and one that is "
+             "clad below: option tank with the circle of its shell tells which",
+             width, height)};
 }
 
 std::vector<TankTest> testsOfGround(double ground_inside) {

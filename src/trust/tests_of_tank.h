@@ -42,6 +42,12 @@ std::vector<TankTest> testsAboveShell(double above_shell);
 /// @param raised  how far the stations stand above where the shell is seen elsewhere, over how far that scatters
 std::vector<TankTest> testsOfRaised(double raised);
 
+/// Whether the shell begins at the step on which it was measured, or not at the step above it; none where there is no
+/// such step.
+/// @param width,height  of the face below the step: how far it stands out, and down to the ground [m]
+/// @param reach         of the section of the foot [m]
+std::vector<TankTest> testsOfStep(double width, double height, double reach);
+
 /// Numbers of the measured stations that do not lie on their shell, whose elevation is another thing's.
 std::vector<std::size_t> stationsOffCircle(const std::vector<Station>& stations, const Circle& circle,
                                            const ShellEvidence& shell);
