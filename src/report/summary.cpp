@@ -81,20 +81,25 @@ std::string stationsLine(const Datum& datum) {
               level.missing, density.c_str());
 }
 
-/// Where soil or a kerb, or inside of it liquid or a coil, lies at the shell, or a sector of the foundation stands off
-/// the rest; where it is not the shell that stands there; where the datum is known to lie lower than the stations
-/// beside a gap say; and where what was refused may be the datum.
+/// Where too little of the foundation or of the shell is seen; where soil or a kerb, or inside of it liquid or a coil,
+/// lies at the shell, or a sector of the foundation stands off the rest; where it is not the shell that stands there;
+/// where the datum is known to lie lower than the stations beside a gap say; and where what was refused may be the
+/// datum.
 std::string unmeasuredLines(const Datum& datum) {
   constexpr double kNamed = 3.0 / 360.0;  // of a turn; of shorter arcs there are many beside a foot
   const auto named = static_cast<std::size_t>(std::max(1.0, kNamed * static_cast<double>(datum.stations.size())));
   const bool inside = datum.tank.side == Side::Inside;
-  const std::string surface = inside ? "floor" : nameOf(datum.refined.profile.surface);
+  std::string surface = inside ? "floor" : nameOf(datum.refined.profile.surface);
+  std::replace(surface.begin(), surface.end(), '_', ' ');
   std::string text;
   const auto add = [&](const char* title, const std::vector<char>& is, std::size_t shortest, const std::string& what) {
     const std::string arcs = arcsText(is, datum.stations, shortest);
     if (!arcs.empty()) text += line(title, "at %s %s", arcs.c_str(), what.c_str());
   };
   if (datum.refined.valid()) {
+    add("hidden", withReason(datum.stations, Unmeasured::Hidden), named,
+        "too few points of the " + surface + " are seen beside the shell: not measured");
+    add("no shell", withReason(datum.stations, Unmeasured::NoShell), named, "the shell is not seen: not measured");
     add("other surface", withReason(datum.stations, Unmeasured::OtherSurface), named,
         "something else than the " + surface + " meets the shell, " + (inside ? "liquid or a coil" : "soil or a kerb") +
             ": not measured");

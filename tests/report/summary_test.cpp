@@ -75,6 +75,18 @@ TEST(Summary, NamesArcsOfThreeDegreesAndMore) {
   EXPECT_TRUE(named(36, 1)) << "ten degrees";
 }
 
+TEST(Summary, NamesTheArcsInWhichTooLittleIsSeen) {
+  Datum datum = octagon();
+  datum.refined.profile.band_to = 0.1, datum.refined.profile.surface = Surface::Ringwall;
+  for (const std::size_t i : {2U, 3U, 4U}) datum.stations[i].reason = Unmeasured::Hidden;
+  datum.stations[6].reason = Unmeasured::NoShell;
+  const std::string text = summary(datum);
+  EXPECT_NE(text.find("hidden         at 90 to 180 deg too few points of the ringwall are seen beside the shell"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("no shell       at 270 to 270 deg the shell is not seen"), std::string::npos) << text;
+}
+
 TEST(Summary, NamesTheArcsInWhichSomethingElseMeetsTheShell) {
   Datum datum = octagon();
   datum.refined.profile.band_to = 0.1, datum.refined.profile.surface = Surface::Ringwall;
