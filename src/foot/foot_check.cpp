@@ -114,7 +114,12 @@ bool isSameSurface(const std::vector<FootPoint>& points, const FootFit& fit, dou
   }
   const bool ends = beside.size() >= kFewestBeside && median(drops) > kLeastDrop;
   if (ends && median(beside) > 0.5 * median(drops) + 2.0 * fit.sigma) return false;  // soil goes on over the edge
-  return off.size() < 10 || std::abs(median(off)) <= kSection + 2.0 * fit.sigma;
+  if (off.size() < 10 || std::abs(median(off)) <= kSection + 2.0 * fit.sigma) return true;
+  // what lies beside the edge is in its place: farther out, below a face, it may end sooner than elsewhere
+  const auto beside_above = std::count_if(beside.begin(), beside.end(), [](double z) { return z > -kHangs; });
+  const auto beside_in_place =
+      std::count_if(beside.begin(), beside.end(), [&](double z) { return std::abs(z) <= kSection + 2.0 * fit.sigma; });
+  return static_cast<std::size_t>(beside_in_place) >= kFewestBeside && 2 * beside_in_place > beside_above;
 }
 
 Steps findSteps(const std::vector<FootFit>& fits, double step, const std::function<bool(const StepRun&)>& is_foot) {
