@@ -51,11 +51,37 @@ struct Stepped {
 
   bool stands(std::size_t i) const { return fits[i].valid() && !dropped[i]; }
   /// A run that is kept may lie as far below those beside it as it likes.
-  bool stepBetween(std::size_t a, std::size_t b, std::size_t apart) const {
-    const bool into_kept = kept[a] != kept[b] && (fits[a].z < fits[b].z) == kept[a];
-    return !into_kept && isStep(fits[a], fits[b], static_cast<double>(apart) * arc);
+  bool isIntoKept(std::size_t a, std::size_t b) const {
+    return kept[a] != kept[b] && (fits[a].z < fits[b].z) == kept[a];
   }
 };
+
+/// Where runs begin among stations that are seen: at steps, and beyond gaps over which the level changes by as much as
+/// half of the least of them, and by more than codes allow. Where a ring has two surfaces, it goes over to the other
+/// where nothing is seen too.
+std::vector<char> beginningsOf(const Stepped& ring, const std::vector<std::size_t>& seen) {
+  constexpr double kShare = 0.5;
+  constexpr double kAllowed = 0.002;  // of a datum along its shell [m/m]
+  const std::size_t count = ring.fits.size();
+  std::vector<char> begin(seen.size(), 0);
+  double least = HUGE_VAL;
+  const auto arcOf = [&](std::size_t apart) { return static_cast<double>(apart) * ring.arc; };
+  const auto visit = [&](const auto& look) {
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const std::size_t before = seen[(k + seen.size() - 1) % seen.size()], apart = (seen[k] + count - before) % count;
+      look(k, before, apart, std::abs(ring.fits[seen[k]].z - ring.fits[before].z));
+    }
+  };
+  visit([&](std::size_t k, std::size_t before, std::size_t apart, double off) {
+    if (ring.isIntoKept(seen[k], before) || !isStep(ring.fits[seen[k]], ring.fits[before], arcOf(apart))) return;
+    begin[k] = 1;
+    least = std::min(least, off);
+  });
+  visit([&](std::size_t k, std::size_t before, std::size_t apart, double off) {
+    if (apart > 1 && off > kShare * least + kAllowed * arcOf(apart) && !ring.isIntoKept(seen[k], before)) begin[k] = 1;
+  });
+  return begin;
+}
 
 /// Runs between steps, none when the ring has no step. Stations not valid or dropped are passed over.
 std::vector<StepRun> runsBetweenSteps(const Stepped& ring) {
@@ -64,12 +90,9 @@ std::vector<StepRun> runsBetweenSteps(const Stepped& ring) {
     if (ring.stands(i)) seen.push_back(i);
   }
   const auto at = [&](std::size_t k) { return seen[k % seen.size()]; };
-  const auto beginsAt = [&](std::size_t k) {
-    const std::size_t before = at(k + seen.size() - 1);
-    return ring.stepBetween(seen[k], before, (seen[k] + ring.fits.size() - before) % ring.fits.size());
-  };
+  const std::vector<char> begin = beginningsOf(ring, seen);
   std::vector<StepRun> runs;
-  for (const RingRun& between : runsBetween(seen.size(), beginsAt)) {
+  for (const RingRun& between : runsBetween(seen.size(), [&](std::size_t k) { return begin[k] != 0; })) {
     StepRun run;
     for (std::size_t k = between.first; k <= between.last; ++k) run.stations.push_back(at(k));
     run.beside = std::min(ring.fits[at(between.first + seen.size() - 1)].z, ring.fits[at(between.last + 1)].z);

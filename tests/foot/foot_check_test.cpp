@@ -129,4 +129,23 @@ TEST(FindSteps, OfNothingDropNothing) {
   EXPECT_TRUE(droppedOf({fitOf(2.0)}).empty());
 }
 
+/// How many are dropped of a level ring with a gap, behind which 40 stations begin so far below the others and end 20
+/// mm below them.
+std::size_t droppedBehindGap(std::size_t gap, double low) {
+  std::vector<FootFit> fits(360, fitOf(2.0));
+  for (std::size_t i = 0; i < gap; ++i) fits[100 + i] = {};
+  for (std::size_t i = 0; i < 40; ++i) fits[100 + gap + i].z -= low + (0.020 - low) * static_cast<double>(i) / 39.0;
+  return droppedOf(fits, 0.2).size();
+}
+
+TEST(FindSteps, WhereARingHasAStepALikeDifferenceOverAGapIsOneToo) {
+  EXPECT_EQ(droppedBehindGap(10, 0.020), 40U);
+  // half of the step's height, and 2 mm/m over eleven steps of 0.2 m
+  EXPECT_EQ(droppedBehindGap(10, 0.0148), 40U);
+  EXPECT_EQ(droppedBehindGap(10, 0.0140), 0U);
+  EXPECT_EQ(droppedBehindGap(1, 0.0112), 40U);
+  EXPECT_EQ(droppedBehindGap(1, 0.0104), 0U);
+  EXPECT_EQ(droppedBehindGap(40, 0.020), 0U) << "a datum may climb by so much over eight metres";
+}
+
 }  // namespace tank_datum::foot_check_test
