@@ -126,8 +126,8 @@ FootSections stackSections(const Foot& foot, const std::vector<double>& elevatio
     FootProfile& arc = sections.arcs[k];
     arc = members.empty() ? whole : sectionOf(foot, members, elevations, whole);
     if (!isAlike(arc, whole, foot.reach)) arc = whole;
-    arc.band_from = std::max(arc.band_from, whole.band_from);
-    if (arc.band_to <= arc.band_from) arc = whole;
+    // a lip that ends where the ring's begins to be plain goes by what is plain of itself
+    if (arc.band_to > whole.band_from) arc.band_from = std::max(arc.band_from, whole.band_from);
   });
   const auto ends = [](const FootProfile& arc) { return arc.surface != Surface::Foundation; };
   if (2 * std::count_if(sections.arcs.begin(), sections.arcs.end(), ends) < static_cast<std::ptrdiff_t>(kArcs)) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 
+#include "core/portable_math.h"
 #include "support/made_feet.h"
 #include "tank_datum/core/unknown.h"
 
@@ -92,6 +93,16 @@ TEST(StackSections, AnArcOnWhichALipGoesOnHalfAsFarAgainShowsWhatLiesBeyondIt) {
   EXPECT_LT(band_to(0.290), 0.070);
 }
 
+TEST(StackSections, AnArcWhoseLipEndsWhereTheRingsBeginsToBePlainGoesByItsOwn) {
+  const auto blended = [](double d) { return d < 0.105 ? 0.5 * square(std::max(0.0, 0.085 - d)) : -0.010; };
+  const Sections sections(
+      blended, [](double d) { return d < 0.052 ? 0.0 : -0.010; }, 400);
+  ASSERT_GT(sections.found.whole.band_from, 0.050);
+  EXPECT_NEAR(sections.there().edge, 0.052, 0.004);
+  EXPECT_LT(sections.there().band_to, 0.053);
+  EXPECT_NEAR(sections.there().offset, 0.0, 0.0005);
+}
+
 /// How high the section of an arc says that the lip lies, which is half a millimetre, where rows show it between two
 /// distances and beside the shell only, and what lies beyond it from another one on.
 double levelOfRows(double from, double to, double beyond) {
@@ -132,49 +143,6 @@ TEST(StackSections, ASectionAHundredthOfTheReachOffItsElevationsIsOfAnotherSurfa
   EXPECT_FALSE(isOfLevel({}, 0.5)) << "shows none";
 }
 
-/// How far elevations that are off by `off`, from station to station up and down, are from a datum of zero that is
-/// hidden at every tenth station.
-/// @param shell  so many points of every other station are of the shell
-double scatterAfter(double off, const Sections::Section& section, int shell = 0) {
-  std::mt19937_64 random(5);
-  std::normal_distribution<double> normal;
-  MadeFoot made;
-  FootElevations elevations;
-  for (int s = 0; s < 360; ++s) {
-    made.addStation(s, 60, 0.015, 0.3, [&](double d) { return section(d) + 0.0005 * normal(random); });
-    made.addStation(s, s % 2 * shell, 0.0, 0.002, [&](double d) { return 150.0 * d; });
-    elevations.known.push_back(s % 10 == 0 ? kUnknown : off * std::sin(2.4 * s));
-  }
-  elevations.filled = elevations.known;
-  const FootElevations moved = alignedElevations(made.foot(), elevations);
-  double mean = 0.0, squares = 0.0;
-  for (int s = 0; s < 360; ++s) {
-    const double z = moved.known[static_cast<std::size_t>(s)];
-    EXPECT_EQ(std::isfinite(z), s % 10 != 0);
-    if (!std::isfinite(z)) continue;
-    EXPECT_TRUE(std::isfinite(moved.filled[static_cast<std::size_t>(s)]));
-    mean += z / 324.0, squares += z * z / 324.0;
-  }
-  return std::sqrt(squares - mean * mean);
-}
-
-/// How far stations lie off their middle after they were moved, upon a lip before a ringwall whose face, which does not
-/// follow the shell and holds most of the points, is so deep.
-double scatterBesideFace(double deep) {
-  MadeFoot made;
-  FootElevations elevations;
-  for (int s = 0; s < 360; ++s) {
-    made.addStation(s, 60, 0.015, 0.18, [](double d) { return d < 0.05 ? 0.008 : 0.0; });
-    const double face = 0.2 + 0.015 * std::sin(1.7 * s);
-    made.addStation(s, 150, face, face + 0.002, [&](double d) { return -deep * (d - face) / 0.002; });
-    elevations.known.push_back(0.006 * std::sin(2.4 * s));
-  }
-  elevations.filled = elevations.known;
-  double sum = 0.0, squares = 0.0;
-  for (const double z : alignedElevations(made.foot(), elevations).known) sum += z / 360.0, squares += z * z / 360.0;
-  return std::sqrt(std::max(0.0, squares - sum * sum));
-}
-
 /// Sections whose surface lies so far off the elevations they were stacked with.
 FootSections sectionsOff(double offset) {
   FootSections sections;
@@ -196,21 +164,6 @@ TEST(HeldTo, ASectionOfAnotherLevelIsNotFollowedAndIsTold) {
   EXPECT_EQ(heldTo({}, sectionsOff(-0.012), 0.5).whole.offset, -0.012) << "there is none before";
   EXPECT_EQ(heldTo(before, {}, 0.5).whole.offset, 0.001);
   EXPECT_EQ(heldTo(before, {}, 0.5).other_level, 0.0) << "shows none";
-}
-
-TEST(AlignedElevations, StationsMoveTogetherWhereTheirSectionIsOfNoSurface) {
-  const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.018; };
-  EXPECT_LT(scatterAfter(0.010, leaning), 0.0005);
-}
-
-TEST(AlignedElevations, PointsOfTheShellMoveNoStation) {
-  const auto leaning = [](double d) { return d < 0.05 ? -0.05 * d : -0.018; };
-  EXPECT_LT(scatterAfter(0.010, leaning, 200), 0.0005);
-}
-
-TEST(AlignedElevations, StationsStayWhereTheirSectionIsTheirs) {
-  const double off = 0.001;
-  EXPECT_NEAR(scatterAfter(off, [](double) { return 0.0; }), off / std::sqrt(2.0), 0.0001);
 }
 
 /// The noise of a section of which five stations stand, with so many points each; 355 others are rougher.
@@ -237,12 +190,6 @@ TEST(StackKnown, BeforeAnyAreFittedThereIsNoOtherSection) {
   MadeFoot made;
   made.addStation(0, 3, 0.005, 0.3, [](double) { return 0.0; });
   EXPECT_FALSE(stackKnown(made.foot(), std::vector<double>(360, 0.0), {}).whole.valid());
-}
-
-TEST(AlignedElevations, GoByWhatLiesWithinATenthOfTheReachOfTheSurface) {
-  EXPECT_LT(scatterBesideFace(0.2), 0.0001);
-  EXPECT_LT(scatterBesideFace(0.1), 0.0001);
-  EXPECT_GT(scatterBesideFace(0.05), 0.001) << "as high as a crown";
 }
 
 }  // namespace tank_datum::foot_sections_test
