@@ -24,8 +24,8 @@ struct WallStep {
 };
 
 /// A step of which nothing says whether the shell begins there, or goes on behind what clads its lowest part; of no
-/// height where there is none or something says so: a lip of which the step is no edge, a plate below it, or that no
-/// cladding is as thick.
+/// height where there is none or something says so: a lip of which the step is no edge, a plate below it, a
+/// foundation that goes on beyond it at some azimuths, or that few claddings are as thick.
 /// @param upon  the tank on a narrow ringwall, if it may stand on one
 WallStep stepInDoubt(const Datum& datum, const std::optional<Tank>& upon);
 

@@ -62,8 +62,7 @@ TEST(StepInDoubt, IsOneThatMayBeTheEdgeOfWhatCladsAShell) {
   EXPECT_EQ(stepInDoubt(datumAt(0.0, Status::Ok), {}).height, 0.0);
   EXPECT_EQ(stepInDoubt(datumUpon(0.1), {}).height, 1.0);
   EXPECT_EQ(stepInDoubt(datumUpon(0.1), {}).width, 0.1);
-  EXPECT_EQ(stepInDoubt(datumUpon(0.14), {}).height, 1.0);
-  EXPECT_EQ(stepInDoubt(datumUpon(0.16), {}).height, 0.0) << "no cladding is as thick";
+  EXPECT_EQ(stepInDoubt(datumUpon(0.115), {}).height, 0.0) << "few claddings are as thick";
 }
 
 TEST(StepInDoubt, IsNoneBeyondALip) {
@@ -71,6 +70,24 @@ TEST(StepInDoubt, IsNoneBeyondALip) {
   EXPECT_EQ(stepInDoubt(datumUpon(0.1, Surface::AnnularPlate, 0.085), {}).height, 1.0)
       << "the lip's edge is the step's";
   EXPECT_EQ(stepInDoubt(datumUpon(0.1, Surface::Ringwall, 0.05), {}).height, 1.0);
+}
+
+/// Whether a step 0.1 m wide is in doubt where so many bins beyond it, of 10 mm, lie so far below the foot.
+bool isInDoubtBefore(std::size_t bins, double low) {
+  Datum datum = datumUpon(0.1);
+  FootProfile& profile = datum.refined.profile;
+  profile.bin = 0.01;
+  profile.height.assign(50, kUnknown);
+  for (std::size_t i = 0; i < 12; ++i) profile.height[i] = 0.0;
+  for (std::size_t i = 12; i < 12 + bins; ++i) profile.height[i] = -low;
+  return stepInDoubt(datum, {}).height > 0.0;
+}
+
+TEST(StepInDoubt, IsNoneWhereAFoundationGoesOnBeyondItAtSomeAzimuths) {
+  EXPECT_TRUE(isInDoubtBefore(4, 0.0));
+  EXPECT_FALSE(isInDoubtBefore(5, 0.0));
+  EXPECT_FALSE(isInDoubtBefore(5, 0.045));
+  EXPECT_TRUE(isInDoubtBefore(5, 0.055));
 }
 
 TEST(StepInDoubt, OfALowerWallIsTheStepAboveItUnlessThatStandsOnAPlate) {

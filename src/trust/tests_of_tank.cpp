@@ -61,7 +61,7 @@ struct Bounds {
 //            lies inside too: no such thing makes a tank none.
 // raised     How far the stations stand above where the shell is seen elsewhere, over how far that scatters about its
 //            plane: a datum is nowhere above what is seen of its shell.
-// step       Height of a face that stands out of the wall above it by 20 to 150 mm, all round, over the reach of the
+// step       Height of a face that stands out of the wall above it by 20 to 110 mm, all round, over the reach of the
 //            section: kerbs and ringwalls that narrow are up to 0.3 m high; plinths, and what clads the lowest part of
 //            a shell against fire or hands, a metre and more.
 // low_wall   Of a wall up to two metres high, share of what is seen behind whose top something lies. Of a shell in a
